@@ -76,11 +76,11 @@ std::vector<std::string> residual(const DeckNode& /*root*/) {
 constexpr ComponentKind kinds[] = {
     // type  tags          made by, histories
     {"ice", add_ice_tags, make_ice, histories_of_fluid},
-    {"mpm", mpm::add_mpm_tags, make_mpm, histories_of_solids},
-    {"amrmpm", nullptr, make_mpm, histories_of_solids},
-    {"impm", nullptr, make_mpm, histories_of_solids},
-    {"sfmpm", nullptr, make_mpm, histories_of_solids},
-    {"shmpm", nullptr, make_mpm, histories_of_solids},
+    {"mpm", mpm::add_mpm_tags, make_mpm, histories_of_solids, true},
+    {"amrmpm", nullptr, make_mpm, histories_of_solids, true},
+    {"impm", nullptr, make_mpm, histories_of_solids, true},
+    {"sfmpm", nullptr, make_mpm, histories_of_solids, true},
+    {"shmpm", nullptr, make_mpm, histories_of_solids, true},
     {"mpmice", nullptr, make_mpmice, histories_of_both},
     {"rmpmice", nullptr, make_mpmice, histories_of_both},
     {"rigidmpmice", nullptr, make_mpmice, histories_of_both},

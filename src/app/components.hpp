@@ -19,6 +19,7 @@ struct ComponentKind {
                                      std::vector<Fault>& faults);
   // Names of the histories that it keeps; null: none.
   std::vector<std::string> (*histories)(const DeckNode& root) = nullptr;
+  bool takes_gaps = false;  // the coarsest level may be other than a rectangular block
 };
 
 std::span<const ComponentKind> component_kinds();

@@ -15,6 +15,7 @@
 #include "framework/deck/faults.hpp"
 #include "framework/deck/framework_schema.hpp"
 #include "framework/deck/load_deck.hpp"
+#include "framework/grid/gaps.hpp"
 #include "framework/run/analysis_recorder.hpp"
 #include "framework/run/output_writer.hpp"
 #include "framework/run/run_labels.hpp"
@@ -46,6 +47,17 @@ std::string errors_of(const std::vector<Fault>& faults) {
   return fmt::format("{} fault{} in the deck:{}", count, count == 1 ? "" : "s", text);
 }
 
+void check_gaps(const Scene& scene, const ComponentKind& kind, std::vector<Fault>& faults) {
+  if (!has_gaps(scene.grid.levels.front())) return;
+  const bool levels = scene.grid.levels.size() > 1 || scene.refinement.adaptive;
+  if (kind.takes_gaps && !levels) return;
+  add_not_built(faults, scene.grid_settings.where,
+                levels
+                    ? "several levels of which the coarsest has gaps"
+                    : fmt::format("a coarsest level that has gaps, of the component {}", kind.type),
+                "together its boxes must fill a rectangular block");
+}
+
 // The faults that reading finds are added; with errors among them there is no component.
 std::unique_ptr<Component> read_component(const Deck& deck, const SceneOptions& options,
                                           Scene& scene, std::vector<Fault>& faults) {
@@ -54,6 +66,7 @@ std::unique_ptr<Component> read_component(const Deck& deck, const SceneOptions& 
   const ComponentKind* kind = component_kind(deck);
   if (kind == nullptr)
     throw std::logic_error("a deck without a component passed the schema's check");
+  check_gaps(scene, *kind, faults);
   std::unique_ptr<Component> component = kind->make(deck, scene, faults);
   if (component == nullptr) return nullptr;
   std::vector<std::string> histories = labels_of_analyses(*deck.root);

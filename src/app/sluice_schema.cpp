@@ -20,20 +20,28 @@ std::vector<std::string> labels_for(const DeckNode& root) {
   return names;
 }
 
+std::unique_ptr<DeckNode> make_node(const char* name, const Location& where, const char* text) {
+  auto node = std::make_unique<DeckNode>();
+  node->name = name;
+  node->text = text;
+  node->where = where;
+  return node;
+}
+
 // Decks of poisson3 leave it to the component that its levels step together.
 void step_levels_together(DeckNode& root, std::vector<Fault>& faults) {
   const DeckNode* component = root.child("SimulationComponent");
-  DeckNode* amr = root.child("AMR");
-  if (component == nullptr || component->attribute("type") != "poisson3" || amr == nullptr ||
-      amr->child("useLockStep") != nullptr)
+  const DeckNode* grid = root.child("Grid");
+  if (component == nullptr || component->attribute("type") != "poisson3" || grid == nullptr ||
+      grid->all("Level").size() < 2)
     return;
-  auto together = std::make_unique<DeckNode>();
-  together->name = "useLockStep";
-  together->text = "true";
-  together->where = amr->where;
-  amr->children.push_back(std::move(together));
-  add_warning(faults, amr->where,
-              "<AMR> without <useLockStep>: the levels of poisson3 step together");
+  if (root.child("AMR") == nullptr)
+    root.children.push_back(make_node("AMR", component->where, ""));
+  DeckNode& amr = *root.child("AMR");
+  if (amr.child("useLockStep") != nullptr) return;
+  amr.children.push_back(make_node("useLockStep", amr.where, "true"));
+  add_warning(faults, amr.where,
+              "no <useLockStep> in <AMR>: the levels of poisson3 step together");
 }
 
 void check_labels(const DeckNode& root, std::vector<Fault>& faults) {

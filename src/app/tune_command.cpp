@@ -174,7 +174,8 @@ void draw(const TuneRequest& o, const TuneReport& report) try {
 int tune(const TuneRequest& o) {
   check(o);
   if (world().size() > 1) throw InputError("sluice tune runs on one rank; start it without mpirun");
-  const auto loaded = load_scene(o.deck, o.overrides, {}, o.quiet ? Warnings::hidden : Warnings::told);
+  const auto loaded =
+      load_scene(o.deck, o.overrides, {}, o.quiet ? Warnings::hidden : Warnings::told);
   if (!loaded->later.empty())
     throw InputError("sluice tune runs one component; name the deck of one of the switcher's");
   need_solve(loaded->deck);

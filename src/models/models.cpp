@@ -245,10 +245,10 @@ void put_into_element(DeckNode& model, const std::string& element_name,
   element->where = model.where;
   element->children.swap(model.children);
   model.children.push_back(std::move(element));
-  add_warning(faults, model.where,
-              fmt::format("<Model>: parameters beside <{0}> are obsolete; read as inside it",
-                          element_name),
-              fmt::format("write <{}> around them", element_name));
+  add_warning(
+      faults, model.where,
+      fmt::format("<Model>: parameters beside <{0}> are obsolete; read as inside it", element_name),
+      fmt::format("write <{}> around them", element_name));
 }
 
 // Regions of a passive scalar, likewise.
@@ -279,12 +279,10 @@ void move_parameters(DeckNode& root, std::vector<Fault>& faults) {
       const Entry* entry = find(model->attribute("type").value_or(""));
       if (entry == nullptr) continue;
       const std::string& element = entry->parameters.name;
-      const bool of_another =
-          std::any_of(table().begin(), table().end(), [&](const Entry& other) {
-            return model->child(other.parameters.name) != nullptr;
-          });
-      if (!of_another && !model->children.empty())
-        put_into_element(*model, element, faults);
+      const bool of_another = std::any_of(table().begin(), table().end(), [&](const Entry& other) {
+        return model->child(other.parameters.name) != nullptr;
+      });
+      if (!of_another && !model->children.empty()) put_into_element(*model, element, faults);
       if (element != "PassiveScalar") continue;
       if (DeckNode* parameters = model->child(element))
         if (DeckNode* scalar = parameters->child("scalar")) put_regions_into_start(*scalar, faults);

@@ -1,22 +1,24 @@
 #!/usr/bin/env python3
 """Check decks that are mutated at random; every command must end with 0, 1 or 2, and say why.
 
-Decks are those of inputs/ and of the suites whose folders are given. Each is changed in one to three
-places: a tag, an attribute or a number is removed, doubled, moved, renamed or replaced, or the text
-is cut. `sluice check` judges it; what it finds good is planned, and every tenth of those takes two
-steps where it has few cells. A crash, an exit status other than 0, 1 and 2, a refusal without a
-word, or a command that takes longer than LIMIT is a fault, and the deck is kept. Every number
-follows from the seed alone.
+Decks are those of inputs/ and of the suites whose folders are given. Each is changed in one to
+three places: a tag, an attribute or a number is removed, doubled, moved, renamed or replaced, a
+piece is scaled, or the text is cut. `sluice check` judges it; what it finds good is planned, and
+every tenth of those takes two steps where it has few cells. A crash, an exit status other than 0,
+1 and 2, a refusal without a word, or a command that takes more than LIMIT is a fault, and the deck
+is kept. Every number follows from the seed alone.
 """
 import argparse
 import concurrent.futures
 import pathlib
 import random
 import re
+import signal
 import subprocess
 import sys
 
-LIMIT = 10  # seconds
+LIMIT = 10  # seconds of a core: other work on the machine does not count
+HANGS = 200  # seconds of the clock
 MOST_CELLS = 20_000  # of a deck that takes steps
 TAG = re.compile(r"<(\w+)((?:\s[^<>]*?)?)(/?)>")
 NUMBER = re.compile(r"(?<![\w.])[-+]?\d+\.?\d*(?:[eE][-+]?\d+)?")
@@ -88,10 +90,12 @@ def mutated(text, draw, words):
 def outcome(words, folder):
     """(exit status or None, what was printed)"""
     try:
-        done = subprocess.run(words, cwd=folder, capture_output=True, timeout=LIMIT)
+        done = subprocess.run(["bash", "-c", f'ulimit -t {LIMIT}; exec "$@"', "bash", *words],
+                              cwd=folder, capture_output=True, timeout=HANGS)
     except subprocess.TimeoutExpired:
         return None, b""
-    return done.returncode, done.stdout + done.stderr
+    stopped = done.returncode in (-signal.SIGXCPU, -signal.SIGKILL)
+    return None if stopped else done.returncode, done.stdout + done.stderr
 
 
 def fault_of(status, told):

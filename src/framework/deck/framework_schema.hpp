@@ -36,15 +36,15 @@ void settle_material_names(DeckNode& root, std::vector<Fault>& faults);
 // Whether a tag of this name is a geometry piece or an operator that joins pieces.
 bool is_geometry_piece(std::string_view name);
 
-// Labels that <analyze> and its like may name. A label that is neither built nor known to the format
-// is refused with the nearest valid one.
+// Labels that <analyze> and its like may name. A label that is neither built nor known to the
+// format is refused with the nearest valid one.
 struct FieldLabels {
   std::vector<std::string> built;
   std::vector<std::string> not_built;  // known to the format
 };
 DeckRule check_analysed_labels(FieldLabels labels);
-// What is saved must be known to somebody: to `known`, or to the format. What a run does not compute
-// is told when its component is there.
+// What is saved must be known to somebody: to `known`, or to the format. What a run does not
+// compute is told when its component is there.
 DeckRule check_saved_labels(std::function<std::vector<std::string>(const DeckNode& root)> known);
 
 }  // namespace sluice

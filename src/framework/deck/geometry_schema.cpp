@@ -106,7 +106,11 @@ std::vector<TagSpec> round_pieces() {
                    .by_default("pie_slices"),
                place("bottom", "centre of one end").once(),
                place("top", "centre of the other end").once(),
-               tag("inner_radius", "inner radius").real().at_least(0).unit("length").by_default("0"),
+               tag("inner_radius", "inner radius")
+                   .real()
+                   .at_least(0)
+                   .unit("length")
+                   .by_default("0"),
                length("outer_radius", "radius"),
                count("num_radial", "particles along the radius").once(),
                count("num_axial", "particles along the axis").once(),
@@ -257,9 +261,10 @@ void read_thickness(DeckNode& node, std::vector<Fault>& faults) {
   if (thickness == nullptr || node.child("inner_radius") != nullptr) return;
   const auto outer = real_of(&node, "outer_radius"), part = real_of(&node, "thickness");
   if (!outer || !part) return;
-  add_warning(faults, thickness->where,
-              "<thickness> of <smoothcyl> is obsolete; read as <inner_radius>, that of outside less "
-              "it");
+  add_warning(
+      faults, thickness->where,
+      "<thickness> of <smoothcyl> is obsolete; read as <inner_radius>, that of outside less "
+      "it");
   thickness->name = "inner_radius";
   thickness->text = fmt::format("{}", *outer - *part);
 }

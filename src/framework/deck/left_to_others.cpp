@@ -34,8 +34,9 @@ void leave_steps_to_components(DeckNode& root, std::vector<Fault>& faults) {
   DeckNode* multiplier = time == nullptr ? nullptr : time->child("timestep_multiplier");
   if (!runs_switcher(root) || multiplier == nullptr || real_of(time, multiplier->name) != 0) return;
   multiplier->text = "1";
-  add_warning(faults, multiplier->where,
-              "<timestep_multiplier> 0 has no effect; dropped: those of the components' decks count");
+  add_warning(
+      faults, multiplier->where,
+      "<timestep_multiplier> 0 has no effect; dropped: those of the components' decks count");
 }
 
 }  // namespace

@@ -41,8 +41,8 @@ void tell_once(std::vector<Fault>& faults) {
   }
   for (const auto& [kind, place] : kinds)
     if (const auto [at, count] = place; count > 1)
-      told[at].message += fmt::format(", here and at {} other place{}", count - 1,
-                                      count > 2 ? "s" : "");
+      told[at].message +=
+          fmt::format(", here and at {} other place{}", count - 1, count > 2 ? "s" : "");
   faults = std::move(told);
 }
 

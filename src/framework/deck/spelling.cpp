@@ -48,7 +48,9 @@ class Settler {
 
   void settle_attributes(DeckNode& node, const TagSpec& spec) {
     for (auto& [name, value] : node.attributes) {
-      const auto called = [&, &written = name](const AttributeSpec& a) { return a.called(written); };
+      const auto called = [&, &written = name](const AttributeSpec& a) {
+        return a.called(written);
+      };
       if (std::any_of(spec.attributes.begin(), spec.attributes.end(), called)) continue;
       for (const AttributeSpec& candidate : spec.attributes) {
         if (!same_spelling(name, candidate) || node.attribute(candidate.name)) continue;
@@ -81,9 +83,8 @@ class Settler {
   template <class Spec>
   static bool same_spelling(const std::string& name, const Spec& spec) {
     return is_spelling_of(name, spec.name) ||
-           std::any_of(spec.aliases.begin(), spec.aliases.end(), [&](const std::string& alias) {
-             return is_spelling_of(name, alias);
-           });
+           std::any_of(spec.aliases.begin(), spec.aliases.end(),
+                       [&](const std::string& alias) { return is_spelling_of(name, alias); });
   }
 
   const Schema& schema_;

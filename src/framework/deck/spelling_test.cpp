@@ -15,14 +15,14 @@ Schema small_schema() {
   Schema schema;
   schema.root.children = {
       tag("MPM", "solids")
-          .with_children({tag("withColor", "colours").boolean(),
-                          tag("max_Timesteps", "steps").integer().alias("max_Timestep"),
-                          tag("model", "a choice")
-                              .multiple()
-                              .attribute(attribute("type", "which")
-                                             .once()
-                                             .words({"Arenisca3", "vonMises", "comp_neo_hook",
-                                                     "x-", "x+"}))}),
+          .with_children(
+              {tag("withColor", "colours").boolean(),
+               tag("max_Timesteps", "steps").integer().alias("max_Timestep"),
+               tag("model", "a choice")
+                   .multiple()
+                   .attribute(attribute("type", "which")
+                                  .once()
+                                  .words({"Arenisca3", "vonMises", "comp_neo_hook", "x-", "x+"}))}),
       tag("Run", "who runs").attribute(attribute("type", "which").once().words({"ice", "mpm"}))};
   return schema;
 }

@@ -40,9 +40,7 @@ ValueVerdict judge_word(const ValueSpec& spec, std::string& text) {
     return std::find(words.begin(), words.end(), text) != words.end();
   };
   if (listed(spec.words)) return {};
-  const auto same = [&](const std::string& word) {
-    return is_spelling_of(text, word);
-  };
+  const auto same = [&](const std::string& word) { return is_spelling_of(text, word); };
   const auto meant = std::find_if(spec.words.begin(), spec.words.end(), same);
   const bool known = listed(spec.words_not_built);
   if (!known && !text.empty() && meant != spec.words.end() &&

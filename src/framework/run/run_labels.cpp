@@ -33,7 +33,9 @@ class SavesOfRun {
   }
 
  private:
+  // p.kappa and p.Kappa are two variables of the format.
   bool read_other_spelling(SaveRequest& save) {
+    if (find_label(save.label) || format_has_label(save.label)) return false;
     const std::string* meant = nullptr;
     for (const std::string& name : names_) {
       if (plain_spelling(name) != plain_spelling(save.label)) continue;
@@ -41,9 +43,9 @@ class SavesOfRun {
       meant = &name;
     }
     if (meant == nullptr) return false;
-    add_warning(faults_, save.where,
-                fmt::format("<save label=\"{}\"> is an old spelling; read as \"{}\"", save.label,
-                            *meant));
+    add_warning(
+        faults_, save.where,
+        fmt::format("<save label=\"{}\"> is an old spelling; read as \"{}\"", save.label, *meant));
     save.label = *meant;
     return true;
   }
@@ -109,10 +111,9 @@ void settle_saves(OutputSettings& output, const Component& component, const RunL
   const SaveRequest first = output.saves.front();
   const std::size_t before = faults.size();
   std::erase_if(output.saves, [&](SaveRequest& save) { return !saves.settle(save); });
-  const bool refused = std::any_of(faults.begin() + static_cast<std::ptrdiff_t>(before),
-                                   faults.end(), [](const Fault& f) {
-                                     return f.severity == Severity::error;
-                                   });
+  const bool refused =
+      std::any_of(faults.begin() + static_cast<std::ptrdiff_t>(before), faults.end(),
+                  [](const Fault& f) { return f.severity == Severity::error; });
   if (output.saves.empty() && !refused)
     add_error(faults, first.where, "no variable that this deck saves is computed by its run",
               "sluice help --labels tells what there is");

@@ -9,9 +9,9 @@
 namespace sluice::run_labels_test {
 namespace {
 
+using run_test::MockComponent;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-using run_test::MockComponent;
 
 struct Settled {
   std::vector<std::string> labels;

@@ -68,12 +68,13 @@ void check_object(const DeckNode& object, std::vector<Fault>& faults) {
 void tell_of_cell_pressures(const DeckNode& material, std::vector<Fault>& faults) {
   const DeckNode* law = material.child("constitutive_model");
   if (law == nullptr) return;
-  for (const char* name : {"useModifiedEOS", "useJWLEOS", "useJWLCEOS", "useMurnaghanEOS",
-                           "useBirchMurnaghanEOS"})
+  for (const char* name :
+       {"useModifiedEOS", "useJWLEOS", "useJWLCEOS", "useMurnaghanEOS", "useBirchMurnaghanEOS"})
     if (is_true(law, name))
-      add_warning(faults, law->child(name)->where,
-                  fmt::format("<{}> true has no effect: no solid shares the pressure of a cell", name),
-                  "solids press on the fluid by their stress, at their faces");
+      add_warning(
+          faults, law->child(name)->where,
+          fmt::format("<{}> true has no effect: no solid shares the pressure of a cell", name),
+          "solids press on the fluid by their stress, at their faces");
 }
 
 // Public decks name materials that they do not have.

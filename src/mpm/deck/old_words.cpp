@@ -65,7 +65,8 @@ void read_node_count(DeckNode& flags, std::vector<Fault>& faults) {
   if (count == nullptr) return;
   const bool wide = count->text == "27" && flags.child("interpolator") == nullptr;
   if (count->text != "8" && count->text != "27")
-    add_error(faults, count->where, fmt::format("<nodes8or27>: '{}' is neither 8 nor 27", count->text),
+    add_error(faults, count->where,
+              fmt::format("<nodes8or27>: '{}' is neither 8 nor 27", count->text),
               "write <interpolator>linear</interpolator> or gimp in its place");
   else
     add_warning(faults, count->where,
@@ -104,8 +105,9 @@ void move_damage(DeckNode& material, std::vector<Fault>& faults) {
   std::unique_ptr<DeckNode> damage = take(*law, "damage_model");
   DeckNode* present = material.child("damage_model");
   if (damage != nullptr)
-    add_warning(faults, damage->where,
-                "<damage_model> in <constitutive_model> is obsolete; read as that of its <material>");
+    add_warning(
+        faults, damage->where,
+        "<damage_model> in <constitutive_model> is obsolete; read as that of its <material>");
   if (damage != nullptr && present != nullptr) {
     add_error(faults, damage->where,
               fmt::format("a second <damage_model>; the first is at {}", to_string(present->where)),

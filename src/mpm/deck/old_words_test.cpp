@@ -129,8 +129,8 @@ TEST(OldWords, DamageInsideALawIsThatOfTheMaterial) {
   EXPECT_EQ(l.text_at((damage + "/initial_mean_scalar_damage").c_str()), "0.01");
   EXPECT_EQ(l.text_at((damage + "/initial_scalar_damage_distrib").c_str()), "gauss");
   EXPECT_THAT(l.told, HasSubstr("<damage_model> in <constitutive_model> is obsolete; read as"));
-  EXPECT_FALSE(Loaded(with_law("<damage_model type='none'/>", "<damage_model type='none'/>"))
-                   .deck.good());
+  EXPECT_FALSE(
+      Loaded(with_law("<damage_model type='none'/>", "<damage_model type='none'/>")).deck.good());
 }
 
 TEST(OldWords, BasicDamageIsOffOrRefused) {
@@ -141,11 +141,12 @@ TEST(OldWords, BasicDamageIsOffOrRefused) {
 
 TEST(OldWords, ADensityInsideALawIsToldWhereItDiffers) {
   const auto metal = [](const char* density) {
-    return std::string("<material><density>8930</density><constitutive_model type='elastic_plastic'"
-                       "><bulk_modulus>136e9</bulk_modulus><shear_modulus>46e9</shear_modulus>"
-                       "<flow_model type='isotropic_hardening'><sigma_0>1e8</sigma_0><K>1e8</K>"
-                       "</flow_model><equation_of_state type='mie_gruneisen'><C_0>3940</C_0>"
-                       "<Gamma_0>2.02</Gamma_0><S_alpha>1.489</S_alpha><rho_0>") +
+    return std::string(
+               "<material><density>8930</density><constitutive_model type='elastic_plastic'"
+               "><bulk_modulus>136e9</bulk_modulus><shear_modulus>46e9</shear_modulus>"
+               "<flow_model type='isotropic_hardening'><sigma_0>1e8</sigma_0><K>1e8</K>"
+               "</flow_model><equation_of_state type='mie_gruneisen'><C_0>3940</C_0>"
+               "<Gamma_0>2.02</Gamma_0><S_alpha>1.489</S_alpha><rho_0>") +
            density +
            "</rho_0></equation_of_state></constitutive_model><thermal_conductivity>1"
            "</thermal_conductivity><specific_heat>5</specific_heat></material>";

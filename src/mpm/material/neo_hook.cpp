@@ -1,6 +1,6 @@
 // comp_neo_hook, and the names of its family: elastic here, plastic in neo_hook_plastic.cpp.
-#include "mpm/material/cell_pressure_tag.hpp"
 #include "mpm/material/neo_hook.hpp"
+#include "mpm/material/cell_pressure_tag.hpp"
 
 #include <cmath>
 
