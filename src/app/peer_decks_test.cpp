@@ -24,7 +24,7 @@ constexpr std::size_t decks_promised = 137;
 const std::map<std::string, std::string> faulty = {
     {"inputs/ICE/DNS_Moser_Re_tau395.ups", "there is no variable 'scalar-f'"},  // no model has it
     {"inputs/ICE/impVortex.ups", "there is no material 'atmosphere'"},
-    {"inputs/MPM/ARL/AMR_nano_pillar.ups", "'explicit' is neither true nor false"},
+    {"inputs/MPM/ARL/AMR_nano_pillar.ups", "'gao_diffusion' is not a valid word"},
     {"inputs/MPM/multidisks.ups", "'inputs/MPM/disks_include1.ups' does not exist"},
     {"inputs/MPM/sidecrack.ups", "<crack> does not exist in <MPM>"},
     {"inputs/MPM/GranularMPM/Silo_empty03_ConialHopper03.ups", "leads out of the folder"},
