@@ -18,6 +18,7 @@ struct CheckRequest {
   std::vector<std::string> overrides;
   bool json = false;
   bool quiet = false;
+  bool strict = false;
 };
 
 const char* kind_of(const Fault& fault) {
@@ -60,6 +61,7 @@ int check(const CheckRequest& options) {
     Deck deck = load_deck(file, options.overrides, schema);
     if (deck.good())
       for (Fault& fault : scene_faults(deck)) deck.faults.push_back(std::move(fault));
+    if (options.strict) refuse_warnings(deck.faults);
     all_good = all_good && deck.good();
     if (options.json) {
       reports.push_back(to_json(deck));
@@ -83,6 +85,7 @@ void add_check_command(CommandLine& line) {
   command.option("--set", options->overrides, "Override PATH=VALUE (may be repeated)").repeatable();
   command.flag("--json", options->json, "Report as JSON");
   command.flag("--quiet", options->quiet, "Errors only");
+  command.flag("--strict", options->strict, "Take every warning for an error");
   command.action([options] { return check(*options); });
 }
 

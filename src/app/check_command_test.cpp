@@ -106,9 +106,9 @@ const std::vector<Fault>& faults() {
       {"label_of_one_material",
        "two_gases_sod",
        {"DataArchiver/save[1]/@label=Li1"},
-       2,
+       0,
        "--set DataArchiver/save[1]/@label",
-       "names no variable of this run"},
+       "variable 'Li1' is not computed by this run; nothing is saved of it"},
   };
   return all;
 }
@@ -142,9 +142,43 @@ TEST_F(CheckCommand, JudgesEachDeckByItself) {
   const std::string second = (folder_ / "second.ups").string();
   std::ofstream(second) << text;
   const Outcome found = run_sluice({"check", inputs + "amr_mixed_gas_water.ups", second});
-  EXPECT_EQ(found.status, 2) << found.text;
+  EXPECT_EQ(found.status, 0) << found.text;
   EXPECT_THAT(found.text, HasSubstr("amr_mixed_gas_water.ups: good"));
-  EXPECT_THAT(found.text, HasSubstr("there is no variable 'scalar-f'"));
+  EXPECT_THAT(found.text, HasSubstr("variable 'scalar-f' is not computed by this run"));
+  const Outcome strict = run_sluice({"check", "--strict", second});
+  EXPECT_EQ(strict.status, 2) << strict.text;
+  EXPECT_THAT(strict.text, HasSubstr("error: variable 'scalar-f' is not computed by this run"));
+}
+
+// Labels are looked at whatever the number of cells.
+TEST_F(CheckCommand, FindsLabelsOfALargeDeck) {
+  const Outcome found = check("two_gases_sod", {"DataArchiver/save[1]/@label=nothing_CC",
+                                                "Grid/Level/Box/resolution=[1000000,1,1]"});
+  EXPECT_EQ(found.status, 2) << found.text;
+  EXPECT_THAT(found.text, HasSubstr("there is no variable 'nothing_CC'"));
+}
+
+// Two solids without a fluid, and without an exchange between them.
+TEST_F(CheckCommand, SolidsWithoutAFluidAreAFault) {
+  std::string text = text_of(std::string(SLUICE_SOURCE_DIR) + "/inputs/mpmice/shock_over_foam.ups");
+  const auto cut = [&](const std::string& from, const std::string& to, std::size_t begin) {
+    const auto at = text.find(from, begin), end = text.find(to, at);
+    ASSERT_NE(end, std::string::npos) << from;
+    text.erase(at, end + to.size() - at);
+  };
+  const auto materials = text.find("<MaterialProperties>");
+  cut("<ICE>", "</ICE>", materials);
+  cut("<exchange_properties>", "</exchange_properties>", materials);
+  const auto at = text.find("<material ", materials);
+  const auto end = text.find("</material>", at) + std::string("</material>").size();
+  text.insert(end, text.substr(at, end - at));
+  const std::string deck = (folder_ / "solids.ups").string();
+  std::ofstream(deck) << text;
+  for (const char* command : {"check", "plan", "run"}) {
+    const Outcome found = run_sluice({command, deck});
+    EXPECT_EQ(found.status, 2) << command << found.text;
+    EXPECT_THAT(found.text, HasSubstr("needs a material in <MaterialProperties><ICE>"));
+  }
 }
 
 // Cells of a large deck are not filled just to be judged.

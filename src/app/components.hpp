@@ -17,6 +17,9 @@ struct ComponentKind {
   // reading finds are added; with errors among them there is no component.
   std::unique_ptr<Component> (*make)(const Deck& deck, const Scene& scene,
                                      std::vector<Fault>& faults);
+  // Names of the histories that it keeps; null: none.
+  std::vector<std::string> (*histories)(const DeckNode& root) = nullptr;
+  bool takes_gaps = false;  // the coarsest level may be other than a rectangular block
 };
 
 std::span<const ComponentKind> component_kinds();

@@ -60,7 +60,7 @@ std::string table(const char* title, const char* text, const std::function<bool(
 
 }  // namespace
 
-std::string label_reference() {
+void declare_all_labels() {
   ice::labels();  // declares them
   examples::declare_labels();
   models::TransportedScalar scalar;
@@ -76,6 +76,10 @@ std::string label_reference() {
   models::TracerScalar tracer_scalar;
   tracer_scalar.name = "p.NAME";
   tracer_scalar.label();
+}
+
+std::string label_reference() {
+  declare_all_labels();
   std::string page = head;
   page += table("Cells", "Values at the centres of cells, after the step unless said otherwise.",
                 [](Label l) { return l.info().centring == Centring::cell && !is_state(l); });

@@ -57,6 +57,7 @@ void add_run_options(Command& command, RunOptionValues& values) {
                "Treat every direction as a dimension of the run");
   command.flag("--no-output", values.no_output, "Write no archive");
   command.flag("--quiet", values.quiet, "Drop warnings of the deck and notes about the time step");
+  command.flag("--strict", values.strict, "Take every warning of the deck for an error");
 }
 
 int threads_to_use(int asked) {

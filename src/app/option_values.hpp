@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "app/command_line.hpp"
+#include "app/scene_loader.hpp"
 #include "framework/base/vec3.hpp"
 #include "framework/scene/scene.hpp"
 
@@ -17,9 +18,13 @@ struct RunOptionValues {
   std::vector<std::string> overrides;
   std::string boxes, block;
   int threads = 1;
-  bool force_all = false, force_directions = false, no_output = false, quiet = false;
+  bool force_all = false, force_directions = false, no_output = false, quiet = false,
+       strict = false;
 
   SceneOptions scene_options(int ranks) const;
+  Warnings warnings() const {
+    return strict ? Warnings::refused : quiet ? Warnings::hidden : Warnings::told;
+  }
   IntVec3 block_extents() const;
 };
 

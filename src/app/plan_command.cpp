@@ -60,7 +60,7 @@ int plan(const PlanRequest& o) {
   if (o.ranks < 1) throw InputError("--ranks takes a number of at least 1");
   check_run_options(o.run);
   const auto loaded =
-      load_scene(o.deck, o.run.overrides, o.run.scene_options(o.ranks), o.run.quiet);
+      load_scene(o.deck, o.run.overrides, o.run.scene_options(o.ranks), o.run.warnings());
   PlanOptions options;
   options.ranks = o.ranks;
   options.threads = o.run.threads;

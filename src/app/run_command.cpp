@@ -106,8 +106,8 @@ void tell_end(const RunRequest& o, const RunReport& report, ProgressMode progres
 
 int run_on(Communicator& ranks, const RunRequest& o) {
   check_numbers(o);
-  const std::unique_ptr<LoadedScene> loaded =
-      load_scene(deck_file(o), o.run.overrides, o.run.scene_options(ranks.size()), o.run.quiet);
+  const std::unique_ptr<LoadedScene> loaded = load_scene(
+      deck_file(o), o.run.overrides, o.run.scene_options(ranks.size()), o.run.warnings());
   RunOptions options;
   options.parent = o.parent;
   options.output = !o.run.no_output;

@@ -13,19 +13,23 @@
 #include "framework/base/communicator.hpp"
 #include "framework/base/console.hpp"
 #include "framework/deck/faults.hpp"
+#include "framework/deck/framework_schema.hpp"
 #include "framework/deck/load_deck.hpp"
+#include "framework/grid/gaps.hpp"
 #include "framework/run/analysis_recorder.hpp"
 #include "framework/run/output_writer.hpp"
+#include "framework/run/run_labels.hpp"
 #include "framework/scene/deck_values.hpp"
 
 namespace sluice {
 namespace {
 
-void tell(const std::vector<Fault>& faults, bool quiet) {
-  if (!world().is_root()) return;
+void tell(std::vector<Fault>& faults, Warnings warnings) {
+  if (warnings == Warnings::refused) refuse_warnings(faults);
+  if (!world().is_root() || warnings != Warnings::told) return;
   const bool colour = wants_colour(stderr);
   for (const Fault& f : faults) {
-    if (f.severity == Severity::error || quiet) continue;
+    if (f.severity == Severity::error) continue;
     fmt::print(stderr, "{}\n", styled(to_string(f), Style::yellow, colour));
   }
 }
@@ -43,6 +47,17 @@ std::string errors_of(const std::vector<Fault>& faults) {
   return fmt::format("{} fault{} in the deck:{}", count, count == 1 ? "" : "s", text);
 }
 
+void check_gaps(const Scene& scene, const ComponentKind& kind, std::vector<Fault>& faults) {
+  if (!has_gaps(scene.grid.levels.front())) return;
+  const bool levels = scene.grid.levels.size() > 1 || scene.refinement.adaptive;
+  if (kind.takes_gaps && !levels) return;
+  add_not_built(faults, scene.grid_settings.where,
+                levels
+                    ? "several levels of which the coarsest has gaps"
+                    : fmt::format("a coarsest level that has gaps, of the component {}", kind.type),
+                "together its boxes must fill a rectangular block");
+}
+
 // The faults that reading finds are added; with errors among them there is no component.
 std::unique_ptr<Component> read_component(const Deck& deck, const SceneOptions& options,
                                           Scene& scene, std::vector<Fault>& faults) {
@@ -51,7 +66,14 @@ std::unique_ptr<Component> read_component(const Deck& deck, const SceneOptions& 
   const ComponentKind* kind = component_kind(deck);
   if (kind == nullptr)
     throw std::logic_error("a deck without a component passed the schema's check");
-  return kind->make(deck, scene, faults);
+  check_gaps(scene, *kind, faults);
+  std::unique_ptr<Component> component = kind->make(deck, scene, faults);
+  if (component == nullptr) return nullptr;
+  std::vector<std::string> histories = labels_of_analyses(*deck.root);
+  if (kind->histories != nullptr)
+    for (std::string& name : kind->histories(*deck.root)) histories.push_back(std::move(name));
+  settle_saves(scene.output, *component, RunLabels(*component, std::move(histories)), faults);
+  return component;
 }
 
 // The same of each component of a switcher.
@@ -98,6 +120,11 @@ void make_ready(const Scene& scene, const Component& component, std::vector<Faul
 
 }  // namespace
 
+void refuse_warnings(std::vector<Fault>& faults) {
+  for (Fault& f : faults)
+    if (f.severity == Severity::warning) f.severity = Severity::error;
+}
+
 std::vector<Fault> scene_faults(const Deck& deck) {
   std::vector<Fault> faults;
   LoadedScene run;
@@ -116,14 +143,14 @@ std::vector<Fault> scene_faults(const Deck& deck) {
 
 std::unique_ptr<LoadedScene> load_scene(const std::string& file,
                                         const std::vector<std::string>& overrides,
-                                        const SceneOptions& options, bool quiet) {
+                                        const SceneOptions& options, Warnings warnings) {
   auto loaded = std::make_unique<LoadedScene>();
   loaded->deck = load_deck(file, overrides, sluice_schema());
-  tell(loaded->deck.faults, quiet);
+  tell(loaded->deck.faults, warnings);
   if (!loaded->deck.good()) throw InputError(errors_of(loaded->deck.faults));
   std::vector<Fault> faults;
   read_run(loaded->deck, options, *loaded, faults);
-  tell(faults, quiet);
+  tell(faults, warnings);
   if (const std::string errors = errors_of(faults); !errors.empty()) throw InputError(errors);
   return loaded;
 }

@@ -30,10 +30,15 @@ struct LoadedScene {
 // cells, what it analyses and saves.
 std::vector<Fault> scene_faults(const Deck& deck);
 
+// What becomes of the warnings of a deck: refused are they as errors.
+enum class Warnings { told, hidden, refused };
+void refuse_warnings(std::vector<Fault>& faults);
+
 // Prints warnings (on rank 0) and throws InputError listing all errors, one a line, when the deck
-// is not good. `quiet` drops the warnings.
+// is not good.
 std::unique_ptr<LoadedScene> load_scene(const std::string& file,
                                         const std::vector<std::string>& overrides,
-                                        const SceneOptions& options, bool quiet = false);
+                                        const SceneOptions& options,
+                                        Warnings warnings = Warnings::told);
 
 }  // namespace sluice

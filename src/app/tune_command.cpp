@@ -153,7 +153,7 @@ void write_copy(const TuneRequest& o, const TuneReport& report) {
   TextSink sink(o.apply);
   sink.write(text);
   sink.close();
-  load_scene(o.apply, o.overrides, {}, true);
+  load_scene(o.apply, o.overrides, {}, Warnings::hidden);
   fmt::print("{}: {}\n", report.worth_it() ? "tuned deck" : "copy of the deck", o.apply);
 }
 
@@ -174,7 +174,8 @@ void draw(const TuneRequest& o, const TuneReport& report) try {
 int tune(const TuneRequest& o) {
   check(o);
   if (world().size() > 1) throw InputError("sluice tune runs on one rank; start it without mpirun");
-  const auto loaded = load_scene(o.deck, o.overrides, {}, o.quiet);
+  const auto loaded =
+      load_scene(o.deck, o.overrides, {}, o.quiet ? Warnings::hidden : Warnings::told);
   if (!loaded->later.empty())
     throw InputError("sluice tune runs one component; name the deck of one of the switcher's");
   need_solve(loaded->deck);

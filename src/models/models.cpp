@@ -235,19 +235,57 @@ TagSpec models_tag() {
                  .with_children(elements));
 }
 
+namespace {
+
+// Parameters beside the element of their model, as older decks have them.
+void put_into_element(DeckNode& model, const std::string& element_name,
+                      std::vector<Fault>& faults) {
+  auto element = std::make_unique<DeckNode>();
+  element->name = element_name;
+  element->where = model.where;
+  element->children.swap(model.children);
+  model.children.push_back(std::move(element));
+  add_warning(
+      faults, model.where,
+      fmt::format("<Model>: parameters beside <{0}> are obsolete; read as inside it", element_name),
+      fmt::format("write <{}> around them", element_name));
+}
+
+// Regions of a passive scalar, likewise.
+void put_regions_into_start(DeckNode& scalar, std::vector<Fault>& faults) {
+  std::vector<std::unique_ptr<DeckNode>> regions;
+  for (auto& child : scalar.children)
+    if (child->name == "geom_object") regions.push_back(std::move(child));
+  std::erase(scalar.children, nullptr);
+  if (regions.empty()) return;
+  add_warning(faults, regions.front()->where,
+              "<geom_object> in <scalar> is obsolete; read as inside <initialization>");
+  DeckNode* start = scalar.child("initialization");
+  if (start == nullptr) {
+    auto made = std::make_unique<DeckNode>();
+    made->name = "initialization";
+    made->where = regions.front()->where;
+    start = scalar.children.emplace_back(std::move(made)).get();
+  }
+  for (auto& region : regions) start->children.push_back(std::move(region));
+}
+
+}  // namespace
+
 void move_parameters(DeckNode& root, std::vector<Fault>& faults) {
   for (const auto& models : root.children) {
     if (models->name != "Models") continue;
     for (const auto& model : models->children) {
-      if (model->attribute("type") != "Test" || model->child("Test") != nullptr) continue;
-      if (model->child("rate") == nullptr) continue;
-      auto element = std::make_unique<DeckNode>();
-      element->name = "Test";
-      element->where = model->where;
-      element->children.swap(model->children);
-      model->children.push_back(std::move(element));
-      add_warning(faults, model->where, "<Model>: parameters beside <Test> are read as inside it",
-                  "write <Test> around them");
+      const Entry* entry = find(model->attribute("type").value_or(""));
+      if (entry == nullptr) continue;
+      const std::string& element = entry->parameters.name;
+      const bool of_another = std::any_of(table().begin(), table().end(), [&](const Entry& other) {
+        return model->child(other.parameters.name) != nullptr;
+      });
+      if (!of_another && !model->children.empty()) put_into_element(*model, element, faults);
+      if (element != "PassiveScalar") continue;
+      if (DeckNode* parameters = model->child(element))
+        if (DeckNode* scalar = parameters->child("scalar")) put_regions_into_start(*scalar, faults);
     }
   }
 }

@@ -5,7 +5,8 @@
 
 LIST is amr (decks with <AMR> or several <Level>s, run for some coarse steps), ice (decks of
 inputs/ICE, coarsened to seconds), mpm (decks of solids, a few steps), impm (implicit steps,
-likewise) or mpmice (fluid and solids, a few steps). A deck that `sluice
+likewise), mpmice (fluid and solids, a few steps), suite (all of them) or vaango (Vaango's suite, in
+the folder that SLUICE_VAANGO_DECKS names). A deck that `sluice
 check` finds good is run; of any other the first fault is told. --check writes nothing and fails
 when a page is not what it would write. --test is quick: `sluice check` must find every deck good
 that the page says runs, and one deck of each kind is run for a few steps; exit 77 means that
@@ -105,6 +106,29 @@ step is saved. A deck runs when it ends in good order, all totals and all values
 are finite, volumes and masses of particles are positive, and the mass of each material is conserved
 to {LARGEST_DRIFT:g}, what passed from one to another aside. That says nothing of accuracy. Of the
 others the first thing that is missing is told, as `sluice check` or the start of the run says it.
+
+"""
+
+
+SUITE_HEAD = f"""# The public suite
+
+Every deck of the format's public suite, and its state: accepted by `sluice check` or not, and how
+far it runs. This page is written by `tools/verify/suite_decks.py suite`, which finds the suite
+through the variable `SLUICE_DECKS`; `./dev verify decks` checks every row. Decks that stand on
+the page of a kind (fluids, solids, both, implicit steps, levels) have the state told there; the
+others run for {QUICK_STEPS} steps. Of those that are not accepted the first fault is told.
+
+"""
+
+VAANGO_HEAD = f"""# Decks of Vaango's suite
+
+Every deck of Vaango's suite (June 2025) that is not among those of the format's public suite, and
+its state: accepted by `sluice check` or not, and how far it runs. This page is written by
+`tools/verify/suite_decks.py vaango`, which finds the suite through the variable
+`SLUICE_VAANGO_DECKS`; `./dev verify decks` checks every row. Accepted decks run for {QUICK_STEPS}
+steps, a grid of one box of more than {MOST_CELLS_OF_SOLIDS:,} cells by a smaller `resolution`. That
+says nothing of accuracy. Of those that are not accepted the first fault is told; files that the
+suite itself lacks are such faults.
 
 """
 
@@ -362,6 +386,19 @@ def run_few(sluice, suite, path):
     return True, text + ("" if cells is None else f" on {' x '.join(map(str, cells))} cells")
 
 
+def run_some(sluice, suite, path):
+    """(good, what to tell) of the first steps of a deck of any kind, with what its end says"""
+    options, cells = coarsened(path, MOST_CELLS_OF_SOLIDS)
+    with tempfile.TemporaryDirectory() as name:
+        report, wrong = run(sluice, suite, path.relative_to(suite).as_posix(), pathlib.Path(name),
+                            ["--max-steps", str(QUICK_STEPS), *options], SOLIDS_LIMIT)
+    if report is None:
+        return False, f"accepted; {wrong}"
+    whole = report["status"] == "done" or report["steps"] < QUICK_STEPS
+    text = f"runs{' to its end' if whole else ''}, {report['steps']} steps"
+    return True, text + ("" if cells is None else f" on {' x '.join(map(str, cells))} cells")
+
+
 def state_of(sluice, suite, path, run_deck):
     fault = first_of(faults_of(sluice, suite, [path.relative_to(suite).as_posix()])[0])
     if fault:
@@ -438,8 +475,39 @@ class MpmIceList:
         return [component, str(materials_of(path)), models_of(path)]
 
 
+class SuiteList:
+    page = ROOT / "docs" / "suite_decks.md"
+    head, folders = SUITE_HEAD, ("inputs",)
+    columns = "| deck | component | state |\n| --- | --- | --- |\n"
+    told = "decks of the public suite run"
+    counts = True
+    variable = "SLUICE_DECKS"
+
+    @staticmethod
+    def cells(path):
+        return [component_of(path)]
+
+    @staticmethod
+    def run_deck(sluice, suite, path):
+        name = short_name(suite, path)
+        for other in (MpmList, IceList, MpmIceList, ImpmList, AmrList):
+            found = rows_of(other.page).get(name)
+            if found is not None:
+                good, line = found
+                return good, re.split(r" (?<!\\)\| ", line.rstrip(" |\n"))[-1]
+        return run_some(sluice, suite, path)
+
+
+class VaangoList(SuiteList):
+    page = ROOT / "docs" / "vaango_decks.md"
+    head = VAANGO_HEAD
+    told = "decks of Vaango's suite run"
+    variable = "SLUICE_VAANGO_DECKS"
+    run_deck = staticmethod(run_some)
+
+
 LISTS = {"amr": AmrList, "ice": IceList, "mpm": MpmList, "impm": ImpmList,
-         "mpmice": MpmIceList}
+         "mpmice": MpmIceList, "suite": SuiteList, "vaango": VaangoList}
 
 
 def short_name(suite, path):
@@ -448,6 +516,8 @@ def short_name(suite, path):
 
 def promised(suite, deck_list):
     """The decks of the list that must run."""
+    if getattr(deck_list, "variable", "SLUICE_DECKS") != "SLUICE_DECKS":
+        return set()
     below = tuple(f"{folder}/".removeprefix("inputs/") for folder in deck_list.folders)
     return {name for name in promised_decks()
             if name.startswith(below) and deck_list.cells(suite / "inputs" / name) is not None}
@@ -480,9 +550,15 @@ def make_page(sluice, suite, deck_list, only=""):
         rows = [found for found in pool.map(row, paths) if found is not None]
     running = [line for good, _, line in rows if good]
     text = deck_list.head
-    text += f"{len(running)} of {len(rows)} decks run.\n\n" + deck_list.columns
+    accepted = sum(not re.search(r"\| (missing|fault of the deck): [^|]*\|$", line)
+                   for _, _, line in rows)
+    counts = getattr(deck_list, "counts", False)
+    count = f"{accepted} of {len(rows)} decks are accepted, {len(running)} run.\n\n"
+    text += count if counts else f"{len(running)} of {len(rows)} decks run.\n\n"
+    text += deck_list.columns
     text += "".join(running) + "".join(line for good, _, line in rows if not good)
     told = f"{len(running)} of {len(rows)} {deck_list.told}"
+    told += f", {accepted} are accepted" if counts else ""
     return text, told, {name for good, name, _ in rows if good}
 
 
@@ -531,6 +607,17 @@ def treat(sluice, suite, deck_list, given):
     return True
 
 
+def enter_suite(variable):
+    """The folder of a suite, which becomes the working folder; None: the variable is not set."""
+    suite = os.environ.get(variable)
+    if not suite:
+        print(f"suite_decks: {variable} does not name the folder of the suite", file=sys.stderr)
+        return None
+    suite = pathlib.Path(suite).resolve()
+    os.chdir(suite)  # includes are also looked for here
+    return suite
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -544,16 +631,16 @@ def main():
     given = parser.parse_args()
     if bool(given.lists) == given.test or not set(given.lists) <= LISTS.keys():
         parser.error(f"give lists of {', '.join(sorted(LISTS))}, or --test")
-    suite = os.environ.get("SLUICE_DECKS")
-    if not suite:
-        print("suite_decks: SLUICE_DECKS does not name the folder of the suite", file=sys.stderr)
-        return NO_SUITE if given.test else 2
-    suite = pathlib.Path(suite).resolve()
     sluice = str(pathlib.Path(given.sluice).resolve())
-    os.chdir(suite)  # includes are also looked for here
     if given.test:
-        return 0 if test(sluice, suite) else 1
-    good = [treat(sluice, suite, LISTS[name], given) for name in given.lists]
+        suite = enter_suite("SLUICE_DECKS")
+        return NO_SUITE if suite is None else 0 if test(sluice, suite) else 1
+    good = []
+    for name in given.lists:
+        suite = enter_suite(getattr(LISTS[name], "variable", "SLUICE_DECKS"))
+        if suite is None:
+            return 2
+        good.append(treat(sluice, suite, LISTS[name], given))
     return 0 if all(good) else 1
 
 

@@ -28,26 +28,23 @@ void check_saves(const DeckNode& root, std::vector<Fault>& faults);
 void check_filebase(const DeckNode& root, std::vector<Fault>& faults);
 void check_pieces(const DeckNode& root, std::vector<Fault>& faults);
 
+// What a deck leaves to be told elsewhere.
+void fill_in_what_others_tell(DeckNode& root, std::vector<Fault>& faults);
+// Names of materials in <Models> and <DataAnalysis>, written in other capitals.
+void settle_material_names(DeckNode& root, std::vector<Fault>& faults);
+
 // Whether a tag of this name is a geometry piece or an operator that joins pieces.
 bool is_geometry_piece(std::string_view name);
 
-// Labels that <save> and <analyze> may name. A label that is neither built nor known to the format
-// is refused with the nearest valid one.
-struct SaveLabels {
-  // One of the format that the scheme has not.
-  struct Foreign {
-    std::string name;    // or how several names begin; after *: how they end
-    std::string reason;  // a sentence's end
-    std::string instead;
-  };
+// Labels that <analyze> and its like may name. A label that is neither built nor known to the
+// format is refused with the nearest valid one.
+struct FieldLabels {
   std::vector<std::string> built;
   std::vector<std::string> not_built;  // known to the format
-  std::vector<Foreign> foreign;
-
-  const Foreign* find_foreign(std::string_view label) const;
 };
-// What a deck is told that names it.
-std::string refusal_of(const SaveLabels::Foreign& foreign, std::string_view label);
-DeckRule check_save_labels(SaveLabels labels);
+DeckRule check_analysed_labels(FieldLabels labels);
+// What is saved must be known to somebody: to `known`, or to the format. What a run does not
+// compute is told when its component is there.
+DeckRule check_saved_labels(std::function<std::vector<std::string>(const DeckNode& root)> known);
 
 }  // namespace sluice

@@ -101,10 +101,16 @@ std::vector<TagSpec> round_pieces() {
                           tag("theta", "turn of the axis").real().by_default("0").unit("radian")}),
       piece("smoothcyl", "hollow cylinder whose particles follow the surface")
           .with_children(
-              {tag("discretization_scheme", "how particles are laid").once().text(),
+              {tag("discretization_scheme", "how particles are laid")
+                   .words({"pie_slices", "constant_particle_volumes"})
+                   .by_default("pie_slices"),
                place("bottom", "centre of one end").once(),
                place("top", "centre of the other end").once(),
-               tag("inner_radius", "inner radius").real().at_least(0).unit("length").once(),
+               tag("inner_radius", "inner radius")
+                   .real()
+                   .at_least(0)
+                   .unit("length")
+                   .by_default("0"),
                length("outer_radius", "radius"),
                count("num_radial", "particles along the radius").once(),
                count("num_axial", "particles along the axis").once(),
@@ -248,6 +254,25 @@ void place_images(DeckNode& root, std::vector<Fault>& /*faults*/) {
   if (lower && upper) place_images_below(root, *lower, *upper);
 }
 
+// Decks of a thickness mean the inner radius by it.
+void read_thickness(DeckNode& node, std::vector<Fault>& faults) {
+  for (const auto& child : node.children) read_thickness(*child, faults);
+  DeckNode* thickness = node.name == "smoothcyl" ? node.child("thickness") : nullptr;
+  if (thickness == nullptr || node.child("inner_radius") != nullptr) return;
+  const auto outer = real_of(&node, "outer_radius"), part = real_of(&node, "thickness");
+  if (!outer || !part) return;
+  add_warning(
+      faults, thickness->where,
+      "<thickness> of <smoothcyl> is obsolete; read as <inner_radius>, that of outside less "
+      "it");
+  thickness->name = "inner_radius";
+  thickness->text = fmt::format("{}", *outer - *part);
+}
+
+void read_thicknesses(DeckNode& root, std::vector<Fault>& faults) {
+  read_thickness(root, faults);
+}
+
 }  // namespace
 
 bool is_geometry_piece(std::string_view name) {
@@ -259,6 +284,7 @@ bool is_geometry_piece(std::string_view name) {
 void add_geometry_tags(Schema& schema) {
   schema.groups["geometry_piece"] = all_pieces();
   schema.rewrites.emplace_back(place_images);
+  schema.rewrites.emplace_back(read_thicknesses);
   schema.rules.emplace_back(check_pieces);
 }
 

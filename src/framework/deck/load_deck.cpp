@@ -1,6 +1,8 @@
 // The passes that make a checked deck out of a file.
 #include "framework/deck/load_deck.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 #include <tuple>
@@ -9,6 +11,7 @@
 #include "framework/deck/data_file.hpp"
 #include "framework/deck/faults.hpp"
 #include "framework/deck/schema_check.hpp"
+#include "framework/deck/spelling.hpp"
 
 namespace sluice {
 namespace {
@@ -22,6 +25,26 @@ void sort_by_place(std::vector<Fault>& faults) {
   };
   std::stable_sort(faults.begin(), faults.end(),
                    [&](const Fault& a, const Fault& b) { return place(a) < place(b); });
+}
+
+// One warning a kind: a deck of fifty objects says an old word fifty times.
+void tell_once(std::vector<Fault>& faults) {
+  std::map<std::pair<std::string, std::string>, std::pair<std::size_t, int>> kinds;
+  std::vector<Fault> told;
+  for (Fault& fault : faults) {
+    if (fault.severity != Severity::error) {
+      const auto [first, fresh] =
+          kinds.try_emplace({fault.message, fault.suggestion}, told.size(), 0);
+      ++first->second.second;
+      if (!fresh) continue;
+    }
+    told.push_back(std::move(fault));
+  }
+  for (const auto& [kind, place] : kinds)
+    if (const auto [at, count] = place; count > 1)
+      told[at].message +=
+          fmt::format(", here and at {} other place{}", count - 1, count > 2 ? "s" : "");
+  faults = std::move(told);
 }
 
 // A value that a rule cannot read has been told where values are checked; the other faults of the
@@ -49,8 +72,11 @@ std::unique_ptr<DeckNode> copy_of(const DeckNode& node) {
 
 Deck check_deck(Deck deck, const std::vector<std::string>& overrides, const Schema& schema) {
   if (deck.root == nullptr) return deck;
+  settle_spelling(*deck.root, schema, deck.faults);
   drop_obsolete(*deck.root, deck.faults);
   for (const DeckRewrite& rewrite : schema.rewrites) rewrite(*deck.root, deck.faults);
+  drop_obsolete(*deck.root, deck.faults);  // in what has been moved
+  settle_spelling(*deck.root, schema, deck.faults);
   normalise_names(*deck.root, schema);
   for (const std::string& text : overrides) {
     apply_override(*deck.root, text, schema, deck.faults);
@@ -61,6 +87,7 @@ Deck check_deck(Deck deck, const std::vector<std::string>& overrides, const Sche
   locate_files(*deck.root, schema, deck.faults);
   for (const DeckRule& rule : schema.rules) apply(rule, deck);
   sort_by_place(deck.faults);
+  tell_once(deck.faults);
   return deck;
 }
 

@@ -244,7 +244,7 @@ TEST(Obsolete, TagsMapOrDropWithOneWarningEach) {
   Deck deck = read_deck_text(
       "<Uintah_specification>\n"
       "<PhysicalConstants><pressure>1</pressure><gravity>[0,0,0]</gravity></PhysicalConstants>\n"
-      "<MPM><UseMomentumForm>true</UseMomentumForm><interpolator>cpid</interpolator></MPM>\n"
+      "<MPM><UseMomentumForm>false</UseMomentumForm><interpolator>cpid</interpolator></MPM>\n"
       "<DataArchiver><checkpoint cycle='4.0'/><checkpoint cycle='2'/></DataArchiver>\n"
       "<Models><Model><TracerParticles><newVariables/></TracerParticles></Model></Models>\n"
       "</Uintah_specification>",

@@ -7,22 +7,26 @@
 
 #include "framework/deck/faults.hpp"
 #include "framework/deck/load_deck.hpp"
+#include "framework/deck/spelling.hpp"
 #include "framework/deck/value_text.hpp"
 
 namespace sluice {
 namespace {
 
-enum class Action { drop, rename, change_value, change_attribute, whole_number, no_effect };
+enum class Action { drop, rename, off, change_value, change_attribute, whole_number, no_effect };
 
 struct Row {
   const char* path;  // the last parts of the tag's path
   Action action;
-  const char* from;  // value, attribute=value or attribute that must be there
+  const char* from;  // value, attribute=value or attribute that must be there; off: values, as a|b
   const char* to;    // new name, value or attribute=value
   const char* reason;
 };
 
 constexpr const char* measured_cost = "boxes are dealt out to ranks by measured cost";
+constexpr const char* all_materials = "materials are all in the deck";
+constexpr const char* renamed = "its name of today";
+constexpr const char* tiles = "flagged tiles are refined";
 constexpr const char* cracks_at_the_flux = "cracks burn at the mass flux of surfaces";
 
 // clang-format off
@@ -31,19 +35,33 @@ constexpr Row table[] = {
 };
 // clang-format on
 
-// Whether the slash-separated path ends with these parts.
-bool ends_with(std::string_view path, std::string_view tail) {
+// Whether the slash-separated path ends with these parts, in any spelling.
+bool ends_with(std::string_view path, const std::string& parts) {
+  const std::string tail = plain_spelling(parts);
   if (path.size() < tail.size() || path.substr(path.size() - tail.size()) != tail) return false;
   return path.size() == tail.size() || path[path.size() - tail.size() - 1] == '/';
+}
+
+// Of values written as a|b; numbers by value.
+bool is_one_of(const std::string& text, std::string_view values) {
+  const auto number = parse_real(text);
+  for (;;) {
+    const std::string_view value = values.substr(0, values.find('|'));
+    const auto listed = parse_real(value);
+    if (text == value || (number && listed && *number.value == *listed.value)) return true;
+    if (value.size() == values.size()) return false;
+    values.remove_prefix(value.size() + 1);
+  }
 }
 
 class Updater {
  public:
   explicit Updater(std::vector<Fault>& faults) : faults_(faults) {}
 
+  // `path` is in its plain spelling.
   void update(DeckNode& node, const std::string& path) {
     for (auto child = node.children.begin(); child != node.children.end();) {
-      const std::string child_path = path + '/' + (*child)->name;
+      const std::string child_path = path + '/' + plain_spelling((*child)->name);
       if (update_one(**child, child_path)) {
         child = node.children.erase(child);
         continue;
@@ -71,6 +89,8 @@ class Updater {
           warn(node, fmt::format("<{}> is obsolete; read as <{}>", node.name, row.to), row.reason);
           node.name = row.to;
           return false;
+        case Action::off:
+          return drop_when_off(node, row);
         case Action::change_value:
           if (node.text != row.from) break;
           warn(node,
@@ -91,6 +111,16 @@ class Updater {
       }
     }
     return false;
+  }
+
+  // Physics that is not there may be switched off, and not on.
+  bool drop_when_off(const DeckNode& node, const Row& row) {
+    if (!is_one_of(node.text, row.from)) {
+      add_not_built(faults_, node.where, fmt::format("<{}> {}", node.name, node.text), row.reason);
+      return true;
+    }
+    warn(node, fmt::format("<{}> is obsolete; dropped", node.name), row.reason);
+    return true;
   }
 
   void change_attribute(DeckNode& node, const Row& row) {

@@ -5,9 +5,11 @@
 #include <filesystem>
 
 #include "framework/deck/faults.hpp"
+#include "framework/deck/format_labels.hpp"
 #include "framework/deck/framework_schema.hpp"
 #include "framework/deck/nearest_name.hpp"
 #include "framework/deck/rule_tools.hpp"
+#include "framework/deck/spelling.hpp"
 
 namespace sluice {
 namespace {
@@ -46,6 +48,10 @@ TagSpec checkpoint() {
            attribute("lastTimestep", "a checkpoint at the end of the run")
                .boolean()
                .by_default("false")});
+}
+
+bool listed(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 }  // namespace
@@ -161,49 +167,23 @@ void check_checkpoint(const DeckNode& root, std::vector<Fault>& faults) {
   }
 }
 
-const SaveLabels::Foreign* SaveLabels::find_foreign(std::string_view label) const {
-  const auto fits = [&](const Foreign& f) {
-    const std::string_view name = f.name;
-    return name.front() == '*' ? label.ends_with(name.substr(1)) : label.starts_with(name);
-  };
-  const auto found = std::find_if(foreign.begin(), foreign.end(), fits);
-  return found == foreign.end() ? nullptr : &*found;
-}
-
-std::string refusal_of(const SaveLabels::Foreign& foreign, std::string_view label) {
-  return fmt::format("variable {} does not exist here: {}", in_quotes(std::string(label)),
-                     foreign.reason);
-}
-
-DeckRule check_save_labels(SaveLabels labels) {
+DeckRule check_analysed_labels(FieldLabels labels) {
   return [labels = std::move(labels)](const DeckNode& root, std::vector<Fault>& faults) {
-    const auto listed = [](const std::vector<std::string>& list, const std::string& label) {
-      return std::find(list.begin(), list.end(), label) != list.end();
-    };
-    const std::vector<std::string> analysed = labels_of_analyses(root);
-    const auto check_among = [&](const DeckNode& node, const std::vector<std::string>& more) {
+    const auto check = [&](const DeckNode& node) {
       const auto label = node.attribute("label");
-      if (!label || listed(labels.built, *label) || listed(more, *label)) return;
-      if (const SaveLabels::Foreign* foreign = labels.find_foreign(*label)) {
+      if (!label || listed(labels.built, *label)) return;
+      if (const ForeignLabel* foreign = find_foreign_label(*label)) {
         Fault fault{Severity::error, node.where, refusal_of(*foreign, *label), foreign->instead};
         fault.not_built = true;
         faults.push_back(std::move(fault));
-        return;
-      }
-      std::vector<std::string> all = labels.built;
-      all.insert(all.end(), more.begin(), more.end());
-      const bool known = listed(labels.not_built, *label) || label->rfind("p.", 0) == 0 ||
-                         label->rfind("g.", 0) == 0;
-      if (known)
+      } else if (listed(labels.not_built, *label) || label->starts_with("p.") ||
+                 label->starts_with("g.")) {
         add_not_built(faults, node.where, "variable " + in_quotes(*label));
-      else
+      } else {
         add_error(faults, node.where, fmt::format("there is no variable {}", in_quotes(*label)),
-                  suggest_name(*label, all));
+                  suggest_name(*label, labels.built));
+      }
     };
-    const auto check = [&](const DeckNode& node) { check_among(node, {}); };
-    if (const DeckNode* archiver = root.child("DataArchiver")) {
-      for (const DeckNode* node : archiver->all("save")) check_among(*node, analysed);
-    }
     const DeckNode* analysis = root.child("DataAnalysis");
     if (analysis == nullptr) return;
     for (const DeckNode* module : analysis->all("Module")) {
@@ -212,6 +192,26 @@ DeckRule check_save_labels(SaveLabels labels) {
       const DeckNode* variables = module->child("Variables");
       if (variables == nullptr) continue;
       for (const DeckNode* node : variables->all("analyze")) check(*node);
+    }
+  };
+}
+
+DeckRule check_saved_labels(std::function<std::vector<std::string>(const DeckNode& root)> known) {
+  return [known = std::move(known)](const DeckNode& root, std::vector<Fault>& faults) {
+    const DeckNode* archiver = root.child("DataArchiver");
+    if (archiver == nullptr) return;
+    std::vector<std::string> names = known(root);
+    for (std::string& label : labels_of_analyses(root)) names.push_back(std::move(label));
+    const auto any_spelling = [&](const std::string& label) {
+      return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+        return plain_spelling(name) == plain_spelling(label);
+      });
+    };
+    for (const DeckNode* save : archiver->all("save")) {
+      const auto label = save->attribute("label");
+      if (!label || any_spelling(*label) || format_has_label(*label)) continue;
+      add_error(faults, save->where, fmt::format("there is no variable {}", in_quotes(*label)),
+                suggest_name(*label, names));
     }
   };
 }

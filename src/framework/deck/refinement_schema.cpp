@@ -4,6 +4,7 @@
 #include "framework/deck/faults.hpp"
 #include "framework/deck/framework_schema.hpp"
 #include "framework/deck/rule_tools.hpp"
+#include "framework/deck/spelling.hpp"
 
 namespace sluice {
 namespace {
@@ -153,9 +154,26 @@ TagSpec load_balancer() {
       });
 }
 
+// Levels are those of <AMR>; older decks say once more whether there are any.
+void drop_old_switch(DeckNode& root, std::vector<Fault>& faults) {
+  std::erase_if(root.children, [&](const std::unique_ptr<DeckNode>& child) {
+    if (plain_spelling(child->name) != "doamr") return false;
+    const bool off = child->text == "false";
+    if (off && root.find("AMR/Regridder") != nullptr) {
+      add_not_built(faults, child->where, "<doAMR> false beside <AMR>",
+                    "remove <AMR>, or write <adaptive>false</adaptive> in its <Regridder>");
+      return true;
+    }
+    add_warning(faults, child->where, fmt::format("<{}> is obsolete; dropped", child->name),
+                "<AMR> says it");
+    return true;
+  });
+}
+
 }  // namespace
 
 void add_refinement_tags(Schema& schema) {
+  schema.rewrites.emplace_back(drop_old_switch);
   schema.add(
       tag("AMR", "finer levels: those of Grid, or such as follow the solution")
           .attribute(attribute("type", "StaticGridML, or no Regridder: the levels of Grid stay")

@@ -54,6 +54,14 @@ class Checker {
     add_error(faults_, node.where, std::move(message), std::move(suggestion));
   }
 
+  void tell_spelling(const DeckNode& node, const std::string& what, const std::string& written,
+                     const ValueVerdict& verdict) {
+    if (verdict.read_as.empty()) return;
+    add_warning(faults_, node.where,
+                fmt::format("{}: {} is an old spelling; read as {}", what, in_quotes(written),
+                            in_quotes(verdict.read_as)));
+  }
+
   // False when an attribute has a value that is not built yet.
   bool check_attributes(DeckNode& node, const TagSpec& spec) {
     bool built = true;
@@ -67,7 +75,9 @@ class Checker {
         continue;
       }
       value = collapse_blanks(value);
+      const std::string written = value;
       const ValueVerdict verdict = judge_value(known->value, value);
+      tell_spelling(node, fmt::format("<{} {}>", node.name, name), written, verdict);
       if (verdict.problem.empty()) continue;
       fault(node, fmt::format("<{} {}>: {}", node.name, name, verdict.problem), verdict.suggestion);
       faults_.back().not_built = verdict.not_built;
@@ -94,7 +104,9 @@ class Checker {
   }
 
   void check_text(DeckNode& node, const TagSpec& spec) {
+    const std::string written = node.text;
     const ValueVerdict verdict = judge_value(spec.value, node.text);
+    tell_spelling(node, fmt::format("<{}>", node.name), written, verdict);
     if (verdict.problem.empty()) return;
     fault(node, fmt::format("<{}>: {}", node.name, verdict.problem), verdict.suggestion);
     faults_.back().not_built = verdict.not_built;

@@ -14,6 +14,7 @@ struct ValueVerdict {
   std::string problem;
   std::string suggestion;
   bool not_built = false;
+  std::string read_as;  // the word that another spelling of it was read as
 };
 ValueVerdict judge_value(const ValueSpec& spec, std::string& text);
 

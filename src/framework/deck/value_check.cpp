@@ -5,6 +5,7 @@
 
 #include "framework/deck/nearest_name.hpp"
 #include "framework/deck/schema_check.hpp"
+#include "framework/deck/spelling.hpp"
 #include "framework/deck/value_text.hpp"
 
 namespace sluice {
@@ -17,7 +18,7 @@ std::string expected(const ValueSpec& spec) {
 }
 
 ValueVerdict bad(std::string problem, std::string suggestion) {
-  return {std::move(problem), std::move(suggestion), false};
+  return {std::move(problem), std::move(suggestion), false, {}};
 }
 
 // "gzip, or empty"
@@ -39,7 +40,17 @@ ValueVerdict judge_word(const ValueSpec& spec, std::string& text) {
     return std::find(words.begin(), words.end(), text) != words.end();
   };
   if (listed(spec.words)) return {};
-  if (listed(spec.words_not_built)) {
+  const auto same = [&](const std::string& word) { return is_spelling_of(text, word); };
+  const auto meant = std::find_if(spec.words.begin(), spec.words.end(), same);
+  const bool known = listed(spec.words_not_built);
+  if (!known && !text.empty() && meant != spec.words.end() &&
+      std::count_if(spec.words.begin(), spec.words.end(), same) == 1) {
+    text = *meant;
+    ValueVerdict verdict;
+    verdict.read_as = text;
+    return verdict;
+  }
+  if (known) {
     ValueVerdict verdict;
     verdict.not_built = true;
     verdict.problem =

@@ -274,9 +274,9 @@ GridSettings read_grid_settings(const DeckNode& grid, std::vector<Fault>& faults
     if (good && g.levels.empty()) {
       const IndexBox all = bounding_cells(level);
       if (volume_of(level, all) < all.volume())
-        add_error(faults, level.where,
-                  "the boxes of the coarsest level leave gaps; together they must fill a "
-                  "rectangular block");
+        add_warning(faults, level.where,
+                    "the boxes of the coarsest level leave gaps: cells there are walls",
+                    "a rectangular block has none");
     }
     if (!g.levels.empty()) level.periodic = g.levels.front().periodic;
     g.levels.push_back(std::move(level));

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "framework/deck/faults.hpp"
+#include "framework/deck/format_labels.hpp"
 #include "framework/deck/nearest_name.hpp"
 #include "framework/deck/rule_tools.hpp"
 #include "framework/deck/schema.hpp"
@@ -55,10 +56,10 @@ Fault refusal(const DeckNode& node, std::string_view name) {
     else
       fault.message =
           in + "exists only within a step; a criterion of refinement needs a function of the state";
-  } else if (const SaveLabels known = ice_save_labels(); known.find_foreign(name) != nullptr) {
-    fault.message = fmt::format("<{}>: {}", node.name, refusal_of(*known.find_foreign(name), name));
+  } else if (const ForeignLabel* foreign = find_foreign_label(name)) {
+    fault.message = fmt::format("<{}>: {}", node.name, refusal_of(*foreign, name));
     fault.not_built = true;
-  } else if (listed(known.not_built, name)) {
+  } else if (listed(ice_field_labels().not_built, name)) {
     fault.message = fmt::format("<{}>: variable {} is known to the format, but not supported yet",
                                 node.name, in_quotes(name));
     fault.not_built = true;

@@ -268,7 +268,7 @@ void check_ice_exchange(const DeckNode& root, std::vector<Fault>& faults) {
     check_count(*coefficients, "momentum", materials, faults);
     check_count(*coefficients, "heat", materials, faults);
   }
-  if (materials > 1) warn_of_no_exchange(*nodes.front(), exchange, faults);
+  if (materials > 1 && !nodes.empty()) warn_of_no_exchange(*nodes.front(), exchange, faults);
   if (exchange != nullptr && solids == 0) check_models(*exchange, nodes, faults);
 }
 

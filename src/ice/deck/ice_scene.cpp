@@ -220,7 +220,12 @@ IceScene read_ice_scene(const Deck& deck, const Scene& scene, std::vector<Fault>
   }
   for (IceMaterial& m : s.materials) m.subgrid = s.turbulence || !s.wall_shear.empty();
   const auto count = static_cast<int>(s.materials.size());
-  if (count < 1) add_error(faults, place(root.child("MaterialProperties")), "no ICE material");
+  if (count < 1) {
+    add_error(faults, place(root.child("MaterialProperties")),
+              "no <MaterialProperties><ICE><material>: there is no fluid to run",
+              s.solids > 0 ? "add one, or write <SimulationComponent type=\"mpm\"/>" : "");
+    return s;
+  }
   for (models::AddedHeat& heat : s.added_heat) {
     heat.material -= s.solids;
     if (heat.material < 0)

@@ -232,27 +232,14 @@ std::vector<const DeckNode*> ice_materials(const DeckNode& root) {
 }
 
 // What ICE declares (ice/labels.cpp) is built; names with a point are the state's own.
-SaveLabels ice_save_labels() {
-  SaveLabels savable;
+FieldLabels ice_field_labels() {
+  FieldLabels fields;
   for (const Label label : ice::own_labels())
-    if (label.name().find('.') == std::string::npos) savable.built.push_back(label.name());
-  savable.not_built = {
+    if (label.name().find('.') == std::string::npos) fields.built.push_back(label.name());
+  fields.not_built = {
       "matrix",          "max_RHS",      "TMV_CC",           "delT", "cumulativeEnergyReleased",
       "HeatReleaseRate", "dt_chemistry", "totalMassExchange"};
-  savable.foreign = {
-      {"temp_CC_Xchange", "heat passes between materials at the very end of a step",
-       "save temp_CC, the temperature after it"},
-      {"grad_dp_", "the pressure changes in one go, without corrections",
-       "save grad_P_XFC, grad_P_YFC or grad_P_ZFC"},
-      {"eq_press_iters",
-       "one pressure is found by closed forms and bracketed searches, not counted",
-       "remove the line"},
-      {"maxMach_", "LODI faces take the Mach number of each cell, not the largest of the face",
-       "save mach"}};
-  for (const char* face : {"sp_volX_FC", "sp_volY_FC", "sp_volZ_FC"})
-    savable.foreign.push_back({face, "the scheme takes no specific volume on faces",
-                               "save sp_vol_CC of the cells on both sides"});
-  return savable;
+  return fields;
 }
 
 // What is zero by construction, of the fields that hold errors of the format's own scheme; else
@@ -283,9 +270,9 @@ void drop_labels_of_errors(DeckNode& root, std::vector<Fault>& faults) {
 void check_ice_labels(const DeckNode& root, std::vector<Fault>& faults) {
   // With solids the run knows their labels too, and checks all of them.
   if (!runs_ice(root) || solids_beside_ice(root) > 0 || !models::all_built(root)) return;
-  SaveLabels savable = ice_save_labels();
-  for (std::string& label : models::save_labels(root)) savable.built.push_back(std::move(label));
-  check_save_labels(std::move(savable))(root, faults);
+  FieldLabels fields = ice_field_labels();
+  for (std::string& label : models::save_labels(root)) fields.built.push_back(std::move(label));
+  check_analysed_labels(std::move(fields))(root, faults);
 }
 
 void add_ice_tags(Schema& schema) {

@@ -8,8 +8,8 @@ namespace sluice {
 // Tags and rules; the framework's own tags must be there already.
 void add_ice_tags(Schema& schema);
 
-// Variables that an ICE run can save; what stands under not_built is refused by name.
-SaveLabels ice_save_labels();
+// Fields that an ICE run can analyse; what stands under not_built is refused by name.
+FieldLabels ice_field_labels();
 
 // Rules over several tags of an ICE deck; each does nothing when another component runs.
 void check_ice_blocks(const DeckNode& root, std::vector<Fault>& faults);
@@ -25,7 +25,7 @@ void check_wave_conditions(const DeckNode& root, std::vector<Fault>& faults);
 void check_slip_conditions(const DeckNode& root, std::vector<Fault>& faults);
 void check_criteria(const DeckNode& root, std::vector<Fault>& faults);  // of refinement
 void check_ice_models(const DeckNode& root, std::vector<Fault>& faults);
-void check_ice_labels(const DeckNode& root, std::vector<Fault>& faults);  // what can be saved
+void check_ice_labels(const DeckNode& root, std::vector<Fault>& faults);  // what is analysed
 
 // Tags of other equations of state inside <EOS> are dropped with one warning.
 void drop_foreign_eos_tags(DeckNode& root, std::vector<Fault>& faults);

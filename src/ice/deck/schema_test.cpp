@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "framework/deck/format_labels.hpp"
 #include "framework/deck/load_deck.hpp"
 #include "framework/deck/schema.hpp"
 #include "ice/deck/exchange_settings.hpp"
@@ -188,14 +189,14 @@ TEST(IceSchema, LetsModelsAndOtherComponentsHaveTheirOwnLabels) {
       "<DataAnalysis><Module name='vorticity'><material>gas</material></Module>"
       "</DataAnalysis>";
   EXPECT_EQ(messages(sample.load()), "");
-  const SaveLabels labels = ice_save_labels();
+  const FieldLabels labels = ice_field_labels();
   EXPECT_THAT(labels.built, ::testing::IsSupersetOf({"rho_CC", "vel_CC", "uvel_FCME", "TotalMass",
                                                      "refineFlag", "delP_Dilatate"}));
   for (const std::string& label : labels.not_built) {
     EXPECT_EQ(std::count(labels.built.begin(), labels.built.end(), label), 0) << label;
   }
   for (const std::string& label : labels.built)
-    EXPECT_EQ(labels.find_foreign(label), nullptr) << label;
+    EXPECT_EQ(find_foreign_label(label), nullptr) << label;
 }
 
 // What is said of a deck that saves this label too.
@@ -205,18 +206,6 @@ std::string said_of_save(std::string text, const std::string& label) {
   add_framework_tags(schema);
   add_ice_tags(schema);
   return messages(load_deck_text(text, "one.ups", {}, schema));
-}
-
-// With what to save instead.
-TEST(IceSchema, RefusesLabelsThatTheSchemeHasNot) {
-  for (const auto& [label, advice] :
-       {std::pair{"maxMach_xminus", "save mach"}, std::pair{"temp_CC_Xchange", "save temp_CC"},
-        std::pair{"sp_volY_FC", "save sp_vol_CC"}, std::pair{"grad_dp_ZFC", "grad_P_ZFC"},
-        std::pair{"eq_press_iters", "remove"}}) {
-    const std::string said = said_of_save(Sample{}.text(), label);
-    EXPECT_THAT(said, ::testing::HasSubstr(std::string("variable '") + label + "' does not exist"));
-    EXPECT_THAT(said, ::testing::HasSubstr(advice));
-  }
 }
 
 // Fields of errors that the scheme has not.

@@ -1,11 +1,16 @@
 #include "mpm/boundary/node_boundary.hpp"
 
+#include "framework/grid/gaps.hpp"
 #include "mpm/nodes/node_sums.hpp"
 
 namespace sluice::mpm {
 
 NodeBoundary::NodeBoundary(const Scene& scene, const MpmScene& solids, const Level& level)
-    : scene_(&scene), solids_(&solids), level_(level), mirror_(solids.materials.size()) {
+    : scene_(&scene),
+      solids_(&solids),
+      level_(level),
+      gaps_(level.index == 0 && has_gaps(level)),
+      mirror_(solids.materials.size()) {
   for (const SolidBoundary& b : solids.boundaries) {
     if (b.kind != SolidBoundary::Kind::symmetric ||
         !level.active[static_cast<std::size_t>(direction_of(b.side))])
@@ -17,6 +22,7 @@ NodeBoundary::NodeBoundary(const Scene& scene, const MpmScene& solids, const Lev
 }
 
 bool NodeBoundary::meets(IntVec3 lower, IntVec3 edge) const {
+  if (gaps_) return true;
   for (int d = 0; d < 3; ++d)
     if (level_.active[static_cast<std::size_t>(d)] &&
         (lower[d] <= level_.domain.lower[d] || lower[d] + edge[d] > level_.domain.upper[d]))
@@ -47,6 +53,8 @@ GivenVelocity NodeBoundary::at(IntVec3 node, int material) const {
       g.value = b.value;
     }
   }
+  // What sticks to a wall does so on all its nodes.
+  if (gaps_ && lies_on_gap(level_, node)) return {{true, true, true}, {}};
   return g;
 }
 

@@ -59,6 +59,7 @@ class NodeBoundary {
   const Scene* scene_;
   const MpmScene* solids_;
   Level level_;
+  bool gaps_;                                // in the level: walls
   std::vector<std::array<bool, 6>> mirror_;  // by material and side
 };
 

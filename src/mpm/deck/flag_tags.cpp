@@ -208,6 +208,8 @@ TagSpec refinement_tag() {
       .with_children(
           {ignored("min_grid_level", "solids are on every level").integer(),
            ignored("max_grid_level", "solids are on every level").integer(),
+           ignored("CFI_interpolator", "solids have one basis over all levels")
+               .words({"linear", "gimp"}),
            ignored("manualGrid", "the levels of the deck are kept where no regridder is named")
                .boolean(),
            tag("Refinement_Criteria_Thresholds", "which particles refine_particles splits")

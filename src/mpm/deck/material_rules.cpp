@@ -63,6 +63,20 @@ void check_object(const DeckNode& object, std::vector<Fault>& faults) {
               "remove one of them");
 }
 
+// Which equation of state a cell of the format sees, that fluids and solids share. Here they meet
+// at the faces of particles, and the pressure in a cell is the fluid's alone.
+void tell_of_cell_pressures(const DeckNode& material, std::vector<Fault>& faults) {
+  const DeckNode* law = material.child("constitutive_model");
+  if (law == nullptr) return;
+  for (const char* name :
+       {"useModifiedEOS", "useJWLEOS", "useJWLCEOS", "useMurnaghanEOS", "useBirchMurnaghanEOS"})
+    if (is_true(law, name))
+      add_warning(
+          faults, law->child(name)->where,
+          fmt::format("<{}> true has no effect: no solid shares the pressure of a cell", name),
+          "solids press on the fluid by their stress, at their faces");
+}
+
 // Public decks name materials that they do not have.
 void check_list(const DeckNode& list, const std::string& type, int count,
                 std::vector<Fault>& faults) {
@@ -148,6 +162,7 @@ void check_solid_materials(const DeckNode& root, std::vector<Fault>& faults) {
                               "the start",
                               *on),
                   "add <is_active>false</is_active>");
+    tell_of_cell_pressures(*material, faults);
     for (const DeckNode* object : material->all("geom_object")) check_object(*object, faults);
     filled = filled || material->child("geom_object") != nullptr;
   }

@@ -395,12 +395,17 @@ std::string faces_but(const std::string& side, const std::string& conditions) {
   return faces + conditions;
 }
 
-TEST(Faces, WithoutConditionsAreErrors) {
+TEST(Faces, WithoutConditionsLetParticlesOutWithOneWarning) {
   SolidDeck deck;
+  const std::string told = "warning: side x+ without conditions: particles leave through it";
   deck.faces = faces_but("x+", "");
-  EXPECT_THAT(read_solids(deck).text, HasSubstr("error: side x+ has no conditions"));
+  EXPECT_THAT(read_solids(deck).text, HasSubstr(told));
+  EXPECT_TRUE(read_solids(deck).solids.boundaries.size() == 5);
   deck.faces = faces_but("x+", "<Face side='x+'/>");
-  EXPECT_THAT(read_solids(deck).text, HasSubstr("error: <Face> without conditions"));
+  EXPECT_THAT(read_solids(deck).text, HasSubstr(told));
+  deck.faces = "<Face side='y+'/>";
+  EXPECT_THAT(read_solids(deck).text, HasSubstr("sides x-, x+, y-, y+, z-, z+ without"));
+  deck.faces = faces_but("x+", "");
   deck.level = "<periodic>[1,0,0]</periodic>";
   deck.faces = faces_but("x+", "");
   EXPECT_THAT(read_solids(deck).text, Not(HasSubstr("error")));

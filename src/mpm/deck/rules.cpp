@@ -223,22 +223,23 @@ void check_solid_faces(const DeckNode& root, std::vector<Fault>& faults) {
   std::array<bool, 6> given{};
   if (conditions != nullptr)
     for (const DeckNode* face : conditions->all("Face")) {
+      if (face->child("BCType") == nullptr) continue;
       for (const auto& [name, value] : face->attributes) {
         const auto side = std::find(std::begin(side_names), std::end(side_names), value);
         if (side != std::end(side_names))
           given[static_cast<std::size_t>(side - std::begin(side_names))] = true;
       }
-      if (face->child("BCType") == nullptr)
-        add_error(faults, face->where, "<Face> without conditions",
-                  "write <BCType id=\"all\" label=\"Symmetric\" var=\"symmetry\"/>, or a velocity");
     }
+  std::string open;
   for (std::size_t side = 0; side < given.size(); ++side)
     if (!given[side] && !periodic[side / 2])
-      add_error(faults, conditions != nullptr ? conditions->where : grid->where,
-                fmt::format("side {} has no conditions", side_names[side]),
-                fmt::format("write <Face side=\"{}\"> with a condition; one of kind Neumann for "
-                            "the velocity leaves it free",
-                            side_names[side]));
+      open += fmt::format("{}{}", open.empty() ? "" : ", ", side_names[side]);
+  if (open.empty()) return;
+  add_warning(faults, conditions != nullptr ? conditions->where : grid->where,
+              fmt::format("{} without conditions: particles leave through it",
+                          open.size() == 2 ? "side " + open : "sides " + open),
+              "write <Face side=\"x-\"> with <BCType id=\"all\" label=\"Symmetric\" "
+              "var=\"symmetry\"/>, or with a velocity");
 }
 
 }  // namespace sluice::mpm

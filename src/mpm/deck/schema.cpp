@@ -65,6 +65,7 @@ void add_mpm_tags(Schema& schema) {
   schema.add(loads_tag());
   schema.add(tag("InitialConditions", "accepted without effect: empty blocks of old decks")
                  .child(tag("MPM", "accepted without effect")));
+  schema.rewrites.emplace_back(read_old_words);
   schema.rewrites.emplace_back(drop_stray_blocks);
   schema.rewrites.emplace_back(drop_stray_flags);
   schema.rewrites.emplace_back(drop_stray_state);

@@ -29,6 +29,7 @@ TagSpec cohesive_zone_tag();
 TagSpec loads_tag();  // <PhysicalBC>
 
 // Changes before checking: what solids never read is dropped with a warning that names its line.
+void read_old_words(DeckNode& root, std::vector<Fault>& faults);
 void drop_stray_blocks(DeckNode& root, std::vector<Fault>& faults);
 void drop_stray_flags(DeckNode& root, std::vector<Fault>& faults);
 void drop_stray_state(DeckNode& root, std::vector<Fault>& faults);

@@ -38,8 +38,6 @@ constexpr Stray stray_flags_of_explicit[] = {
 };
 constexpr Stray stray_flags[] = {
     {"maximum_particle_velocity", no_limit},
-    {"do_thermal_expansion", "each material has its linear_thermal_expansion_coef"},
-    {"erosion", "each material has its own <erosion>"},
     {"DoCapDensity", "no method uses it"},
     {"DoDefGradAveraging", "no method uses it"},
     {"computeNodalHeatFlux", "save g.HeatFlux: it is computed where it is saved"},

@@ -38,7 +38,7 @@ const std::vector<Part>& yield_parts() {
         not_negative("FSLOPE", "slope of J2^(1/2) over that trace at PEAKI1"),
         not_negative("STREN", "greatest J2^(1/2), Pa; 0: the curve is linear"),
         not_negative("YSLOPE", "slope of the limit curve far in compression"),
-        number("BETA", "1: associated flow; less: less dilatancy").above(0).at_most(1),
+        positive("BETA", "1: associated flow; less: less dilatancy; more: more"),
         number("CR", "shape of the cap: (PEAKI1 - kappa)/(PEAKI1 - X)").above(0).at_most(1),
         not_negative("T1", "tau = T1 |D|^-T2, s^(1 - T2); 0: no rate dependence"),
         not_negative("T2", "its exponent"),

@@ -18,6 +18,7 @@
 
 #include "framework/deck/faults.hpp"
 #include "mpm/material/batch_math.hpp"
+#include "mpm/material/cell_pressure_tag.hpp"
 #include "mpm/material/flow_isotropic.hpp"
 #include "mpm/material/flow_johnson_cook.hpp"
 #include "mpm/material/flow_mts.hpp"
@@ -384,8 +385,7 @@ Tags tags() {
           .words({"radialReturn", "biswajit"})
           .by_default("radialReturn"),
       number("tolerance", "accepted without effect: the return is solved to round-off", 1e-10),
-      choice("useModifiedEOS", "beside a fluid: the pressure of a stretched cell stays positive",
-             false),
+      cell_pressure_tag("useModifiedEOS"),
       choice("isothermal", "accepted without effect", false),
       choice("evolve_damage", "accepted without effect: <damage_model> says it", false),
       choice("check_max_stress_failure", "accepted without effect", false),

@@ -4,9 +4,12 @@
 //   rate = 1/[exp(2 U_k/(k T) (1 - sigma_T/sigma_P)^2)/C1 + C2/sigma_T],   sigma_T <= sigma_P
 // The thermal part sigma_T is there where the deck gives C1, C2 and the Peierls stress sigma_P.
 #pragma once
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "framework/deck/faults.hpp"
 #include "mpm/material/metal_state.hpp"
 #include "mpm/material/parameters.hpp"
 
@@ -59,7 +62,10 @@ struct SteinbergGuinan {
     SteinbergGuinan g = {p.real("mu_0"), p.real("sigma_0"), p.real("Y_max"),
                          p.real("beta"), p.real("n"),       p.real("epsilon_p0")};
     if (g.sigma_0 > g.Y_max)
-      p.error("sigma_0", "<sigma_0> must not be greater than <Y_max>, the greatest yield stress");
+      add_warning(p.faults(), p.block("sigma_0")->where,
+                  fmt::format("steinberg_cochran_guinan: <sigma_0> {:g} is above <Y_max> {:g}, the "
+                              "greatest yield stress: the metal does not harden",
+                              g.sigma_0, g.Y_max));
     if (p.real("C1") == 0) return g;
     g.C1 = p.real("C1");
     g.C2 = p.real("C2");

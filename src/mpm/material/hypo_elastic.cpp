@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "mpm/material/batch_math.hpp"
+#include "mpm/material/cell_pressure_tag.hpp"
 #include "mpm/material/history_labels.hpp"
 #include "mpm/material/materials.hpp"
 #include "mpm/material/objective_step.hpp"
@@ -112,9 +113,7 @@ MaterialModel hypo_elastic_model() {
       "linear elasticity in rate form",
       {tag("G", "shear modulus, Pa").once().real().at_least(0), positive("K", "bulk modulus, Pa"),
        number("alpha", "linear thermal expansion, 1/K; beside that of the material", 0),
-       choice("useModifiedEOS", "beside a fluid: the pressure of a stretched cell stays positive",
-              false),
-       objective_tag()},
+       cell_pressure_tag("useModifiedEOS"), objective_tag()},
       [](const Parameters& p) -> std::shared_ptr<const Material> {
         return std::make_shared<HypoElastic>(p.real("K"), p.real("G"), p.constants().density,
                                              p.real("alpha") + p.constants().thermal_expansion,

@@ -1,5 +1,6 @@
 // comp_neo_hook, and the names of its family: elastic here, plastic in neo_hook_plastic.cpp.
 #include "mpm/material/neo_hook.hpp"
+#include "mpm/material/cell_pressure_tag.hpp"
 
 #include <cmath>
 
@@ -76,8 +77,7 @@ class NeoHook final : public Material {
 Tags elastic_tags() {
   return {positive("bulk_modulus", "K, Pa"),
           tag("shear_modulus", "G, Pa").once().real().at_least(0),
-          choice("useModifiedEOS",
-                 "beside a fluid: the pressure of a stretched cell stays positive", false),
+          cell_pressure_tag("useModifiedEOS"),
           choice("useInitialStress", "whether the body starts under <initial_pressure>", false),
           number("initial_pressure", "p, Pa", 0)};
 }

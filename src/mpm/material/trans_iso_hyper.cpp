@@ -15,6 +15,7 @@
 #include <cmath>
 
 #include "mpm/material/batch_math.hpp"
+#include "mpm/material/cell_pressure_tag.hpp"
 #include "mpm/material/history_labels.hpp"
 #include "mpm/material/materials.hpp"
 #include "mpm/material/objective_step.hpp"
@@ -228,8 +229,7 @@ Tags fibre_tags() {
           number("failure_option", "1: matrix and fibres may fail", 0),
           number("max_fiber_strain", "greatest stretch of fibres", 1e30),
           number("max_matrix_strain", "greatest shear strain of the matrix", 1e30),
-          choice("useModifiedEOS",
-                 "beside a fluid: the pressure of a stretched cell stays positive", false)};
+          cell_pressure_tag("useModifiedEOS")};
 }
 
 std::shared_ptr<const Material> make(const Parameters& p, bool relaxes) {

@@ -18,6 +18,7 @@
 #include <cmath>
 
 #include "mpm/material/batch_math.hpp"
+#include "mpm/material/cell_pressure_tag.hpp"
 #include "mpm/material/history_labels.hpp"
 #include "mpm/material/materials.hpp"
 #include "mpm/material/objective_step.hpp"
@@ -291,7 +292,7 @@ MaterialModel visco_scram_model() {
   tags.push_back(tag("volfracHE", "accepted without effect").text());
   for (const char* name :
        {"useModifiedEOS", "useJWLEOS", "useJWLCEOS", "useMurnaghanEOS", "useBirchMurnaghanEOS"})
-    tags.push_back(choice(name, "beside a fluid: which equation of state it sees", false));
+    tags.push_back(cell_pressure_tag(name));
   return {"visco_scram",
           {},
           "plastic-bonded explosive: Maxwell elements and penny-shaped cracks",

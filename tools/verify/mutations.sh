@@ -1,0 +1,8 @@
+#!/usr/bin/env bash
+# 5,000 decks mutated at random: check, plan and run end with 0, 1 or 2, never silent, within 10 s
+roots=("$SLUICE_ROOT")
+for suite in "${SLUICE_DECKS:-}" "${SLUICE_VAANGO_DECKS:-}"; do
+  [[ -z $suite ]] || roots+=("$suite")
+done
+"$PYTHON" "$SLUICE_ROOT/tools/verify/mutations.py" --sluice "$SLUICE" --folder "$PART_DIR" \
+  --first "${MUTATIONS_FIRST:-0}" --count "${MUTATIONS:-5000}" "${roots[@]}"
