@@ -219,12 +219,15 @@ Effect pressure_solve(const IceScene& ice) {
 Effect shock_shear(const Scene& scene, const IceScene& ice) {
   constexpr const char* name = "shear along shocks";
   if (shears_shocks(scene, ice))
-    return {name, true,
+    return {name,
+            true,
             "more than one active direction: acts where pressure jumps by more than rho c^2/3 "
             "from cell to cell",
             {}};
   if (ice.classic) return {name, false, "classic scheme", ice.scheme_where};
   if (ice.implicit) return {name, false, "the pressure is solved for", ice.implicit->where};
+  if (ice.materials.size() > 1) return {name, false, "several materials: not supported", {}};
+  if (scene.grid.levels.size() > 1) return {name, false, "several levels: not supported", {}};
   return {name, false, "one active direction: no face lies along a shock", {}};
 }
 

@@ -67,8 +67,8 @@ void declare_one_material(TaskList& list, const SchemeOptions& o, const EffectLi
   if (o.implicit) pressure::declare_variables(list, o, v);
   scalars::declare_variables(list, o, v, {std::span(&v.rho, 1), std::span(&v.rho_remap, 1), {}});
   // task                    reads                              writes
-  add_primitives(list, v, o, effect_flow);  // state                    u, p, c
-  add_face_states(list, v, o);              // u, p, c                  slopes, u_f, p_f
+  add_primitives(list, v, o, effect_flow);          // state                    u, p, c
+  add_face_states(list, v, o);                      // u, p, c                  slopes, u_f, p_f
   add_shock_shear(list, v, o, effect_shock_shear);  // rho, u, p, c     k of faces along shocks
   add_transport(list, v, o, effect_viscosity, effect_turbulence);  // rho, E, u  mu, k of cells
   add_viscous_stress(list, v, o, effect_viscosity);                // u                        t_f

@@ -82,8 +82,8 @@ int Mpm::reduction_sums() const {
   return static_cast<int>(StepSums::all(solids_.materials.size()));
 }
 
-// dt = min over p, d of h_d/(c_p + |v_p,d|), times the deck's timestep_multiplier or the share of it
-// that is stable, whichever is less.
+// dt = min over p, d of h_d/(c_p + |v_p,d|), times the deck's timestep_multiplier or the share that
+// is stable, whichever is less.
 StepLimit Mpm::step_limit(const std::vector<double>& maxima) const {
   const double rate = maxima.empty() ? 0 : maxima.front();
   if (!(rate > 0)) return {1e300, "nothing moves"};

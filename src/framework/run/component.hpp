@@ -205,8 +205,8 @@ class Component {
       const Conservation& /*tallies*/) const {
     return {};
   }
-  // Bodies whose energy is watched, from the sums of a step, always in the same order; none: nothing
-  // is. Where in an attempted step a body has gained most, for a message (collective).
+  // Bodies whose energy is watched, from the sums of a step, always in the same order; none: no
+  // energy is. Where in an attempted step a body has gained most, for a message (collective).
   virtual std::vector<BodyEnergy> body_energies(const std::vector<double>& sums) const;
   virtual std::string place_of_gain(const ParticleCloud& /*cloud*/, int /*material*/,
                                     Communicator& /*ranks*/) const {

@@ -19,8 +19,8 @@ double taken_in(const BodyEnergy& b) {
 
 }  // namespace
 
-// With K(v-) + U^n at the start of the step, `own` is the step's own share of H^n beyond it; what is
-// left of the change is part of H^(n+1). Where the step changes its length, H changes by some D;
+// With K(v-) + U^n at the start of the step, `own` is the step's own share of H^n beyond it; what
+// is left of the change is part of H^(n+1). Where the step changes its length, H changes by some D;
 // and where loads act, part of their work is counted a step early.
 EnergyGuard::Change EnergyGuard::change(const Account& account, const BodyEnergy& b, double dt,
                                         double spacing) {

@@ -20,8 +20,8 @@ double Simulation::least_spacing() const {
   return least;
 }
 
-// Whether the attempted step may be accepted: no body gained more than an honest scheme may make, or
-// a shorter step has not made it less or is not allowed.
+// Whether the attempted step may be accepted: no body gained more than an honest scheme may make,
+// or a shorter step has not made it less or is not allowed.
 bool Simulation::judge_energies(const StepPlan& plan, const std::vector<double>& sums,
                                 EnergyAttempts& attempts, std::string& reason) {
   attempts.refused = false;
@@ -55,7 +55,7 @@ void Simulation::book_energies(const StepPlan& plan, const std::vector<double>& 
   if (!bodies.empty()) energies_.accept(bodies, plan.step, plan.dt, least_spacing());
 }
 
-// At the end of a run: bodies that are beyond a limit become events of the step since which they are.
+// At the end of a run: bodies beyond a limit become events of the step since which they are.
 void Simulation::tell_energies() {
   for (const EnergyGuard::Crossing& crossed : energies_.crossings()) {
     EventPlace place;

@@ -112,7 +112,8 @@ class FaceFluxRows {
     if (o.conducting) heat_ = faces(h.heat_flux);
     if (o.walled) covered_ = faces(h.covered);
     if (o.shears_shocks) {
-      if (faces(h.sheared, 1)[0] != 0.0) shear_ = faces(h.shear, axis);
+      shear_ = faces(h.shear, axis);
+      sheared_ = faces(h.sheared, 1);
       rho_[0] = row(h.rho, 0, axis, shift - 1);
       rho_[1] = faces(h.rho);
     }
@@ -155,7 +156,8 @@ class FaceFluxRows {
     }
     flux.energy = l_ * pf * velocity_[i] + 0.5 * FU2 + energy_[i] - friction;
     if (o.conducting) flux.energy += l_ * heat_[i];
-    if (shear_ != nullptr && shear_[i] != 0.0) add_shear(i, flux);
+    // A row here may be of several rows of the task that marks them.
+    if (sheared_ != nullptr && sheared_[i] != 0.0 && shear_[i] != 0.0) add_shear(i, flux);
     return flux;
   }
 
@@ -179,7 +181,8 @@ class FaceFluxRows {
   int axis_, shift_;
   double l_;
   const double *mass_, *energy_, *velocity_, *pressure_, *heat_ = nullptr, *covered_ = nullptr;
-  const double *carried_[3] = {}, *stress_[3] = {}, *shear_ = nullptr, *rho_[2] = {};
+  const double *carried_[3] = {}, *stress_[3] = {}, *shear_ = nullptr, *sheared_ = nullptr;
+  const double* rho_[2] = {};
 };
 
 // What passes of one material, per volume of a cell: volume, mass, energy (with its share of the

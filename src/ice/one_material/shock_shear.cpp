@@ -45,13 +45,11 @@ bool any_jump(const double* __restrict pa, const double* __restrict pb, int n, M
 bool jumps_along(const Row& row, const JumpReads& h, int axis, double gamma) {
   const int n = row.count();
   const double *pa = row(h.pressure, 0, axis, -1), *pb = row(h.pressure);
-  if (gamma > 0)
-    return any_jump(pa, pb, n, [=](int i) { return gamma * smaller(pa[i], pb[i]); });
+  if (gamma > 0) return any_jump(pa, pb, n, [=](int i) { return gamma * smaller(pa[i], pb[i]); });
   const double *ra = row(h.rho, 0, axis, -1), *rb = row(h.rho);
   const double *ca = row(h.sound, 0, axis, -1), *cb = row(h.sound);
-  return any_jump(pa, pb, n, [=](int i) {
-    return smaller(ra[i] * (ca[i] * ca[i]), rb[i] * (cb[i] * cb[i]));
-  });
+  return any_jump(pa, pb, n,
+                  [=](int i) { return smaller(ra[i] * (ca[i] * ca[i]), rb[i] * (cb[i] * cb[i])); });
 }
 
 // Marks of the low faces of the cells of a row, of all axes; so many cells share one.

@@ -122,7 +122,7 @@ void take_shear(const Row& whole, const ShockShearReads& h) {
 // The heat of it, into E, in a part of a row; w: 1/mass.
 template <int D, int C>
 void add_heat_of_shear(const Row& row, const ShockShearReads& h, const double* w,
-                           double* __restrict energy) {
+                       double* __restrict energy) {
   const double *um[D][C], *up[D][C], *u[C], *dp[C];
   std::array<ShearedFaces, D> faces;
   for (int d = 0; d < D; ++d) faces[static_cast<std::size_t>(d)] = {row, h, d};

@@ -57,7 +57,7 @@ struct SchemeOptions {
   bool walled = false;    // the graph of blocks that solids meet: walls/
   bool solids = false;    // some blocks may meet solids
   bool second_order = true;
-  bool shears_shocks = false;  // along strong shocks: shock_shear.hpp
+  bool shears_shocks = false;     // along strong shocks: shock_shear.hpp
   bool compatible_fluxes = true;  // of the classic form
   bool masked = false;            // a redo: slopes vanish where the mask says so
   double sound_speed_knob = 1;    // weight of c in the deck's time-step rule
@@ -192,9 +192,9 @@ struct SchemeVariables {
   std::array<VariableId, 3> heat_flux;                     // by axis, W/m^2
   // Where strong shocks are, and what faces along them exchange: shock_shear.hpp.
   VariableId jump_marks, shear, shear_marks;
-  VariableId temperature;                                  // of the old state; conduction only
-  VariableId viscosity, conductivity;                      // of cells, where they vary
-  VariableId molecular_viscosity, eddy_viscosity;          // their parts with turbulence
+  VariableId temperature;                          // of the old state; conduction only
+  VariableId viscosity, conductivity;              // of cells, where they vary
+  VariableId molecular_viscosity, eddy_viscosity;  // their parts with turbulence
   VariableId front_viscosity;  // of a mixture: as if no material's varied, see face_mean.hpp
   VariableId heat_capacity;    // cv of the new state, likewise
   // Lagrangian phase: 1/J, density, energy per volume, velocity, E*, outflow Courant number and
