@@ -81,6 +81,8 @@ TEST(Effects, OneMaterialWithACoefficientIsEnough) {
 
 TEST(Effects, ShocksAreShearedWhereRowsLieBesideEachOther) {
   IceScene ice = materials(1, 0, 0);
+  EXPECT_THAT(find_effects(tube(), ice)[effect_shock_shear].reason, HasSubstr("shearAlongShocks"));
+  ice.shears_shocks = true;
   Scene line = tube(), plane = tube();
   line.grid.levels[0].active = {true, false, false};
   plane.grid.levels[0].active = {true, true, false};

@@ -20,7 +20,7 @@ namespace sluice::ice {
 
 struct IceMaterial {
   std::string name;
-  int index = 0;  // among the fluids
+  int index = 0;          // among the fluids
   int solids_before = 0;  // materials of the scene that come before the fluids
   Fluid fluid;
   double viscosity = 0;     // dynamic, Pa s
@@ -49,10 +49,11 @@ struct RefinementCriterion {
 };
 
 struct IceScene {
-  int solids = 0;  // materials of solids, which come first among those of the scene
+  int solids = 0;            // materials of solids, which come first among those of the scene
   bool classic = false;      // <scheme>classic</scheme>
   bool second_order = true;  // <advection type=>
   bool compatible_fluxes = true;
+  bool shears_shocks = false;  // shearAlongShocks
   std::optional<ImplicitSettings> implicit;
   double cfl = 0.4;
   double sound_speed_knob = 1;
@@ -66,7 +67,7 @@ struct IceScene {
   std::vector<CustomStart> custom;  // in the order in which they act
   std::optional<FormulaFill> formula;
   std::vector<RefinementCriterion> criteria;
-  ExchangeSettings exchange;  // among the fluids
+  ExchangeSettings exchange;                      // among the fluids
   PairCoefficients momentum_of_all, heat_of_all;  // with the solids, as decks count
   models::ModelList models;
   std::vector<models::AddedHeat> added_heat;

@@ -34,7 +34,12 @@ TagSpec advection() {
            attribute("useCompatibleFluxes", "classic scheme: fluxes of q/m weighted with mass")
                .boolean()
                .alias("compatibleFluxes")
-               .by_default("true")});
+               .by_default("true"),
+           attribute("shearAlongShocks",
+                     "faces whose normals lie in the plane of a strong shock exchange momentum "
+                     "along them, so that the shock stays straight; of one material on one level")
+               .boolean()
+               .by_default("false")});
 }
 
 TagSpec time_step_control() {

@@ -18,6 +18,7 @@ GasBox closed(IntVec3 cells) {
   box.periodic = false;
   box.walls = true;
   box.scheme = "conservative";
+  box.advection = "type='SecondOrder' shearAlongShocks='true'";
   return box;
 }
 

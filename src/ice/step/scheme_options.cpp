@@ -89,10 +89,11 @@ std::vector<TransportModels> transport_models(const IceScene& ice, const Level& 
   return all;
 }
 
-// With several materials or levels the accounts of fluxes do not yet hold what it exchanges.
+// With several materials or levels the accounts of fluxes do not hold what it exchanges: refused.
 bool shears_shocks(const Scene& scene, const IceScene& ice) {
-  return !ice.classic && !ice.implicit && active_axes(scene.grid.levels.front()).count > 1 &&
-         scene.grid.levels.size() == 1 && ice.materials.size() == 1;
+  return ice.shears_shocks && !ice.classic && !ice.implicit &&
+         active_axes(scene.grid.levels.front()).count > 1 && scene.grid.levels.size() == 1 &&
+         ice.materials.size() == 1;
 }
 
 SchemeOptions scheme_options(const Scene& scene, const IceScene& ice) {
