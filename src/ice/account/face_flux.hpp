@@ -156,7 +156,7 @@ class FaceFluxRows {
     }
     flux.energy = l_ * pf * velocity_[i] + 0.5 * FU2 + energy_[i] - friction;
     if (o.conducting) flux.energy += l_ * heat_[i];
-    // A row here may be of several rows of the task that marks them.
+    // Where a cell is not marked its strength may be of an earlier row.
     if (sheared_ != nullptr && sheared_[i] != 0.0 && shear_[i] != 0.0) add_shear(i, flux);
     return flux;
   }
