@@ -113,7 +113,7 @@ class FaceFluxRows {
     if (o.walled) covered_ = faces(h.covered);
     if (o.shears_shocks) {
       shear_ = faces(h.shear, axis);
-      sheared_ = faces(h.sheared, 1);
+      sheared_ = faces(h.sheared);
       rho_[0] = row(h.rho, 0, axis, shift - 1);
       rho_[1] = faces(h.rho);
     }
@@ -156,7 +156,6 @@ class FaceFluxRows {
     }
     flux.energy = l_ * pf * velocity_[i] + 0.5 * FU2 + energy_[i] - friction;
     if (o.conducting) flux.energy += l_ * heat_[i];
-    // Where a cell is not marked its strength may be of an earlier row.
     if (sheared_ != nullptr && sheared_[i] != 0.0 && shear_[i] != 0.0) add_shear(i, flux);
     return flux;
   }

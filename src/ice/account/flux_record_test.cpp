@@ -139,7 +139,6 @@ GasBox sheared_shock() {
   box.velocity[0] = "3*cos(60*y)";
   box.velocity[1] = "0.5";
   box.scheme = "conservative";
-  box.advection = "type='SecondOrder' shearAlongShocks='true'";
   return box;
 }
 

@@ -1,8 +1,8 @@
 // What control volumes of analyses exchange through their sides, and what forces add inside.
 //
 // Through a face (face_flux.hpp): mass of each material, momentum that is advected, pressure along
-// the normal, viscous momentum flux, total energy, its part that is conducted; amounts of the step,
-// positive along the axis.
+// the normal, viscous momentum flux (shear along strong shocks is such), total energy, its part that
+// is conducted; amounts of the step, positive along the axis.
 // Inside, over the uncovered cells: impulse and work of gravity as in gravity_account.cpp. All sums
 // are exact.
 // Absent without control volumes.
@@ -37,7 +37,7 @@ void account_side(const Row& row, const FaceFluxHandles& h, const SchemeOptions&
     for (int c = 0; c < o.components; ++c) {
       const int d = o.direction[static_cast<std::size_t>(c)];
       sums.sum(slots.momentum(volume, s) + d).add((flux.momentum[c] - flux.impulse[c]) * V);
-      if (o.viscous)
+      if (o.viscous || o.shears_shocks)
         sums.sum(slots.viscous(volume, s) + d)
             .add((flux.impulse[c] - (c == axis ? pressed : 0.0)) * V);
     }

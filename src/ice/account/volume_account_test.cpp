@@ -124,7 +124,8 @@ TEST_F(TwoFluids, KeepTheirBudgets) {
       for (int m = 0; m < 2; ++m)
         add(passed.mass[m], moved.mass[m], in * sum(slots.mass(0, side, m)));
       for (int d = 0; d < 2; ++d)
-        add(passed.momentum[d], moved.momentum[d], in * sum(slots.momentum(0, side) + d));
+        for (const int part : {slots.momentum(0, side), slots.viscous(0, side)})
+          add(passed.momentum[d], moved.momentum[d], in * sum(part + d));
       add(passed.momentum[side / 2], moved.momentum[side / 2], in * sum(slots.pressure(0, side)));
       add(passed.energy, moved.energy, in * sum(slots.energy(0, side)));
     }

@@ -68,7 +68,7 @@ void read_numerics(const DeckNode& cfd, IceScene& s) {
   if (const DeckNode* advection = ice->child("advection")) {
     s.second_order = advection->attribute("type").value_or("SecondOrder") == "SecondOrder";
     s.compatible_fluxes = advection->attribute("useCompatibleFluxes").value_or("true") == "true";
-    s.shears_shocks = advection->attribute("shearAlongShocks").value_or("false") == "true";
+    s.shears_shocks = advection->attribute("shearAlongShocks").value_or("true") == "true";
     s.advection_where = advection->where;
   }
   if (const DeckNode* h = ice->child("applyHydrostaticPressure"))
@@ -261,11 +261,6 @@ IceScene read_ice_scene(const Deck& deck, const Scene& scene, std::vector<Fault>
   s.conditions = read_flow_conditions(root);
   if (s.conditions.slip) s.conditions.slip->force = s.driving_force.force;
   read_criteria(root, s);
-  if (s.shears_shocks && (count > 1 || scene.grid.levels.size() > 1))
-    add_error(faults, s.advection_where,
-              "<advection shearAlongShocks=\"true\"> is not supported with several materials or "
-              "levels",
-              "leave it out, or run one fluid on one level");
   warn_of_vortices(deck, scene, s, faults);
   for (const auto& block : root.children)
     if (block->name == "MaterialProperties" || block->name == "Models")

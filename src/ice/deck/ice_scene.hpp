@@ -53,7 +53,7 @@ struct IceScene {
   bool classic = false;      // <scheme>classic</scheme>
   bool second_order = true;  // <advection type=>
   bool compatible_fluxes = true;
-  bool shears_shocks = false;  // shearAlongShocks
+  bool shears_shocks = true;  // shearAlongShocks
   std::optional<ImplicitSettings> implicit;
   double cfl = 0.4;
   double sound_speed_knob = 1;

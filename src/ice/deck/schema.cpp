@@ -37,9 +37,10 @@ TagSpec advection() {
                .by_default("true"),
            attribute("shearAlongShocks",
                      "faces whose normals lie in the plane of a strong shock exchange momentum "
-                     "along them, so that the shock stays straight; of one material on one level")
+                     "along them, so that the shock stays straight; not in the classic form, nor "
+                     "where the pressure is solved for")
                .boolean()
-               .by_default("false")});
+               .by_default("true")});
 }
 
 TagSpec time_step_control() {

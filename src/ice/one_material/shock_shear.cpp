@@ -60,11 +60,11 @@ void mark_jumps(const Row& row, const JumpReads& h, int axes, double gamma, Out 
       if (jumps_along(cells, h, d, gamma)) return true;
     return false;
   };
-  const bool here = any(row);
-  std::fill_n(row(marks, 1), n, here ? 1.0 : 0.0);
-  for (int first = 0; here && first < n; first += marked_cells) {
+  std::fill_n(row(marks), n, 0.0);
+  if (!any(row)) return;
+  for (int first = 0; first < n; first += marked_cells) {
     const Row part = row.part(first, std::min(marked_cells, n - first));
-    std::fill_n(part(marks, 0), part.count(), any(part) ? 1.0 : 0.0);
+    if (any(part)) std::fill_n(part(marks), part.count(), 1.0);
   }
 }
 
@@ -154,24 +154,18 @@ void clear_beside_solids(const Row& row, const Handles& h, int axis, double* k) 
 template <int D>
 auto marks_around(const Row& row, In marks) {
   constexpr std::size_t count = D == 2 ? 3 : 9;
-  std::array<MarkedRow, count> rows;
+  MarkedRows<count> rows;
   for (std::size_t n = 0; n < count; ++n) {
     const int j = static_cast<int>(n % 3) - 1, k = static_cast<int>(n / 3) - 1;
-    rows[n] = {row, marks, {0, j, D == 2 ? 0 : k}};
+    rows[n] = row.at_offset(marks, 0, {0, j, D == 2 ? 0 : k});
   }
   return rows;
 }
 
 template <int D>
 void strength_row(const Row& whole, const Handles& h, const SchemeOptions& o) {
-  bool somewhere = false;
-  const auto clear = [&] {
-    for (int d = 0; d < D; ++d) std::fill_n(whole(h.strength, d), whole.count(), 0.0);
-    std::fill_n(whole(h.marks, 0), whole.count(), 0.0);
-    return true;
-  };
+  std::fill_n(whole(h.marks), whole.count(), 0.0);
   for_each_marked_part(whole, marks_around<D>(whole, h.jumps), 1, [&](const Row& row) {
-    if (!somewhere) somewhere = clear();
     const int n = row.count();
     bool any = false;
     for (int d = 0; d < D; ++d) {
@@ -181,9 +175,8 @@ void strength_row(const Row& whole, const Handles& h, const SchemeOptions& o) {
       for_each_wall_face(row, o, d, [&](int i, bool) { k[i] = 0.0; });
       for (int i = 0; i < n; ++i) any = any || k[i] != 0.0;
     }
-    if (any) std::fill_n(row(h.marks, 0), n, 1.0);
+    if (any) std::fill_n(row(h.marks), n, 1.0);
   });
-  std::fill_n(whole(h.marks, 1), whole.count(), somewhere ? 1.0 : 0.0);
 }
 
 }  // namespace

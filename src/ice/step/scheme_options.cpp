@@ -92,8 +92,7 @@ std::vector<TransportModels> transport_models(const IceScene& ice, const Level& 
 // With several materials or levels the accounts of fluxes do not hold what it exchanges: refused.
 bool shears_shocks(const Scene& scene, const IceScene& ice) {
   return ice.shears_shocks && !ice.classic && !ice.implicit &&
-         active_axes(scene.grid.levels.front()).count > 1 && scene.grid.levels.size() == 1 &&
-         ice.materials.size() == 1;
+         active_axes(scene.grid.levels.front()).count > 1;
 }
 
 SchemeOptions scheme_options(const Scene& scene, const IceScene& ice) {

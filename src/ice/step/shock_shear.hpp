@@ -6,10 +6,12 @@
 // u_f: mean of the two cells. Per volume of a cell; k: one_material/shock_shear.cpp, zero to the
 // bit away from shocks. What is lost of kinetic energy becomes heat, exactly.
 //
-// Marks have two components: 1 in cells where something is, and 1 all along a row in which it is
-// anywhere. Where that is 0 nothing else of the row is written or may be read.
+// Marks are 1 in cells where something is, else 0. Where a cell is not marked its strength may be
+// of an earlier row, and must not be read: a row may be of several rows of the task that wrote it.
 #pragma once
 #include <array>
+#include <bit>
+#include <cstdint>
 
 #include "ice/fluid/limiters.hpp"
 #include "ice/step/variables.hpp"
@@ -19,36 +21,32 @@ namespace sluice::ice {
 // Rows are looked at so many cells at a time.
 constexpr int marked_cells = 16;
 
-// Whether one of the cells from `first` to `last` is marked: 1, else 0.
+// Whether one of the cells from `first` to `last` is marked.
 inline bool is_marked(const double* marks, int first, int last) {
-  double highest = 0;
-  for (int i = first; i <= last; ++i) highest = larger(highest, marks[i]);
-  return highest != 0.0;
+  std::uint64_t bits = 0;
+  for (int i = first; i <= last; ++i) bits |= std::bit_cast<std::uint64_t>(marks[i]);
+  return bits != 0;
 }
 
-// A row of marks, and whether it has any.
-struct MarkedRow {
-  const double* marks = nullptr;  // null: none
+template <std::size_t N>
+using MarkedRows = std::array<const double*, N>;
 
-  MarkedRow() = default;
-  MarkedRow(const Row& row, In in, std::array<int, 3> offset)
-      : marks(*row.at_offset(in, 1, offset) != 0.0 ? row.at_offset(in, 0, offset) : nullptr) {}
-};
+template <std::size_t N>
+bool is_marked(const MarkedRows<N>& rows, int first, int last) {
+  for (const double* marks : rows)
+    if (is_marked(marks, first, last)) return true;
+  return false;
+}
 
 // f(part of the row) where one of these rows of marks is set, from so many cells before the part
 // to one behind it.
 template <std::size_t N, class F>
-void for_each_marked_part(const Row& row, const std::array<MarkedRow, N>& rows, int before, F&& f) {
-  bool none = true;
-  for (const MarkedRow& m : rows) none = none && m.marks == nullptr;
-  if (none) return;
+void for_each_marked_part(const Row& row, const MarkedRows<N>& rows, int before, F&& f) {
   const int n = row.count();
+  if (!is_marked(rows, -before, n)) return;
   for (int first = 0; first < n; first += marked_cells) {
     const int count = n - first < marked_cells ? n - first : marked_cells;
-    bool any = false;
-    for (const MarkedRow& m : rows)
-      any = any || (m.marks != nullptr && is_marked(m.marks, first - before, first + count));
-    if (any) f(row.part(first, count));
+    if (is_marked(rows, first - before, first + count)) f(row.part(first, count));
   }
 }
 
@@ -71,27 +69,28 @@ inline ShockShearReads read_shock_shear(TaskBuilder& task, const SchemeVariables
 // Calls f(part) for parts of a row of cells of whose faces some exchange shear.
 template <int D, class F>
 void for_each_sheared_part(const Row& row, const ShockShearReads& h, F&& f) {
-  std::array<MarkedRow, D> rows;
+  MarkedRows<D> rows;
   for (int d = 0; d < D; ++d)
-    rows[static_cast<std::size_t>(d)] = {row, h.marks, {0, d == 1 ? 1 : 0, d == 2 ? 1 : 0}};
+    rows[static_cast<std::size_t>(d)] =
+        row.at_offset(h.marks, 0, {0, d == 1 ? 1 : 0, d == 2 ? 1 : 0});
   for_each_marked_part(row, rows, 0, f);
 }
 
-inline constexpr double no_shear[marked_cells] = {};
-
 // The faces of a part of a row of cells along one axis.
 struct ShearedFaces {
-  const double *km, *kp, *r, *rm, *rp;
+  const double *mm, *mp, *km, *kp, *r, *rm, *rp;
 
   ShearedFaces() = default;
   ShearedFaces(const Row& row, const ShockShearReads& h, int axis)
-      : km(row(h.marks, 1)[0] != 0.0 ? row(h.strength, axis) : no_shear),
-        kp(row(h.marks, 1, axis, 1)[0] != 0.0 ? row(h.strength, axis, axis, 1) : no_shear),
+      : mm(row(h.marks)),
+        mp(row(h.marks, 0, axis, 1)),
+        km(row(h.strength, axis)),
+        kp(row(h.strength, axis, axis, 1)),
         r(row(h.rho)),
         rm(row(h.rho, 0, axis, -1)),
         rp(row(h.rho, 0, axis, 1)) {}
-  double below(int i) const { return km[i] * smaller(rm[i], r[i]); }
-  double above(int i) const { return kp[i] * smaller(r[i], rp[i]); }
+  double below(int i) const { return mm[i] != 0.0 ? km[i] * smaller(rm[i], r[i]) : 0.0; }
+  double above(int i) const { return mp[i] != 0.0 ? kp[i] * smaller(r[i], rp[i]) : 0.0; }
 };
 
 // Takes from the impulse what the cells get of their neighbours' momentum.

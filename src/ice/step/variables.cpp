@@ -25,9 +25,9 @@ void declare_step_temporaries(TaskList& list, const SchemeOptions& o, SchemeVari
     v.flux[n] = list.temporary("flux" + axis, 2 + C, d);
   }
   if (o.shears_shocks) {
-    v.jump_marks = list.temporary("where pressure jumps", 2);
+    v.jump_marks = list.temporary("where pressure jumps");
     v.shear = list.temporary("shear along shocks", o.axes.count);
-    v.shear_marks = list.temporary("where shocks are sheared", 2);
+    v.shear_marks = list.temporary("where shocks are sheared");
   }
   if (o.conducting) v.temperature = list.temporary("temperature");
   if (o.viscosity_varies) v.viscosity = list.temporary("dynamic viscosity");
