@@ -220,13 +220,15 @@ Effect shock_shear(const Scene& scene, const IceScene& ice) {
   constexpr const char* name = "shear along shocks";
   if (shears_shocks(scene, ice))
     return {name, true,
-            "shearAlongShocks: acts where pressure jumps by more than rho c^2/3 from cell to cell",
+            "more than one active direction: acts where pressure jumps by more than rho c^2/3 from "
+            "cell to cell",
             ice.advection_where};
   if (!ice.shears_shocks)
-    return {name, false,
-            "no shearAlongShocks=\"true\" in <advection>: a strong shock along the grid may break "
-            "into rows",
-            ice.advection_where};
+    return {
+        name, false,
+        "shearAlongShocks=\"false\" in <advection>: a strong shock along the grid may break into "
+        "rows",
+        ice.advection_where};
   if (ice.classic) return {name, false, "classic scheme", ice.scheme_where};
   if (ice.implicit) return {name, false, "the pressure is solved for", ice.implicit->where};
   return {name, false, "one active direction: no face lies along a shock", {}};

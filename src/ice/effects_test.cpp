@@ -81,6 +81,8 @@ TEST(Effects, OneMaterialWithACoefficientIsEnough) {
 
 TEST(Effects, ShocksAreShearedWhereRowsLieBesideEachOther) {
   IceScene ice = materials(1, 0, 0);
+  ice.shears_shocks = false;
+  EXPECT_FALSE(find_effects(tube(), ice).on(effect_shock_shear));
   EXPECT_THAT(find_effects(tube(), ice)[effect_shock_shear].reason, HasSubstr("shearAlongShocks"));
   ice.shears_shocks = true;
   Scene line = tube(), plane = tube();

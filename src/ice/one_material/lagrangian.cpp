@@ -163,10 +163,11 @@ void add_lagrangian(TaskList& list, const SchemeVariables& v, const SchemeOption
     task.kernel([=](const Row& row) {
       const ImpulseConstants s = impulse_constants(o, row.step());
       impulse_rows<D, C>(row, h.forces, s, o.viscous);
-      if (o.shears_shocks) take_shear<D, C>(row, h.shear);
+      const bool sheared = o.shears_shocks && is_sheared<D>(row, h.shear);
+      if (sheared) take_shear<D, C>(row, h.shear);
       leave_held_ghosts(row, o, h.velocity, h.sound, h.forces.impulse);
       cell_rows<D, C>(row, h, s);
-      if (o.shears_shocks) heat_of_shocks<D, C>(row, h);
+      if (sheared) heat_of_shocks<D, C>(row, h);
       heat_rows<D, C>(row, h, s, o);
       if (scaled && !o.mixture)
         energy_scale_row(o.fluid, row.count(), row(h.rho_L), row(h.energy_L), row(h.energy_scale));

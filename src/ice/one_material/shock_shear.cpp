@@ -1,8 +1,8 @@
 // Where faces exchange shear along strong shocks, and how much: step/shock_shear.hpp.
 //
-// Over each face across another axis t, of either of its two cells a and b, with K = rho c^2 the
-// smaller of the two cells there:
-//   s_t = (|du_t| + |dc|) min(1, 3 max(0, |dp|/K - 1/3))
+// Over each face across another axis t, of either of its two cells a and b, that jumps: |dp| > K/3
+// with K = rho c^2 the smaller of the two cells there:
+//   s_t = (|du_t| + |dc|) min(1, 3 (|dp|/K - 1/3))
 //   k   = min(.1, l_d/2 max s_t max(0, 1 - 3 |p_b - p_a|/max |dp|)),   l_d = dt/dx_d
 // so that k is zero to the bit where no face beside jumps by more than a third of rho c^2 (which is
 // more than a third of the pressure), and where the shock is inclined to the grid by more than
@@ -14,8 +14,8 @@
 #include "ice/step/shock_shear.hpp"
 
 #include <algorithm>
-#include <utility>
 
+#include "framework/base/infinity.hpp"
 #include "ice/step/wall_faces.hpp"
 
 namespace sluice::ice {
@@ -25,125 +25,144 @@ constexpr double least_jump = 1.0 / 3, full_jump = 2.0 / 3;  // of rho c^2
 constexpr double share = 0.5, most = 0.1;
 constexpr double askew = 3;  // no shear where a shock is inclined by more than one in so many
 
-struct JumpReads {
-  In pressure, rho, sound;
+// ---- Low faces of cells across each axis t: |dp| and s_t where it jumps -------------------------
+
+struct JumpHandles {
+  In pressure, rho, sound, velocity, fraction;
+  Out jumps, marks;  // |dp| of each axis, then s_t of each; where something is
 };
 
-// Whether one of these faces jumps; a little sooner than the strength is above zero. `Modulus`: of
-// cell a or b of the face.
-template <class Modulus>
-bool any_jump(const double* __restrict pa, const double* __restrict pb, int n, Modulus modulus) {
+// Marks cells of which a low face may jump: never none where one does. Whether there are any.
+template <int D>
+bool mark_jumps(const Row& row, const JumpHandles& h, double gamma) {
+  const int n = row.count();
+  const auto below = [&](In in, int d) { return row(in, 0, d, -1); };
+  const double *p = row(h.pressure), *pl = below(h.pressure, 0), *pb = below(h.pressure, 1);
+  const double* pd = D == 3 ? below(h.pressure, 2) : p;
+  double* __restrict marks = row(h.marks);
   std::int64_t jumps = 0;
+  const auto mark = [&](auto modulus) {
 #pragma GCC ivdep
-  for (int i = 0; i < n; ++i)
-    jumps += std::fabs(pb[i] - pa[i]) > 0.999 * least_jump * modulus(i) ? 1 : 0;
+    for (int i = 0; i < n; ++i) {
+      const double high = larger(larger(p[i], pl[i]), larger(pb[i], pd[i]));
+      const double low = smaller(smaller(p[i], pl[i]), smaller(pb[i], pd[i]));
+      const bool jump = high - low > 0.999 * least_jump * modulus(i, low);
+      marks[i] = jump ? 1.0 : 0.0;
+      jumps += jump ? 1 : 0;
+    }
+  };
+  if (gamma > 0) {
+    mark([=](int, double low) { return gamma * low; });
+    return jumps != 0;
+  }
+  const double *r = row(h.rho), *rl = below(h.rho, 0), *rb = below(h.rho, 1);
+  const double *c = row(h.sound), *cl = below(h.sound, 0), *cb = below(h.sound, 1);
+  const double* rd = D == 3 ? below(h.rho, 2) : r;
+  const double* cd = D == 3 ? below(h.sound, 2) : c;
+  mark([=](int i, double) {
+    return smaller(smaller(r[i] * (c[i] * c[i]), rl[i] * (cl[i] * cl[i])),
+                   smaller(rb[i] * (cb[i] * cb[i]), rd[i] * (cd[i] * cd[i])));
+  });
   return jumps != 0;
 }
 
-// Whether one of the low faces of these cells along an axis does. `gamma`: of the one ideal gas,
-// else 0.
-bool jumps_along(const Row& row, const JumpReads& h, int axis, double gamma) {
+// Of a part of a row, across axis t.
+template <bool Walled>
+void find_jumps(const Row& row, const JumpHandles& h, int axes, int t) {
+  const double *pa = row(h.pressure, 0, t, -1), *pb = row(h.pressure);
+  const double *ra = row(h.rho, 0, t, -1), *rb = row(h.rho);
+  const double *ca = row(h.sound, 0, t, -1), *cb = row(h.sound);
+  const double *ua = row(h.velocity, t, t, -1), *ub = row(h.velocity, t);
+  const double *fa = Walled ? row(h.fraction, 0, t, -1) : pa, *fb = Walled ? row(h.fraction) : pb;
+  double* __restrict jump = row(h.jumps, t);
+  double* __restrict speed = row(h.jumps, axes + t);
   const int n = row.count();
-  const double *pa = row(h.pressure, 0, axis, -1), *pb = row(h.pressure);
-  if (gamma > 0) return any_jump(pa, pb, n, [=](int i) { return gamma * smaller(pa[i], pb[i]); });
-  const double *ra = row(h.rho, 0, axis, -1), *rb = row(h.rho);
-  const double *ca = row(h.sound, 0, axis, -1), *cb = row(h.sound);
-  return any_jump(pa, pb, n,
-                  [=](int i) { return smaller(ra[i] * (ca[i] * ca[i]), rb[i] * (cb[i] * cb[i])); });
+#pragma GCC ivdep
+  for (int i = 0; i < n; ++i) {
+    const double dp = std::fabs(pb[i] - pa[i]);
+    const double K = smaller(ra[i] * (ca[i] * ca[i]), rb[i] * (cb[i] * cb[i]));
+    const double solid = Walled ? fa[i] + fb[i] : 0.0;
+    const double limit = solid > 0.0 ? infinity : least_jump * K;
+    const double weight = smaller((dp / K - least_jump) / (full_jump - least_jump), 1.0);
+    const double s = (std::fabs(ub[i] - ua[i]) + std::fabs(cb[i] - ca[i])) * weight;
+    jump[i] = dp > limit ? dp : 0.0;
+    speed[i] = dp > limit ? s : 0.0;
+  }
 }
 
-// Marks of the low faces of the cells of a row, of all axes; so many cells share one.
-void mark_jumps(const Row& row, const JumpReads& h, int axes, double gamma, Out marks) {
-  const int n = row.count();
-  const auto any = [&](const Row& cells) {
-    for (int d = 0; d < axes; ++d)
-      if (jumps_along(cells, h, d, gamma)) return true;
-    return false;
-  };
-  std::fill_n(row(marks), n, 0.0);
-  if (!any(row)) return;
-  for (int first = 0; first < n; first += marked_cells) {
-    const Row part = row.part(first, std::min(marked_cells, n - first));
-    if (any(part)) std::fill_n(part(marks), part.count(), 1.0);
-  }
+// `gamma`: of the one ideal gas, else 0.
+template <int D>
+void jumps_row(const Row& row, const JumpHandles& h, double gamma) {
+  if (!mark_jumps<D>(row, h, gamma)) return;
+  const double* marks = row(h.marks);
+  for_each_part(
+      row, [&](int first, int count) { return is_marked(marks + first, 0, count - 1); },
+      [&](const Row& part) {
+        for (int t = 0; t < D; ++t)
+          h.fraction.index < 0 ? find_jumps<false>(part, h, D, t) : find_jumps<true>(part, h, D, t);
+      });
 }
 
 void add_jumps(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("where pressure jumps", effect);
   Stencil below;
   for (int d = 0; d < o.axes.count; ++d) below.low[o.axes.direction[d]] = 1;
-  const eos::IdealGas* gas = o.mixture || o.mixed != nullptr ? nullptr : o.fluid.ideal();
-  JumpReads h;
+  JumpHandles h;
   h.pressure = task.read(v.pressure, below);
-  if (gas == nullptr) {
-    h.rho = task.read(v.rho, below);
-    h.sound = task.read(v.sound, below);
-  }
-  const Out marks = task.write(v.jump_marks);
-  const double gamma = gas != nullptr ? gas->gamma : 0;
-  const int axes = o.axes.count;
-  task.kernel([=](const Row& row) { mark_jumps(row, h, axes, gamma, marks); });
+  h.rho = task.read(v.rho, below);
+  h.sound = task.read(v.sound, below);
+  h.velocity = task.read(v.velocity, below);
+  if (o.walled) h.fraction = task.read(v.walls.fraction, below);
+  h.jumps = task.write(v.jumps);
+  h.marks = task.write(v.jump_marks);
+  const eos::IdealGas* gas = o.mixture || o.mixed != nullptr ? nullptr : o.fluid.ideal();
+  task.kernel([=, gamma = gas != nullptr ? gas->gamma : 0, axes = o.axes.count](const Row& row) {
+    axes == 2 ? jumps_row<2>(row, h, gamma) : jumps_row<3>(row, h, gamma);
+  });
 }
 
+// ---- k of the low faces of cells, from the faces across the other axes --------------------------
+
 struct Handles {
-  In pressure, rho, sound, velocity, fraction, jumps;
-  Out strength, marks;
+  In pressure, fraction, jumps, jump_marks;
+  Out strength, fastest, marks;
 };
 
-// Of the faces of a part of a row along one axis.
-class Strength {
- public:
-  Strength(const Row& row, const Handles& h, int axis) : row_(row), h_(h), axis_(axis) {}
-
-  void find(int axes, double l, double* __restrict k) {
-    const int n = row_.count();
-    const double *pa = row_(h_.pressure, 0, axis_, -1), *pb = row_(h_.pressure);
-    for (int t = 0; t < axes; ++t)
-      if (t != axis_)
-        for (const int side : {-1, 0})
-          for (const int low : {-1, 0}) look_across(t, side, low);
+// Of the faces of a part of a row along axis d.
+template <int D>
+void find_strength(const Row& row, const Handles& h, int d, double l) {
+  const int n = row.count();
+  double* __restrict largest = row(h.strength, d);
+  double* __restrict fastest = row(h.fastest);
+  std::fill_n(largest, n, 0.0);
+  std::fill_n(fastest, n, 0.0);
+  for (int t = 0; t < D; ++t) {
+    if (t == d) continue;
+    for (const int side : {-1, 0})     // of the cells that the face lies between
+      for (const int high : {0, 1}) {  // of the faces of such a cell
+        std::array<int, 3> at{};
+        at[static_cast<std::size_t>(d)] = side;
+        at[static_cast<std::size_t>(t)] = high;
+        const double* marks = row.at_offset(h.jump_marks, 0, at);
+        const double* jump = row.at_offset(h.jumps, t, at);
+        const double* speed = row.at_offset(h.jumps, D + t, at);
 #pragma GCC ivdep
-    for (int i = 0; i < n; ++i) {
-      const double plane = larger(0.0, largest_[i] - askew * std::fabs(pb[i] - pa[i]));
-      const double wanted = fastest_[i] > 0.0 ? share * l * fastest_[i] * plane / largest_[i] : 0.0;
-      k[i] = smaller(wanted, most);
-    }
+        for (int i = 0; i < n; ++i) {
+          const double dp = jump[i], s = speed[i];
+          largest[i] = larger(largest[i], marks[i] != 0.0 ? dp : 0.0);
+          fastest[i] = larger(fastest[i], marks[i] != 0.0 ? s : 0.0);
+        }
+      }
   }
-
- private:
-  // The face across axis t between the cells `low` and `low` + 1 from the one on that side.
-  void look_across(int t, int side, int low) {
-    std::array<int, 3> first{}, second{};
-    first[static_cast<std::size_t>(axis_)] = second[static_cast<std::size_t>(axis_)] = side;
-    first[static_cast<std::size_t>(t)] = low;
-    second[static_cast<std::size_t>(t)] = low + 1;
-    const auto both = [&](In in, int c = 0) {
-      return std::pair(row_.at_offset(in, c, first), row_.at_offset(in, c, second));
-    };
-    const auto [pa, pb] = both(h_.pressure);
-    const auto [ra, rb] = both(h_.rho);
-    const auto [ca, cb] = both(h_.sound);
-    const auto [ua, ub] = both(h_.velocity, t);
-    const auto [fa, fb] = h_.fraction.index < 0 ? std::pair(clear_, clear_) : both(h_.fraction);
-    const int n = row_.count();
+  const double *pa = row(h.pressure, 0, d, -1), *pb = row(h.pressure);
+  double* __restrict k = largest;
 #pragma GCC ivdep
-    for (int i = 0; i < n; ++i) {
-      const double jump = fa[i] + fb[i] > 0.0 ? 0.0 : std::fabs(pb[i] - pa[i]);
-      const double K = smaller(ra[i] * (ca[i] * ca[i]), rb[i] * (cb[i] * cb[i]));
-      const double excess = (jump / K - least_jump) / (full_jump - least_jump);
-      const double speed = std::fabs(ub[i] - ua[i]) + std::fabs(cb[i] - ca[i]);
-      const double weight = larger(0.0, smaller(excess, 1.0));
-      fastest_[i] = larger(fastest_[i], jump > least_jump * K ? weight * speed : 0.0);
-      largest_[i] = larger(largest_[i], jump);
-    }
+  for (int i = 0; i < n; ++i) {
+    const double dp = largest[i], plane = larger(0.0, dp - askew * std::fabs(pb[i] - pa[i]));
+    const double wanted = share * l * fastest[i] * plane / dp;
+    k[i] = dp > 0.0 ? smaller(wanted, most) : 0.0;
   }
-
-  const Row& row_;
-  const Handles& h_;
-  int axis_;
-  double fastest_[marked_cells] = {}, largest_[marked_cells] = {}, no_solid_[marked_cells] = {};
-  const double* clear_ = no_solid_;
-};
+}
 
 void clear_beside_solids(const Row& row, const Handles& h, int axis, double* k) {
   const double *fa = row(h.fraction, 0, axis, -1), *fb = row(h.fraction);
@@ -165,15 +184,15 @@ auto marks_around(const Row& row, In marks) {
 template <int D>
 void strength_row(const Row& whole, const Handles& h, const SchemeOptions& o) {
   std::fill_n(whole(h.marks), whole.count(), 0.0);
-  for_each_marked_part(whole, marks_around<D>(whole, h.jumps), 1, [&](const Row& row) {
+  for_each_marked_part(whole, marks_around<D>(whole, h.jump_marks), 1, [&](const Row& row) {
     const int n = row.count();
     bool any = false;
     for (int d = 0; d < D; ++d) {
+      find_strength<D>(row, h, d, row.step().dt / row.step().spacing[o.axes.direction[d]]);
       double* k = row(h.strength, d);
-      Strength(row, h, d).find(D, row.step().dt / row.step().spacing[o.axes.direction[d]], k);
       if (h.fraction.index >= 0) clear_beside_solids(row, h, d, k);
       for_each_wall_face(row, o, d, [&](int i, bool) { k[i] = 0.0; });
-      for (int i = 0; i < n; ++i) any = any || k[i] != 0.0;
+      any = any || is_marked(k, 0, n - 1);
     }
     if (any) std::fill_n(row(h.marks), n, 1.0);
   });
@@ -188,12 +207,11 @@ void add_shock_shear(TaskList& list, const SchemeVariables& v, const SchemeOptio
   const Stencil around = Stencil::box(1);
   Handles h;
   h.pressure = task.read(v.pressure, around);
-  h.rho = task.read(v.rho, around);
-  h.sound = task.read(v.sound, around);
-  h.velocity = task.read(v.velocity, around);
   if (o.walled) h.fraction = task.read(v.walls.fraction, around);
-  h.jumps = task.read(v.jump_marks, around);
+  h.jumps = task.read(v.jumps, around);
+  h.jump_marks = task.read(v.jump_marks, around);
   h.strength = task.write(v.shear);
+  h.fastest = task.write(list.temporary("speeds across shocks"));
   h.marks = task.write(v.shear_marks);
   task.kernel([=, axes = o.axes.count](const Row& row) {
     axes == 2 ? strength_row<2>(row, h, o) : strength_row<3>(row, h, o);

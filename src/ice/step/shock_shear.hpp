@@ -33,21 +33,33 @@ using MarkedRows = std::array<const double*, N>;
 
 template <std::size_t N>
 bool is_marked(const MarkedRows<N>& rows, int first, int last) {
-  for (const double* marks : rows)
-    if (is_marked(marks, first, last)) return true;
-  return false;
+  std::uint64_t bits = 0;
+  for (int i = first; i <= last; ++i)
+    for (const double* marks : rows) bits |= std::bit_cast<std::uint64_t>(marks[i]);
+  return bits != 0;
 }
 
-// f(part of the row) where one of these rows of marks is set, from so many cells before the part
-// to one behind it.
-template <std::size_t N, class F>
-void for_each_marked_part(const Row& row, const MarkedRows<N>& rows, int before, F&& f) {
+// f(part of the row) where is_wanted(first, count), in longest parts.
+template <class Wanted, class F>
+void for_each_part(const Row& row, Wanted&& is_wanted, F&& f) {
   const int n = row.count();
-  if (!is_marked(rows, -before, n)) return;
+  int begin = 0;  // of the part that is open
   for (int first = 0; first < n; first += marked_cells) {
     const int count = n - first < marked_cells ? n - first : marked_cells;
-    if (is_marked(rows, first - before, first + count)) f(row.part(first, count));
+    if (is_wanted(first, count)) continue;
+    if (first > begin) f(row.part(begin, first - begin));
+    begin = first + count;
   }
+  if (n > begin) f(row.part(begin, n - begin));
+}
+
+// f(part of the row) where one of these rows of marks is set, from so many cells before it to one
+// behind it.
+template <std::size_t N, class F>
+void for_each_marked_part(const Row& row, const MarkedRows<N>& rows, int before, F&& f) {
+  if (!is_marked(rows, -before, row.count())) return;
+  for_each_part(
+      row, [&](int first, int count) { return is_marked(rows, first - before, first + count); }, f);
 }
 
 struct ShockShearReads {
@@ -66,14 +78,25 @@ inline ShockShearReads read_shock_shear(TaskBuilder& task, const SchemeVariables
   return h;
 }
 
-// Calls f(part) for parts of a row of cells of whose faces some exchange shear.
-template <int D, class F>
-void for_each_sheared_part(const Row& row, const ShockShearReads& h, F&& f) {
+template <int D>
+MarkedRows<D> sheared_rows(const Row& row, const ShockShearReads& h) {
   MarkedRows<D> rows;
   for (int d = 0; d < D; ++d)
     rows[static_cast<std::size_t>(d)] =
         row.at_offset(h.marks, 0, {0, d == 1 ? 1 : 0, d == 2 ? 1 : 0});
-  for_each_marked_part(row, rows, 0, f);
+  return rows;
+}
+
+// Whether some faces of the cells of a row exchange shear.
+template <int D>
+bool is_sheared(const Row& row, const ShockShearReads& h) {
+  return is_marked(sheared_rows<D>(row, h), 0, row.count());
+}
+
+// Calls f(part) for parts of a row of cells of whose faces some do.
+template <int D, class F>
+void for_each_sheared_part(const Row& row, const ShockShearReads& h, F&& f) {
+  for_each_marked_part(row, sheared_rows<D>(row, h), 0, f);
 }
 
 // The faces of a part of a row of cells along one axis.
@@ -89,14 +112,21 @@ struct ShearedFaces {
         r(row(h.rho)),
         rm(row(h.rho, 0, axis, -1)),
         rp(row(h.rho, 0, axis, 1)) {}
-  double below(int i) const { return mm[i] != 0.0 ? km[i] * smaller(rm[i], r[i]) : 0.0; }
-  double above(int i) const { return mp[i] != 0.0 ? kp[i] * smaller(r[i], rp[i]) : 0.0; }
+  double below(int i) const {
+    const double k = km[i] * smaller(rm[i], r[i]);
+    return mm[i] != 0.0 ? k : 0.0;
+  }
+  double above(int i) const {
+    const double k = kp[i] * smaller(r[i], rp[i]);
+    return mp[i] != 0.0 ? k : 0.0;
+  }
 };
 
 // Takes from the impulse what the cells get of their neighbours' momentum.
 template <int D, int C>
 void take_shear(const Row& whole, const ShockShearReads& h) {
   for_each_sheared_part<D>(whole, h, [&](const Row& row) {
+    const int n = row.count();
     std::array<ShearedFaces, D> faces;
     for (int d = 0; d < D; ++d) faces[static_cast<std::size_t>(d)] = {row, h, d};
     for (int c = 0; c < C; ++c) {
@@ -106,8 +136,10 @@ void take_shear(const Row& whole, const ShockShearReads& h) {
         um[d] = row(h.velocity, c, d, -1);
         up[d] = row(h.velocity, c, d, 1);
       }
-      for (int i = 0; i < row.count(); ++i) {
+#pragma GCC ivdep
+      for (int i = 0; i < n; ++i) {
         double pull = 0;  // of all axes first: the order of two does not show in the bits
+#pragma GCC unroll 3
         for (int d = 0; d < D; ++d) {
           const ShearedFaces& f = faces[static_cast<std::size_t>(d)];
           if (d != c) pull += f.above(i) * (up[d][i] - u[i]) - f.below(i) * (u[i] - um[d][i]);
@@ -133,12 +165,16 @@ void add_heat_of_shear(const Row& row, const ShockShearReads& h, const double* w
       up[d][c] = row(h.velocity, c, d, 1);
     }
   }
-  for (int i = 0; i < row.count(); ++i) {
+  const int n = row.count();
+#pragma GCC ivdep
+  for (int i = 0; i < n; ++i) {
     double work = 0;
+#pragma GCC unroll 3
     for (int d = 0; d < D; ++d) {
       const ShearedFaces& f = faces[static_cast<std::size_t>(d)];
       const double above = f.above(i), below = f.below(i);
       double along = 0, carried = 0;
+#pragma GCC unroll 3
       for (int c = 0; c < C; ++c) {
         if (c == d) continue;
         const double ub = u[c][i] - 0.5 * dp[c][i] * w[i];

@@ -25,6 +25,7 @@ void declare_step_temporaries(TaskList& list, const SchemeOptions& o, SchemeVari
     v.flux[n] = list.temporary("flux" + axis, 2 + C, d);
   }
   if (o.shears_shocks) {
+    v.jumps = list.temporary("jumps of pressure", 2 * o.axes.count);
     v.jump_marks = list.temporary("where pressure jumps");
     v.shear = list.temporary("shear along shocks", o.axes.count);
     v.shear_marks = list.temporary("where shocks are sheared");

@@ -191,7 +191,7 @@ struct SchemeVariables {
   std::array<VariableId, 3> stress;                        // viscous, by axis: force per area
   std::array<VariableId, 3> heat_flux;                     // by axis, W/m^2
   // Where strong shocks are, and what faces along them exchange: shock_shear.hpp.
-  VariableId jump_marks, shear, shear_marks;
+  VariableId jumps, jump_marks, shear, shear_marks;
   VariableId temperature;                          // of the old state; conduction only
   VariableId viscosity, conductivity;              // of cells, where they vary
   VariableId molecular_viscosity, eddy_viscosity;  // their parts with turbulence

@@ -144,7 +144,8 @@ void cell_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
                const SchemeOptions& o) {
   const int n = row.whole_vectors();
   impulse_rows<D, C>(row, h, s, o);
-  if (o.shears_shocks) take_shear<D, C>(row, h.shear);
+  const bool sheared = o.shears_shocks && is_sheared<D>(row, h.shear);
+  if (sheared) take_shear<D, C>(row, h.shear);
   leave_held_ghosts(row, o, h.velocity, h.sound, h.impulse);
   const FaceRows<D> f(row, h);
   const double *r = row(h.rho), *w = row(h.inverse_rho), *E = row(h.energy);
@@ -174,7 +175,7 @@ void cell_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
     }
     Es[i] = V * E[i] - (work - pw[i] * ((after[i] - theta[i]) - closing));
   }
-  if (o.shears_shocks)
+  if (sheared)
     for_each_sheared_part<D>(row, h.shear, [&](const Row& part) {
       add_heat_of_shear<D, C>(part, h.shear, part(h.inverse_mass), part(h.energy_star));
     });
