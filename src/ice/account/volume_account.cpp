@@ -1,8 +1,8 @@
 // What control volumes of analyses exchange through their sides, and what forces add inside.
 //
 // Through a face (face_flux.hpp): mass of each material, momentum that is advected, pressure along
-// the normal, viscous momentum flux (shear along strong shocks is such), total energy, its part that
-// is conducted; amounts of the step, positive along the axis.
+// the normal, viscous momentum flux (shear along strong shocks is such), total energy, its part
+// that is conducted; amounts of the step, positive along the axis.
 // Inside, over the uncovered cells: impulse and work of gravity as in gravity_account.cpp. All sums
 // are exact.
 // Absent without control volumes.
