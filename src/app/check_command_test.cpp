@@ -181,6 +181,17 @@ TEST_F(CheckCommand, SolidsWithoutAFluidAreAFault) {
   }
 }
 
+// A body that leaves no room for the fluid, whose ends lie far outside of the domain.
+TEST_F(CheckCommand, FindsNothingWrongWithASolidLargerThanTheDomain) {
+  const std::string piece = "MaterialProperties/MPM/material/geom_object/cylinder/";
+  for (const char* radius : {"10", "1e6", "1e12"}) {
+    const Outcome found = check(
+        "../mpmice/moving_with_gas",
+        {piece + "radius=" + radius, piece + "bottom=[0.4,0.4,-1e9]", piece + "top=[0.4,0.4,1e9]"});
+    EXPECT_EQ(found.status, 0) << radius << ": " << found.text;
+  }
+}
+
 // Cells of a large deck are not filled just to be judged.
 TEST_F(CheckCommand, LeavesTheStartOfALargeDeckToTheRun) {
   const Outcome found =

@@ -27,7 +27,6 @@ const std::map<std::string, std::string> faulty = {
     {"inputs/MPM/ARL/AMR_nano_pillar.ups", "'gao_diffusion' is not a valid word"},
     {"inputs/MPM/multidisks.ups", "'inputs/MPM/disks_include1.ups' does not exist"},
     {"inputs/MPM/sidecrack.ups", "<crack> does not exist in <MPM>"},
-    {"inputs/MPM/GranularMPM/Silo_empty03_ConialHopper03.ups", "leads out of the folder"},
     {"inputs/MPM/GranularMPM/Silo_empty_MPM_ConialHopper.ups", "XML: StartTag"},
     {"inputs/MPM/GranularMPM/Y_Pipe_05.ups", "does not exist"},
     {"inputs/MPM/Scripts/CylGen/TestCylGen.ups", "included file 'Test2D.xml' does not exist"},

@@ -173,6 +173,21 @@ TEST_F(SwitcherFaults, OfCriteria) {
                  "'Volume' is not a valid word (valid: Timestep)");
 }
 
+// A component's steps rest on its own; that of the run's deck has no effect.
+TEST_F(SwitcherFaults, OfAMultiplierOfZero) {
+  const auto with = [](std::string text, const std::string& value) {
+    return replaced(std::move(text), "<timestep_multiplier>" + value + "<",
+                    "<timestep_multiplier>0<");
+  };
+  const std::string zero = write("zero.ups", with(text_of(bar), "0.4"));
+  expect_refused(deck_of(part(zero, 0)), "zero.ups:20:5: error: <timestep_multiplier>: '0' is out");
+  const std::string whole = deck_of(part(bar, 0));
+  write("switcher.ups", with(text_of(whole), "1"));
+  const Outcome outcome = run_sluice({"check", whole});
+  EXPECT_EQ(outcome.status, 0) << outcome.text;
+  EXPECT_THAT(outcome.text, HasSubstr("<timestep_multiplier> 0 has no effect"));
+}
+
 TEST_F(SwitcherFaults, OfStates) {
   const std::string text = text_of(bar);
   const std::string plastic =

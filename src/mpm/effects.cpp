@@ -57,13 +57,34 @@ void add_pressure_stabilisation(const MpmScene& s, EffectList& list) {
 
 }  // namespace
 
+// Choices of the deck that change how solids are solved, each with a comma before it.
+static std::string choices_of(const MpmScene& s) {
+  std::string text;
+  const auto add = [&](bool chosen, const char* name) {
+    if (chosen) text += std::string(", ") + name;
+  };
+  add(s.implicit.has_value(), "implicit steps");
+  add(s.axisymmetric, "axisymmetric");
+  add(s.total_lagrangian, "total Lagrangian");
+  add(s.gradient_enhanced, "gradient-enhanced velocities");
+  add(s.artificial_viscosity,
+      s.viscosity_heats ? "artificial viscosity that heats" : "artificial viscosity");
+  add(s.friction_heats, "friction that heats");
+  add(s.granular, "grains with velocities of their own (DoGranularMPM)");
+  add(s.filters_pore_pressure, "filtered pore pressure");
+  add(s.loads_on_corners, "loads on corners of particles (use_CBDI_boundary_condition)");
+  add(s.refine_particles, "particles that split");
+  add(!s.prescribed_file.empty(), "prescribed deformation");
+  return text;
+}
+
 EffectList effects_of(const Scene& scene, const MpmScene& s) {
   EffectList list;
   list.add({"solids",
             true,
             fmt::format("{} material{}, {} shape functions, {} transfer{}", s.materials.size(),
                         s.materials.size() == 1 ? "" : "s", name_of(s.basis), name_of(s.transfer),
-                        s.implicit ? ", implicit steps" : ""),
+                        choices_of(s)),
             {}});
   if (s.implicit) add_of_implicit(*s.implicit, list);
   const std::vector<ContactRule>& rules = s.implicit ? s.rigid_contacts : s.contacts;

@@ -1,4 +1,4 @@
-// The bodies whose energy a run watches: solids that deform and are free.
+// The bodies that a run watches: solids that deform and are free.
 #include <fmt/format.h>
 
 #include "framework/base/communicator.hpp"
@@ -31,6 +31,8 @@ std::vector<BodyEnergy> Mpm::body_energies(const std::vector<double>& sums) cons
     b.work = of(Of::node_gain) - of(Of::node_work) + of(Of::load_work) + of(Of::corner_work);
     b.kick = of(Of::kick);
     b.heat = of(Of::heat);
+    b.parted = of(Of::parted);
+    b.particles = of(Of::particles);
     bodies.push_back(b);
   }
   return bodies;

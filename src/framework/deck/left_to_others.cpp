@@ -1,10 +1,13 @@
 // What decks leave to be told elsewhere: each number is taken from there, with a warning.
 #include <fmt/format.h>
 
+#include <filesystem>
+
 #include "framework/deck/faults.hpp"
 #include "framework/deck/framework_schema.hpp"
 #include "framework/deck/rule_tools.hpp"
 #include "framework/deck/switcher.hpp"
+#include "framework/deck/value_text.hpp"
 
 namespace sluice {
 namespace {
@@ -39,11 +42,26 @@ void leave_steps_to_components(DeckNode& root, std::vector<Fault>& faults) {
       "<timestep_multiplier> 0 has no effect; dropped: those of the components' decks count");
 }
 
+// The folder of the archive is that of -o: of a path on another machine its last part is taken.
+void leave_folder_to_command(DeckNode& root, std::vector<Fault>& faults) {
+  DeckNode* output = root.child("DataArchiver");
+  DeckNode* base = output == nullptr ? nullptr : output->child("filebase");
+  if (base == nullptr) return;
+  const std::filesystem::path path = base->text;
+  const std::string name = path.filename().string();
+  if (!path.is_absolute() || name.empty() || name == "." || name == "..") return;
+  add_warning(faults, base->where,
+              fmt::format("<filebase> {} is read as {}: the folder is that of -o",
+                          in_quotes(base->text), in_quotes(name)));
+  base->text = name;
+}
+
 }  // namespace
 
 void fill_in_what_others_tell(DeckNode& root, std::vector<Fault>& faults) {
   give_mean_pressure(root, faults);
   leave_steps_to_components(root, faults);
+  leave_folder_to_command(root, faults);
 }
 
 }  // namespace sluice

@@ -66,8 +66,9 @@ int TriangulationPiece::Projection::bin(double x, double low, double per) const 
 }
 
 void TriangulationPiece::sort(Projection& m) {
-  m.bins = std::clamp(static_cast<int>(std::sqrt(static_cast<double>(surface_.triangles.size()))),
-                      1, 512);
+  // Fine bins: large surfaces of few triangles have long ones, of which a line meets few.
+  const double across = std::sqrt(static_cast<double>(surface_.triangles.size()));
+  m.bins = std::clamp(static_cast<int>(4 * across), 1, 512);
   auto per = [&](int d) {
     const double width = bounds_.upper[d] - bounds_.lower[d];
     return width > 0 ? m.bins / width : 0;

@@ -43,6 +43,8 @@ struct BodyEnergy {
   double work = 0;  // J . (v- + v+)/2 of all but the stress
   double kick = 0;  // J . (v+ - v-) of impulses that may be as large as the momentum
   double heat = 0;  // that came in, where heat can move
+  // Numbers of particles: that lost their neighbours (parted_bodies.hpp), and all.
+  double parted = 0, particles = 0;
 };
 
 class EnergyGuard {

@@ -74,6 +74,8 @@ void Simulation::restart_from(const ArchiveStep& checkpoint) {
   ledger_ = EventLedger::from_json(Json::parse(kept.at("events")));
   if (const auto energies = kept.find("energies"); energies != kept.end())
     energies_.restore(Json::parse(energies->second));
+  if (const auto parted = kept.find("parted"); parted != kept.end())
+    parted_.restore(Json::parse(parted->second));
   if (const auto sampled = kept.find("analysis"); sampled != kept.end())
     analysis_->restore(sampled->second, &checkpoint);
   limit_ = limit_at_restart(kept);
@@ -168,6 +170,7 @@ StepInfo Simulation::step_info() const {
   info.state["conservation"] = conservation_.checkpoint().dump();
   if (tallies_.count() > 0) info.state["tallies"] = tallies_.checkpoint().dump();
   if (energies_.any()) info.state["energies"] = energies_.checkpoint().dump();
+  if (parted_.any()) info.state["parted"] = parted_.checkpoint().dump();
   info.state["events"] = ledger_.to_json().dump();
   if (all_finite(hierarchy_->rates())) info.state["rates"] = Json(hierarchy_->rates()).dump();
   if (analysis_->any()) info.state["analysis"] = analysis_->state();

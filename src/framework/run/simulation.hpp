@@ -12,6 +12,7 @@
 #include "framework/run/event_ledger.hpp"
 #include "framework/run/level_history.hpp"
 #include "framework/run/output_writer.hpp"
+#include "framework/run/parted_bodies.hpp"
 #include "framework/run/progress.hpp"
 #include "framework/run/run_report.hpp"
 #include "framework/run/succession.hpp"
@@ -112,6 +113,7 @@ class Simulation {
   EventLedger ledger_;
   Conservation conservation_;
   EnergyGuard energies_;
+  PartedBodies parted_;
   Conservation tallies_;  // beside what is conserved: its "sources" alone
   StepStart step_start_;
   StepLimit limit_;

@@ -53,6 +53,7 @@ bool Simulation::judge_energies(const StepPlan& plan, const std::vector<double>&
 void Simulation::book_energies(const StepPlan& plan, const std::vector<double>& sums) {
   const std::vector<BodyEnergy> bodies = component_->body_energies(sums);
   if (!bodies.empty()) energies_.accept(bodies, plan.step, plan.dt, least_spacing());
+  parted_.accept(bodies, plan.step, plan.end);
 }
 
 // At the end of a run: bodies beyond a limit become events of the step since which they are.
@@ -65,6 +66,14 @@ void Simulation::tell_energies() {
     ledger_.keep(crossed.gains ? "a solid has gained energy by numerical error"
                                : "a solid has lost energy to transfer and integration",
                  place);
+  }
+  for (const PartedBodies::Parting& parting : parted_.all()) {
+    EventPlace place;
+    place.step = parting.since;
+    place.task = fmt::format("since t = {:g}, share of particles", parting.since_time);
+    place.material = parting.material;
+    place.value = parting.largest;
+    ledger_.keep("numerical fracture: neighbours in a solid hardly share a node", place);
   }
   ledger_.accept_step();
 }

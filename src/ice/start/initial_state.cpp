@@ -25,12 +25,6 @@ namespace {
 // Share by which the density at the reference pressure may differ from that of the deck.
 constexpr double density_tolerance = 0.02;
 
-void take_values(const GeomObject& o, std::size_t n, PrimitiveFill& fill) {
-  fill.density[n] = o.value("density");
-  fill.temperature[n] = o.value("temperature");
-  for (int d = 0; d < 3; ++d) fill.velocity[d][n] = o.velocity[d];
-}
-
 // Cells that solids fill need no fluid; what there is of it beside a surface is that of the cells
 // around, and a state that nobody sees is that of the first object.
 void fill_beside_solids(const IceMaterial& m, const Level& level, std::vector<char>& covered,
@@ -53,7 +47,7 @@ void fill_beside_solids(const IceMaterial& m, const Level& level, std::vector<ch
       found = last;
       break;
     }
-    take_values(*found, n - 1, fill);
+    ObjectState(*found).put(n - 1, fill);
   });
 }
 
@@ -62,10 +56,11 @@ void apply_objects(const IceMaterial& m, bool with_solids, const Level& level,
   std::vector<char> covered(fill.density.size(), 0);
   for (const GeomObject& o : m.objects) {
     const std::vector<std::int32_t> inside = count_inside(o, level, fill.cells);
+    const ObjectState state(o);
     for (std::size_t n = 0; n < inside.size(); ++n) {
       if (inside[n] == 0) continue;
       covered[n] = 1;
-      take_values(o, n, fill);
+      state.put(n, fill);
     }
   }
   if (with_solids && !m.objects.empty()) return fill_beside_solids(m, level, covered, fill);

@@ -4,6 +4,20 @@
 
 namespace sluice::ice {
 
+// What an object says of its material: looked up once, put into many cells.
+struct ObjectState {
+  explicit ObjectState(const GeomObject& o)
+      : density(o.value("density")), temperature(o.value("temperature")), velocity(o.velocity) {}
+  void put(std::size_t n, PrimitiveFill& fill) const {
+    fill.density[n] = density;
+    fill.temperature[n] = temperature;
+    for (int d = 0; d < 3; ++d) fill.velocity[d][n] = velocity[d];
+  }
+
+  double density, temperature;
+  Vec3 velocity;
+};
+
 void size_fill(const IndexBox& cells, PrimitiveFill& fill);  // all zero
 
 // What of gravity a pressure at the start can balance: none along a direction that repeats, where

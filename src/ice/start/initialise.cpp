@@ -111,6 +111,18 @@ void Start::materials(Warehouse& state) const {
   mixture::Equilibration equilibration(options_.fluids);
   const WeightProfile weight =
       weight_profile(ice_, scene_->constants, scene_->grid.levels.front(), state.level());
+  // Of a material: its fields in the state.
+  struct Slots {
+    int mass = 0, volume = 0, energy = 0, slip = 0;
+  };
+  std::vector<Slots> slots(options_.fluids.size());
+  for (std::size_t m = 0; m < slots.size(); ++m) {
+    const int place = options_.place(static_cast<int>(m));
+    slots[m] = {state.find(labels().mass, place), state.find(labels().volume, place),
+                state.find(labels().energy, place),
+                options_.own_velocities ? state.find(labels().slip, place) : -1};
+  }
+  const int momentum_slot = state.find(labels().momentum, options_.place(0));
   Fluid room;
   for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
     const IndexBox cells = state.local_boxes()[static_cast<std::size_t>(b)].cells;
@@ -134,23 +146,20 @@ void Start::materials(Warehouse& state) const {
       }
       const int failed = equilibration.equilibrate({M, V, E}).failed;
       if (failed >= 0) refuse_start(ice_, fill, n, cell, state.level().index, failed);
-      const auto at = [&](Label label, int m, int c) -> double& {
-        return state.view(state.find(label, options_.place(m)), c, b)(cell);
-      };
-      for (int m = 0; m < static_cast<int>(options_.fluids.size()); ++m) {
-        put(at(labels().mass, m, 0), M[m]);
-        put(at(labels().volume, m, 0), V[m]);
-        put(at(labels().energy, m, 0), E[m]);
+      for (std::size_t m = 0; m < slots.size(); ++m) {
+        put(state.view(slots[m].mass, 0, b)(cell), M[m]);
+        put(state.view(slots[m].volume, 0, b)(cell), V[m]);
+        put(state.view(slots[m].energy, 0, b)(cell), E[m]);
       }
       for (int c = 0; c < options_.components; ++c)
-        at(labels().momentum, 0, c) = momentum[options_.direction[static_cast<std::size_t>(c)]];
+        state.view(momentum_slot, c, b)(cell) =
+            momentum[options_.direction[static_cast<std::size_t>(c)]];
       for (std::size_t m = 0; m < fill.materials.size() && options_.own_velocities; ++m)
         for (int c = 0; c < options_.components; ++c) {
           const int d = options_.direction[static_cast<std::size_t>(c)];
           const double u = fill.materials[m].velocity[d][n];
           const bool apart = M[m] > 0 && M[m] != rho;
-          put(at(labels().slip, static_cast<int>(m), c),
-              apart ? M[m] * (u - momentum[d] / rho) : 0.0);
+          put(state.view(slots[m].slip, c, b)(cell), apart ? M[m] * (u - momentum[d] / rho) : 0.0);
         }
       ++n;
     });

@@ -36,18 +36,13 @@ GeomObject own_part(const IceMaterial& m, std::size_t index) {
   return part;
 }
 
-void take_values(const GeomObject& o, std::size_t n, PrimitiveFill& fill) {
-  fill.density[n] = o.value("density");
-  fill.temperature[n] = o.value("temperature");
-  for (int d = 0; d < 3; ++d) fill.velocity[d][n] = o.velocity[d];
-}
-
 // Counts of sub-points add up exactly where all objects have the same number of them.
 void apply_objects(const IceMaterial& m, const Level& level, MaterialFill& fill) {
   const std::size_t count = fill.density.size();
   fill.volume_fraction.assign(count, 0.0);
   // What the material would be where it is not: a start for pressures of the surroundings.
-  for (std::size_t n = 0; n < count; ++n) take_values(m.objects.front(), n, fill);
+  const ObjectState elsewhere(m.objects.front());
+  for (std::size_t n = 0; n < count; ++n) elsewhere.put(n, fill);
   bool alike = true;  // one number of sub-points, no shares
   for (const GeomObject& o : m.objects)
     alike = alike && sub_points(o) == sub_points(m.objects.front()) && share_of_object(o) == 1.0;
@@ -55,10 +50,11 @@ void apply_objects(const IceMaterial& m, const Level& level, MaterialFill& fill)
     const GeomObject part = own_part(m, k);
     const double weight = alike ? 1.0 : share_of_object(part) / sub_points(part);
     const std::vector<std::int32_t> inside = count_inside(part, level, fill.cells);
+    const ObjectState state(part);
     for (std::size_t n = 0; n < count; ++n) {
       if (inside[n] == 0) continue;
       fill.volume_fraction[n] += weight * inside[n];
-      take_values(part, n, fill);
+      state.put(n, fill);
     }
   }
   if (!alike) return;
@@ -126,11 +122,11 @@ void fill_beside_solids(const IceScene& scene, const Level& level, IntVec3 c, st
       }
   }
   fill.materials[found].volume_fraction[n] = 1.0;
-  take_values(*object, n, fill.materials[found]);
+  const ObjectState state(*object);
+  state.put(n, fill.materials[found]);
   const Fluid& law = scene.materials[found].fluid;
-  fill.materials[found].pressure[n] = law.pressure(
-      object->value("density"),
-      law.energy_from_temperature(object->value("density"), object->value("temperature")));
+  fill.materials[found].pressure[n] =
+      law.pressure(state.density, law.energy_from_temperature(state.density, state.temperature));
 }
 
 // Fractions that miss one by round-off are made to fit: one material that is alone has all of it,

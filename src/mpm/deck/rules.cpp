@@ -175,16 +175,26 @@ void check_flags(const DeckNode& root, std::vector<Fault>& faults) {
 
 void check_cohesive_zones(const DeckNode& root, std::vector<Fault>& faults) {
   const DeckNode* flags = root.child("MPM");
-  if (!runs_solids(root) || !is_true(flags, "use_cohesive_zones")) return;
+  if (!runs_solids(root)) return;
+  const bool act = is_true(flags, "use_cohesive_zones");
   const DeckNode* grid = root.child("Grid");
-  if ((grid != nullptr && grid->all("Level").size() > 1) || root.has("AMR"))
+  if (act && ((grid != nullptr && grid->all("Level").size() > 1) || root.has("AMR")))
     add_not_built(faults, flags->child("use_cohesive_zones")->where,
                   "<use_cohesive_zones> on several levels");
-  for (const DeckNode* properties : root.all("MaterialProperties"))
-    if (const DeckNode* block = properties->child("MPM"))
-      for (const DeckNode* zone : block->all("cohesive_zone"))
-        if (is_true(zone, "do_rotation"))
-          add_not_built(faults, zone->child("do_rotation")->where, "<do_rotation> true");
+  for (const DeckNode* properties : root.all("MaterialProperties")) {
+    const DeckNode* block = properties->child("MPM");
+    if (block == nullptr) continue;
+    const std::vector<const DeckNode*> zones = block->all("cohesive_zone");
+    if (!act && !zones.empty())
+      add_warning(
+          faults, zones.front()->where,
+          "<cohesive_zone> has no effect without <use_cohesive_zones> true in <MPM>: nothing "
+          "holds the materials together there",
+          "write <use_cohesive_zones>true</use_cohesive_zones>, or remove the zone");
+    for (const DeckNode* zone : zones)
+      if (act && is_true(zone, "do_rotation"))
+        add_not_built(faults, zone->child("do_rotation")->where, "<do_rotation> true");
+  }
 }
 
 void check_transfer(const DeckNode& root, std::vector<Fault>& faults) {

@@ -74,22 +74,22 @@ std::int64_t shared_places(const SeedObject& first, const SeedObject& second, co
                       intersection(window_of(first, level), window_of(second, level)));
 }
 
-// One warning for each object; of many only the first is shown, with what the others make.
+// One warning for each object; of many only the first is shown, with how many there are. Beyond
+// what is shown, one earlier object that an object shares places with is enough: there may be many
+// pairs.
 void check_overlaps(const SolidMaterial& material, const Level& level, std::vector<Fault>& faults) {
   constexpr std::size_t most_shown = 3;
   std::vector<Fault> found;
-  std::int64_t all = 0;
   for (std::size_t b = 1; b < material.objects.size(); ++b) {
     const SeedObject& second = material.objects[b];
     std::int64_t count = 0;
     const SeedObject* with = nullptr;
-    for (std::size_t a = 0; a < b; ++a) {
+    for (std::size_t a = 0; a < b && (with == nullptr || found.size() <= most_shown); ++a) {
       const std::int64_t shared = shared_places(material.objects[a], second, level);
       if (shared > 0 && with == nullptr) with = &material.objects[a];
       count += shared;
     }
     if (with == nullptr) continue;
-    all += count;
     add_warning(found, second.where,
                 fmt::format("{} particles of this <geom_object> lie inside the one at {}{}, of the "
                             "same material: the space is filled twice",
@@ -98,8 +98,8 @@ void check_overlaps(const SolidMaterial& material, const Level& level, std::vect
   }
   if (found.size() > most_shown) {
     found.front().message =
-        fmt::format("{}; in {} objects of this material {} particles fill space twice",
-                    found.front().message, found.size(), all);
+        fmt::format("{}; {} objects of this material fill space that an earlier one fills too",
+                    found.front().message, found.size());
     found.resize(1);
   }
   faults.insert(faults.end(), found.begin(), found.end());

@@ -25,6 +25,9 @@ struct BodyEnergySums {
     corner_work,
     kick,  // sum J . dv of impulses J of everything but these forces
     heat,  // sum m c_v dT, where heat can move
+    // Numbers of particles: those that parted from neighbours (step/parted_neighbours.hpp), all.
+    parted,
+    particles,
     count
   };
   std::array<ExactSum, count> sums;

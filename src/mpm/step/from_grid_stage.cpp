@@ -359,6 +359,9 @@ void SolidStep::advance(const BlockWork& w, const StageScope& scope, ThreadRepor
     if (!rigid)
       add_energies(*w.set, *w.next, c, at, n, body.energy_units,
                    report.books.bodies[static_cast<std::size_t>(w.kind)]);
+    if (body.parted.counts())
+      body.parted.add(*w.set, *w.next, c, at, n,
+                      report.books.bodies[static_cast<std::size_t>(w.kind)]);
     if (!jumps_.empty()) jump(w, at, n, report.left);
     report.rate =
         std::max(report.rate, step_rate(level_, *w.next, c, law, at, n, report.wave_speed));

@@ -62,6 +62,8 @@ Verdict SolidStep::begin(const StageScope& scope) {
     for (std::size_t m = 0; m < solids_->materials.size(); ++m) {
       bodies_.emplace_back(solids_->materials[m], (*carried_)[m], shape_);
       bodies_.back().grid = transfer_grid(*solids_, level_, (*carried_)[m].half);
+      bodies_.back().parted =
+          PartedNeighbours(*solids_, solids_->materials[m], (*carried_)[m], level_);
     }
     outside_ = std::make_unique<OutsideForces>(*solids_, level_, *carried_);
     if (!solids_->contacts.empty()) contact_ = std::make_unique<Contact>(*solids_, level_);

@@ -25,6 +25,7 @@
 #include "mpm/step/heat.hpp"
 #include "mpm/step/law_batch.hpp"
 #include "mpm/step/outside_forces.hpp"
+#include "mpm/step/parted_neighbours.hpp"
 #include "mpm/step/pore_water.hpp"
 #include "mpm/step/rates.hpp"
 #include "mpm/transfer/from_grid.hpp"
@@ -56,6 +57,7 @@ struct Body {
   KindRates rates;
   SumUnits units;
   EnergyUnits energy_units;
+  PartedNeighbours parted;
   double most_force = 0;       // from outside on one particle, any component, N
   double pore_pull = 0;        // bound of V p of one particle, J
   NodeLanes filtered, mapped;  // velocities of XPIC; mapped back: sums, then velocities
