@@ -52,6 +52,10 @@ class LevelCoupling final : public Coupling {
   Column velocity_at_faces(std::size_t n) const;
   void find_pressures(const StageScope& scope, bool solved);
   void smooth_normals();
+  double length_of_smooth(std::size_t i) const;
+  double cells_along_normal(std::size_t i, double size) const;
+  void find_light_walls(const StageScope& scope, const Column& rho, const Column& sound);
+  void find_pressures_behind(const StageScope& scope);
   void press_on_walls(const Column& rho, const Column& sound, const std::array<Column, D>& u,
                       double dt);
   void rub_on_walls(const Column& rho, const Column& viscosity, const std::array<Column, D>& u,

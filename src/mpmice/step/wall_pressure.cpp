@@ -51,6 +51,7 @@ void LevelCoupling<D>::find_pressures(const StageScope& scope, bool solved) {
   known_.take(speed, sound);
   for (int a = 0; a < D; ++a) known_.take(velocity + a, u[static_cast<std::size_t>(a)]);
   smooth_normals();
+  find_light_walls(scope, rho, sound);
   press_on_walls(rho, sound, u, scope.step.dt);
   if (rubs) {
     Column viscosity;
@@ -91,13 +92,10 @@ void LevelCoupling<D>::press_on_walls(const Column& rho, const Column& sound,
   fields_.wall_pressure = fields_.pressure;
   for_each_cell_near([&](const Cell<D>& c, std::size_t i) {
     if (!wet(i) || !(fields_.area[i] > 0)) return;
-    double size = 0, whole = 0, du = 0;
-    for (std::size_t d = 0; d < D; ++d) {
-      size += fields_.smooth[d][i] * fields_.smooth[d][i];
-      whole += fields_.normal[d][i] * fields_.normal[d][i];
-    }
+    const double size = length_of_smooth(i);
+    double whole = 0, du = 0;
+    for (std::size_t d = 0; d < D; ++d) whole += fields_.normal[d][i] * fields_.normal[d][i];
     if (!(size > 0) || !(whole > 0)) return;
-    size = std::sqrt(size);
     for (std::size_t d = 0; d < D; ++d)
       du += (fields_.surface_velocity[d][i] - u[d][i]) * (fields_.smooth[d][i] / size);
     const double p = pressure_beside_wall(c, i, size);
@@ -106,9 +104,15 @@ void LevelCoupling<D>::press_on_walls(const Column& rho, const Column& sound,
     const double w = 1 / (1 + z * fields_.compliance[i]);
     const double faced = std::min(1.0, std::sqrt(whole));
     if (D == 1) du *= faced;
-    const double pw =
-        p + z * w * du + (1 - w) * faced * (fields_.solid_pressure[i] + reference_pressure_ - p);
-    fields_.wall_pressure[i] = p > 0 ? std::max(pw, least_share * p) : pw;
+    const double light = fields_.lightness[i];
+    double share = faced, ps = fields_.solid_pressure[i];
+    if (light > 0) {
+      share += (1 - faced) * light;
+      ps += light * (fields_.pressure_behind[i] - ps);
+    }
+    const double pw = p + z * w * du + (1 - w) * share * (ps + reference_pressure_ - p);
+    const bool bears_tension = light > 0 && p < least_share * rho[i] * sound[i] * sound[i];
+    fields_.wall_pressure[i] = p > 0 && !bears_tension ? std::max(pw, least_share * p) : pw;
   });
 }
 
@@ -118,10 +122,7 @@ void LevelCoupling<D>::press_on_walls(const Column& rho, const Column& sound,
 template <int D>
 double LevelCoupling<D>::most_impedance(std::size_t i, double size, double rho, double dt) const {
   if (!fluid_->options().implicit) return 1e300;
-  double per_dx = 0;
-  for (std::size_t d = 0; d < D; ++d)
-    per_dx += std::fabs(fields_.smooth[d][i]) / size / frame_.spacing[frame_.direction[d]];
-  return 0.5 * std::max(0.5, 1 - fields_.theta[i]) * rho / (dt * per_dx);
+  return 0.5 * std::max(0.5, 1 - fields_.theta[i]) * rho / (dt * cells_along_normal(i, size));
 }
 
 // The fluid's pressure half a cell from the wall along nhat. That of a cell is of its centre, which
@@ -177,6 +178,9 @@ std::vector<std::uint8_t> LevelCoupling<D>::fill_dry(Column& values) const {
 template void LevelCoupling<1>::find_pressures(const StageScope&, bool);
 template void LevelCoupling<2>::find_pressures(const StageScope&, bool);
 template void LevelCoupling<3>::find_pressures(const StageScope&, bool);
+template double LevelCoupling<1>::most_impedance(std::size_t, double, double, double) const;
+template double LevelCoupling<2>::most_impedance(std::size_t, double, double, double) const;
+template double LevelCoupling<3>::most_impedance(std::size_t, double, double, double) const;
 template std::vector<std::uint8_t> LevelCoupling<1>::fill_dry(Column&) const;
 template std::vector<std::uint8_t> LevelCoupling<2>::fill_dry(Column&) const;
 template std::vector<std::uint8_t> LevelCoupling<3>::fill_dry(Column&) const;
