@@ -177,7 +177,7 @@ struct SolidFields {
   // -sigma_nn (Pa), 1/(rho c), 1/rho, of its place in the cell (cells from the low corner).
   Column area, solid_pressure, compliance, inverse_density;
   std::array<Column, D> surface_velocity, surface_place;
-  // How light the wall is beside the fluid, 0 to 1, and the pressure in the solid behind light ones.
+  // How light the wall is beside the fluid, 0 to 1; the pressure in the solid behind light ones.
   Column lightness, pressure_behind;
   // Of the fluid: its pressure, that on the wall, its stress along the wall (Pa).
   Column pressure, wall_pressure;
