@@ -68,6 +68,8 @@ class LevelCoupling final : public Coupling {
                                const std::array<double, D>& unit) const;
   void take_friction(const StageScope& scope);
   double most_impedance(std::size_t i, double size, double rho, double dt) const;
+  double approach_at_surface(const Cell<D>& c, std::size_t i, double size,
+                             const std::array<Column, D>& u, double du) const;
   double pressure_beside_wall(const Cell<D>& c, std::size_t i, double size) const;
   std::vector<std::uint8_t> fill_dry(Column& values) const;
   double area_of(const Piece<D>& piece) const;

@@ -98,6 +98,7 @@ void LevelCoupling<D>::press_on_walls(const Column& rho, const Column& sound,
     if (!(size > 0) || !(whole > 0)) return;
     for (std::size_t d = 0; d < D; ++d)
       du += (fields_.surface_velocity[d][i] - u[d][i]) * (fields_.smooth[d][i] / size);
+    if (fluid_->options().implicit) du = approach_at_surface(c, i, size, u, du);
     const double p = pressure_beside_wall(c, i, size);
     const double z = std::min(rho[i] * (sound[i] + shock_slope_ * std::max(0.0, du)),
                               most_impedance(i, size, rho[i], dt));
@@ -123,6 +124,37 @@ template <int D>
 double LevelCoupling<D>::most_impedance(std::size_t i, double size, double rho, double dt) const {
   if (!fluid_->options().implicit) return 1e300;
   return 0.5 * std::max(0.5, 1 - fields_.theta[i]) * rho / (dt * cells_along_normal(i, size));
+}
+
+// (u_s - u).nhat with the velocity of the fluid carried on to the surface, of a semi-implicit step:
+// that of the middle of what the cell holds differs from the wall's by (h/2) du/dn in a flow that
+// follows the wall, and z times that is no wave, but a drag that grows with the sound speed. The
+// slope is that to the next cell along the largest component of nhat; a small cell has one state
+// with that one. Taken where it makes du smaller, at most to 0.
+template <int D>
+double LevelCoupling<D>::approach_at_surface(const Cell<D>& c, std::size_t i, double size,
+                                             const std::array<Column, D>& u, double du) const {
+  constexpr double small_volume = 0.5;
+  std::size_t along = 0;
+  for (std::size_t d = 1; d < D; ++d)
+    if (std::fabs(fields_.smooth[d][i]) > std::fabs(fields_.smooth[along][i])) along = d;
+  const int away = fields_.smooth[along][i] > 0 ? 1 : -1;
+  const double V = 1 - fields_.theta[i];
+  const bool shares = V < small_volume;
+  Cell<D> from = c, to = c;
+  if (shares) from[along] += away;
+  to[along] = from[along] + away;
+  for (const Cell<D>& other : {from, to})
+    if (!frame_.periodic[along] && !frame_.in_domain(other)) return du;
+  const std::size_t a = frame_.box.index(frame_.inside(from)),
+                    b = frame_.box.index(frame_.inside(to));
+  if (!wet(a) || !wet(b)) return du;
+  double slope = 0;
+  for (std::size_t d = 0; d < D; ++d)
+    slope += (u[d][b] - u[d][a]) * (fields_.smooth[d][i] / size);
+  const double distance = 0.5 * (shares ? 1 + V : V), at_surface = du + slope * distance;
+  if (!(at_surface * du > 0)) return 0;
+  return std::fabs(at_surface) < std::fabs(du) ? at_surface : du;
 }
 
 // The fluid's pressure half a cell from the wall along nhat. That of a cell is of its centre, which
