@@ -150,8 +150,7 @@ double LevelCoupling<D>::approach_at_surface(const Cell<D>& c, std::size_t i, do
                     b = frame_.box.index(frame_.inside(to));
   if (!wet(a) || !wet(b)) return du;
   double slope = 0;
-  for (std::size_t d = 0; d < D; ++d)
-    slope += (u[d][b] - u[d][a]) * (fields_.smooth[d][i] / size);
+  for (std::size_t d = 0; d < D; ++d) slope += (u[d][b] - u[d][a]) * (fields_.smooth[d][i] / size);
   const double distance = 0.5 * (shares ? 1 + V : V), at_surface = du + slope * distance;
   if (!(at_surface * du > 0)) return 0;
   return std::fabs(at_surface) < std::fabs(du) ? at_surface : du;
