@@ -4,7 +4,9 @@
 //   p_w = p + z w du + (1 - w) |n| (p_s - p),  at least p/10
 // with nhat out of the solid, y = 1/(rho_s c_s) (0 where rigid) and p_s the pressure of the solid
 // behind the surface: the Riemann problem of fluid and solid along the normal (mpmice_scheme, step
-// 3). nhat is smoothed over the cells around, which stairs need; forces take n itself.
+// 3). nhat is smoothed over the cells around, which stairs need; forces take n itself. Of solids
+// that are light beside the fluid |n| and p_s are others (light_walls.cpp), and a fluid that bears
+// tension has no least p_w there.
 #include <algorithm>
 #include <cmath>
 
