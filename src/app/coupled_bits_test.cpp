@@ -37,6 +37,7 @@ constexpr const char* one_pressure =
     " --set MaterialProperties/ICE/material/geom_object[2]/density=17.421602787456446";
 INSTANTIATE_TEST_SUITE_P(Decks, CoupledBits,
                          testing::Values(BitsCase{"disk_in_dye"}, BitsCase{"across_periodic_sides"},
+                                         BitsCase{"light_disk_in_water"},
                                          BitsCase{"unsteady_strand", "3,1,1", one_pressure},
                                          BitsCase{"explosive", "3,1,1"}),
                          [](const auto& of) { return std::string(of.param.deck); });

@@ -19,6 +19,7 @@ namespace {
 struct Handles {
   In rho, sound, velocity, pressure, velocity_slope, pressure_slope, transverse, force;
   In shock_slope, pi;  // of a mixture
+  In open;             // beside solids: 1 where slopes count
   Out prediction;
 };
 
@@ -66,6 +67,24 @@ struct LawOfCells {
   double pi_a(int i) const { return pi.a[i]; }
   double pi_b(int i) const { return pi.b[i]; }
 };
+
+// Beside solids, of a face between a cell whose slope counts and one whose slope does not: j with
+// the slope of the first in both, where that is less. With none in one of them j is a drag in
+// flows that follow a wall.
+void ease_jumps(const Row& row, const Handles& h, int axis) {
+  const int n = row.count();
+  const Both open(row, h.open, axis, axis), u(row, h.velocity, axis, axis);
+  const Both su(row, h.velocity_slope, axis, axis);
+  double* __restrict jump = row(h.prediction, jump_pressure);
+#pragma GCC ivdep
+  for (int i = 0; i < n; ++i) {
+    const bool one = open.a[i] != open.b[i];
+    const double slope = su.a[i] + su.b[i];  // one of them is 0
+    const double before = (u.a[i] - u.b[i]) + 0.5 * slope, after = before + 0.5 * slope;
+    const double left = before * after > 0 ? smaller(1.0, after / before) : 0.0;
+    jump[i] *= one ? left : 1.0;
+  }
+}
 
 template <int D, bool Viscous, class Law>
 void prediction_row(const Row& row, const Handles& h, int axis, const Constants& constants,
@@ -140,6 +159,7 @@ void predict(const Row& row, const Handles& h, int axis, const SchemeOptions& o)
   else
     prediction_row<D, Viscous>(row, h, axis, k,
                                OneLaw{o.fluid.shock_slope(), -o.fluid.lowest_pressure()});
+  if (o.walled) ease_jumps(row, h, axis);
 }
 
 }  // namespace
@@ -188,6 +208,7 @@ void add_predictions(TaskList& list, const SchemeVariables& v, const SchemeOptio
     h.velocity_slope = task.read(v.velocity_slope, both);
     h.pressure_slope = task.read(v.pressure_slope, both);
     if (o.axes.count > 1) h.transverse = task.read(v.transverse_velocity, both);
+    if (o.walled) h.open = task.read(v.walls.open, both);
     if (o.viscous) h.force = task.read(v.solve.force, both);
     if (o.mixture) {
       h.shock_slope = task.read(v.shock_slope, both);

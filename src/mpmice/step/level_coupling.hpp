@@ -52,6 +52,10 @@ class LevelCoupling final : public Coupling {
   Column velocity_at_faces(std::size_t n) const;
   void find_pressures(const StageScope& scope, bool solved);
   void smooth_normals();
+  double length_of_smooth(std::size_t i) const;
+  double cells_along_normal(std::size_t i, double size) const;
+  void find_light_walls(const StageScope& scope, const Column& rho, const Column& sound);
+  void find_pressures_behind(const StageScope& scope);
   void press_on_walls(const Column& rho, const Column& sound, const std::array<Column, D>& u,
                       double dt);
   void rub_on_walls(const Column& rho, const Column& viscosity, const std::array<Column, D>& u,
@@ -64,6 +68,8 @@ class LevelCoupling final : public Coupling {
                                const std::array<double, D>& unit) const;
   void take_friction(const StageScope& scope);
   double most_impedance(std::size_t i, double size, double rho, double dt) const;
+  double approach_at_surface(const Cell<D>& c, std::size_t i, double size,
+                             const std::array<Column, D>& u, double du) const;
   double pressure_beside_wall(const Cell<D>& c, std::size_t i, double size) const;
   std::vector<std::uint8_t> fill_dry(Column& values) const;
   double area_of(const Piece<D>& piece) const;

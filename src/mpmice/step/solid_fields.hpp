@@ -174,9 +174,11 @@ struct SolidFields {
   std::array<Column, D> normal_beyond;
   std::array<Column, D> smooth;  // its direction, smoothed over the cells around
   // Of the surface in the cell: area (largest faces of a cell); means of velocity, pressure
-  // -sigma_nn (Pa), 1/(rho c), of its place in the cell (cells from the low corner).
-  Column area, solid_pressure, compliance;
+  // -sigma_nn (Pa), 1/(rho c), 1/rho, of its place in the cell (cells from the low corner).
+  Column area, solid_pressure, compliance, inverse_density;
   std::array<Column, D> surface_velocity, surface_place;
+  // How light the wall is beside the fluid, 0 to 1; the pressure in the solid behind light ones.
+  Column lightness, pressure_behind;
   // Of the fluid: its pressure, that on the wall, its stress along the wall (Pa).
   Column pressure, wall_pressure;
   std::array<Column, D> friction;

@@ -25,7 +25,7 @@ double pressure_along(const Frame<D>& frame, const std::array<const double*, 6>&
 }
 
 struct Scales {
-  double velocity = 0, pressure = 0, compliance = 0;
+  double velocity = 0, pressure = 0, compliance = 0, inverse_density = 0;
 };
 
 double at_least_something(double scale) {
@@ -163,8 +163,8 @@ Verdict LevelCoupling<D>::find_surfaces(const StageScope& scope) {
   return Verdict::good;
 }
 
-// Velocity, pressure -n.sigma.n and compliance 1/(rho c) of the particles behind the surface,
-// by area; rigid bodies have no compliance.
+// Velocity, pressure -n.sigma.n, compliance 1/(rho c) and 1/rho of the particles behind the
+// surface, by area; rigid bodies have neither compliance nor 1/rho.
 template <int D>
 void LevelCoupling<D>::mean_over_surfaces(const StageScope& scope) {
   std::vector<double> wave(solids_->scene().materials.size());
@@ -179,6 +179,9 @@ void LevelCoupling<D>::mean_over_surfaces(const StageScope& scope) {
     const double rho = s.set->column(static_cast<std::size_t>(s.columns->mass))[p] /
                        s.set->column(static_cast<std::size_t>(s.columns->volume))[p];
     return 1 / (rho * wave[k]);
+  };
+  const auto inverse_density = [&](const SolidSet<D>& s, std::size_t p) {
+    return compliance(s, p) * wave[static_cast<std::size_t>(s.kind)];
   };
   for (const SolidSet<D>& s : sets_) {
     const mpm::MasterMotion* motion = step_->level(step_->count() - 1).motion_of(s.kind);
@@ -195,15 +198,16 @@ void LevelCoupling<D>::mean_over_surfaces(const StageScope& scope) {
       }
       for (const double* e : stress) most.pressure = std::max(most.pressure, 3 * std::fabs(e[p]));
       most.compliance = std::max(most.compliance, compliance(s, p));
+      most.inverse_density = std::max(most.inverse_density, inverse_density(s, p));
     }
   }
   Reduction all;
   const auto v = all.add_maximum(most.velocity), p_slot = all.add_maximum(most.pressure),
-             y = all.add_maximum(most.compliance);
+             y = all.add_maximum(most.compliance), sparse = all.add_maximum(most.inverse_density);
   scope.ranks->reduce(all);
   const Scales scale{at_least_something(all.maximum(v)), at_least_something(all.maximum(p_slot)),
-                     at_least_something(all.maximum(y))};
-  constexpr int area = 0, pressure = 1, soft = 2, velocity = 3, place = velocity + D;
+                     at_least_something(all.maximum(y)), at_least_something(all.maximum(sparse))};
+  constexpr int area = 0, pressure = 1, soft = 2, light = 3, velocity = 4, place = velocity + D;
   const bool rubs = fluid_->options().viscous;
   const int lanes = rubs ? place + D : place;
   CellSums<D> sums;
@@ -233,6 +237,7 @@ void LevelCoupling<D>::mean_over_surfaces(const StageScope& scope) {
           sums.lane(pressure)[c] +=
               to_sum(A * (pressure_along<D>(frame_, stress, p, unit) / scale.pressure));
           sums.lane(soft)[c] += to_sum(A * (compliance(s, p) / scale.compliance));
+          sums.lane(light)[c] += to_sum(A * (inverse_density(s, p) / scale.inverse_density));
           const Vec3 u = velocity_of(s, i, nodes, piece);
           for (int a = 0; a < D; ++a)
             sums.lane(velocity + a)[c] +=
@@ -255,6 +260,7 @@ void LevelCoupling<D>::mean_over_surfaces(const StageScope& scope) {
   };
   mean(pressure, scale.pressure, fields_.solid_pressure);
   mean(soft, scale.compliance, fields_.compliance);
+  mean(light, scale.inverse_density, fields_.inverse_density);
   for (int a = 0; a < D; ++a)
     mean(velocity + a, scale.velocity, fields_.surface_velocity[static_cast<std::size_t>(a)]);
   for (int a = 0; a < D && rubs; ++a)

@@ -4,7 +4,9 @@
 //   p_w = p + z w du + (1 - w) |n| (p_s - p),  at least p/10
 // with nhat out of the solid, y = 1/(rho_s c_s) (0 where rigid) and p_s the pressure of the solid
 // behind the surface: the Riemann problem of fluid and solid along the normal (mpmice_scheme, step
-// 3). nhat is smoothed over the cells around, which stairs need; forces take n itself.
+// 3). nhat is smoothed over the cells around, which stairs need; forces take n itself. Of solids
+// that are light beside the fluid |n| and p_s are others (light_walls.cpp), and a fluid that bears
+// tension has no least p_w there.
 #include <algorithm>
 #include <cmath>
 
@@ -51,6 +53,7 @@ void LevelCoupling<D>::find_pressures(const StageScope& scope, bool solved) {
   known_.take(speed, sound);
   for (int a = 0; a < D; ++a) known_.take(velocity + a, u[static_cast<std::size_t>(a)]);
   smooth_normals();
+  find_light_walls(scope, rho, sound);
   press_on_walls(rho, sound, u, scope.step.dt);
   if (rubs) {
     Column viscosity;
@@ -91,24 +94,28 @@ void LevelCoupling<D>::press_on_walls(const Column& rho, const Column& sound,
   fields_.wall_pressure = fields_.pressure;
   for_each_cell_near([&](const Cell<D>& c, std::size_t i) {
     if (!wet(i) || !(fields_.area[i] > 0)) return;
-    double size = 0, whole = 0, du = 0;
-    for (std::size_t d = 0; d < D; ++d) {
-      size += fields_.smooth[d][i] * fields_.smooth[d][i];
-      whole += fields_.normal[d][i] * fields_.normal[d][i];
-    }
+    const double size = length_of_smooth(i);
+    double whole = 0, du = 0;
+    for (std::size_t d = 0; d < D; ++d) whole += fields_.normal[d][i] * fields_.normal[d][i];
     if (!(size > 0) || !(whole > 0)) return;
-    size = std::sqrt(size);
     for (std::size_t d = 0; d < D; ++d)
       du += (fields_.surface_velocity[d][i] - u[d][i]) * (fields_.smooth[d][i] / size);
+    if (fluid_->options().implicit) du = approach_at_surface(c, i, size, u, du);
     const double p = pressure_beside_wall(c, i, size);
     const double z = std::min(rho[i] * (sound[i] + shock_slope_ * std::max(0.0, du)),
                               most_impedance(i, size, rho[i], dt));
     const double w = 1 / (1 + z * fields_.compliance[i]);
     const double faced = std::min(1.0, std::sqrt(whole));
     if (D == 1) du *= faced;
-    const double pw =
-        p + z * w * du + (1 - w) * faced * (fields_.solid_pressure[i] + reference_pressure_ - p);
-    fields_.wall_pressure[i] = p > 0 ? std::max(pw, least_share * p) : pw;
+    const double light = fields_.lightness[i];
+    double share = faced, ps = fields_.solid_pressure[i];
+    if (light > 0) {
+      share += (1 - faced) * light;
+      ps += light * (fields_.pressure_behind[i] - ps);
+    }
+    const double pw = p + z * w * du + (1 - w) * share * (ps + reference_pressure_ - p);
+    const bool bears_tension = light > 0 && p < least_share * rho[i] * sound[i] * sound[i];
+    fields_.wall_pressure[i] = p > 0 && !bears_tension ? std::max(pw, least_share * p) : pw;
   });
 }
 
@@ -118,10 +125,37 @@ void LevelCoupling<D>::press_on_walls(const Column& rho, const Column& sound,
 template <int D>
 double LevelCoupling<D>::most_impedance(std::size_t i, double size, double rho, double dt) const {
   if (!fluid_->options().implicit) return 1e300;
-  double per_dx = 0;
-  for (std::size_t d = 0; d < D; ++d)
-    per_dx += std::fabs(fields_.smooth[d][i]) / size / frame_.spacing[frame_.direction[d]];
-  return 0.5 * std::max(0.5, 1 - fields_.theta[i]) * rho / (dt * per_dx);
+  return 0.5 * std::max(0.5, 1 - fields_.theta[i]) * rho / (dt * cells_along_normal(i, size));
+}
+
+// (u_s - u).nhat with the velocity of the fluid carried on to the surface, of a semi-implicit step:
+// that of the middle of what the cell holds differs from the wall's by (h/2) du/dn in a flow that
+// follows the wall, and z times that is no wave, but a drag that grows with the sound speed. The
+// slope is that to the next cell along the largest component of nhat; a small cell has one state
+// with that one. Taken where it makes du smaller, at most to 0.
+template <int D>
+double LevelCoupling<D>::approach_at_surface(const Cell<D>& c, std::size_t i, double size,
+                                             const std::array<Column, D>& u, double du) const {
+  constexpr double small_volume = 0.5;
+  std::size_t along = 0;
+  for (std::size_t d = 1; d < D; ++d)
+    if (std::fabs(fields_.smooth[d][i]) > std::fabs(fields_.smooth[along][i])) along = d;
+  const int away = fields_.smooth[along][i] > 0 ? 1 : -1;
+  const double V = 1 - fields_.theta[i];
+  const bool shares = V < small_volume;
+  Cell<D> from = c, to = c;
+  if (shares) from[along] += away;
+  to[along] = from[along] + away;
+  for (const Cell<D>& other : {from, to})
+    if (!frame_.periodic[along] && !frame_.in_domain(other)) return du;
+  const std::size_t a = frame_.box.index(frame_.inside(from)),
+                    b = frame_.box.index(frame_.inside(to));
+  if (!wet(a) || !wet(b)) return du;
+  double slope = 0;
+  for (std::size_t d = 0; d < D; ++d) slope += (u[d][b] - u[d][a]) * (fields_.smooth[d][i] / size);
+  const double distance = 0.5 * (shares ? 1 + V : V), at_surface = du + slope * distance;
+  if (!(at_surface * du > 0)) return 0;
+  return std::fabs(at_surface) < std::fabs(du) ? at_surface : du;
 }
 
 // The fluid's pressure half a cell from the wall along nhat. That of a cell is of its centre, which
@@ -177,6 +211,9 @@ std::vector<std::uint8_t> LevelCoupling<D>::fill_dry(Column& values) const {
 template void LevelCoupling<1>::find_pressures(const StageScope&, bool);
 template void LevelCoupling<2>::find_pressures(const StageScope&, bool);
 template void LevelCoupling<3>::find_pressures(const StageScope&, bool);
+template double LevelCoupling<1>::most_impedance(std::size_t, double, double, double) const;
+template double LevelCoupling<2>::most_impedance(std::size_t, double, double, double) const;
+template double LevelCoupling<3>::most_impedance(std::size_t, double, double, double) const;
 template std::vector<std::uint8_t> LevelCoupling<1>::fill_dry(Column&) const;
 template std::vector<std::uint8_t> LevelCoupling<2>::fill_dry(Column&) const;
 template std::vector<std::uint8_t> LevelCoupling<3>::fill_dry(Column&) const;
