@@ -11,7 +11,7 @@ namespace sluice {
 
 void PartedBodies::accept(const std::vector<BodyEnergy>& step, int number, double time) {
   for (const BodyEnergy& body : step) {
-    if (!(body.parted > 0)) continue;
+    if (!(body.parted > 0 && body.particles > 1)) continue;  // one alone has no neighbours
     auto known = std::find_if(all_.begin(), all_.end(),
                               [&](const Parting& p) { return p.name == body.name; });
     if (known == all_.end())

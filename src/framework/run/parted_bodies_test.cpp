@@ -23,6 +23,8 @@ TEST(PartedBodies, KeepSinceWhenAndTheLargestShare) {
   parted.accept({body("ring", 2, 0, 100), body("bar", 0, 0, 10)}, 1, 0.1);
   EXPECT_FALSE(parted.any());
   EXPECT_EQ(parted.summary(), "");
+  parted.accept({body("particle", 1, 1, 1)}, 1, 0.1);
+  EXPECT_FALSE(parted.any());
   parted.accept({body("ring", 2, 3, 100)}, 2, 0.2);
   parted.accept({body("ring", 2, 7, 100)}, 3, 0.3);
   parted.accept({body("ring", 2, 5, 100)}, 4, 0.4);
