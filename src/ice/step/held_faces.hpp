@@ -9,8 +9,7 @@
 #pragma once
 #include <algorithm>
 
-#include "ice/boundary/boundary_fill.hpp"
-#include "ice/step/variables.hpp"
+#include "ice/step/side_faces.hpp"
 
 namespace sluice::ice {
 
@@ -30,31 +29,16 @@ template <class F>
 void for_each_held_face(const Row& row, const SchemeOptions& o, int axis, In velocity, In sound,
                         F&& f) {
   if (!holds_velocities(o)) return;
-  const int d = o.axes.direction[axis];
   const double middle = row.step().time + 0.5 * row.step().dt;
   const double *ua = row(velocity, axis, axis, -1), *ub = row(velocity, axis);
   const double *ca = row(sound, 0, axis, -1), *cb = row(sound);
-  const auto visit = [&](int i, IntVec3 cell, Side side, bool plus) {
-    if (!o.boundary->holds_velocity(side, cell)) return;
-    const double u = o.boundary->held_velocity(side, cell, plus ? ub[i] : ua[i], middle);
-    if (is_subsonic(u, plus, plus ? ca[i] : cb[i], plus ? cb[i] : ca[i])) f(i, plus, u);
-  };
-  for (const bool plus : {false, true}) {
-    const Side side = side_of(d, plus);
-    if (!o.boundary->holds_velocities(side)) continue;
-    const int face = plus ? o.domain.upper[d] : o.domain.lower[d];
-    IntVec3 cell = row.cell();
-    if (axis == 0) {
-      const int i = face - cell[d];
-      if (i >= 0 && i < row.count()) visit(i, cell, side, plus);
-      continue;
-    }
-    if (cell[d] != face) continue;
-    for (int i = 0; i < row.count(); ++i) {
-      visit(i, cell, side, plus);
-      ++cell[o.axes.direction[0]];
-    }
-  }
+  for_each_side_face(
+      row, o, axis, [&](Side side) { return o.boundary->holds_velocities(side); },
+      [&](int i, IntVec3 cell, Side side, bool plus) {
+        if (!o.boundary->holds_velocity(side, cell)) return;
+        const double u = o.boundary->held_velocity(side, cell, plus ? ub[i] : ua[i], middle);
+        if (is_subsonic(u, plus, plus ? ca[i] : cb[i], plus ? cb[i] : ca[i])) f(i, plus, u);
+      });
 }
 
 // Calls f(i) for every cell of the row that lies just outside such a face.

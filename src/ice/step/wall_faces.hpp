@@ -1,7 +1,6 @@
 // The faces of a row of faces that lie on a wall of the domain.
 #pragma once
-#include "ice/boundary/boundary_fill.hpp"
-#include "ice/step/variables.hpp"
+#include "ice/step/side_faces.hpp"
 
 namespace sluice::ice {
 
@@ -10,23 +9,11 @@ namespace sluice::ice {
 template <class F>
 void for_each_wall_face(const Row& row, const SchemeOptions& o, int axis, F&& f) {
   if (o.boundary == nullptr) return;
-  const int d = o.axes.direction[axis];
-  for (const bool plus : {false, true}) {
-    const Side side = side_of(d, plus);
-    if (!o.boundary->has_walls(side)) continue;
-    const int face = plus ? o.domain.upper[d] : o.domain.lower[d];
-    IntVec3 cell = row.cell();
-    if (axis == 0) {
-      const int i = face - cell[d];
-      if (i >= 0 && i < row.count() && o.boundary->is_wall(side, cell)) f(i, plus);
-      continue;
-    }
-    if (cell[d] != face) continue;
-    for (int i = 0; i < row.count(); ++i) {
-      if (o.boundary->is_wall(side, cell)) f(i, plus);
-      ++cell[o.axes.direction[0]];
-    }
-  }
+  for_each_side_face(
+      row, o, axis, [&](Side side) { return o.boundary->has_walls(side); },
+      [&](int i, IntVec3 cell, Side side, bool plus) {
+        if (o.boundary->is_wall(side, cell)) f(i, plus);
+      });
 }
 
 }  // namespace sluice::ice
