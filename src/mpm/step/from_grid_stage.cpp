@@ -5,44 +5,16 @@
 #include <cmath>
 #include <limits>
 
-#include "framework/base/reduction.hpp"
 #include "mpm/nodes/node_sums.hpp"
+#include "mpm/shape/second_moment.hpp"
 #include "mpm/step/artificial_viscosity.hpp"
 #include "mpm/step/carry_corners.hpp"
 #include "mpm/step/deformation.hpp"
 #include "mpm/step/law_batch.hpp"
-#include "mpm/step/solid_step.hpp"
+#include "mpm/step/thread_report.hpp"
 #include "mpm/transfer/from_grid.hpp"
 
 namespace sluice::mpm {
-
-// What the particles of one thread came to.
-struct SolidStep::ThreadReport {
-  ThreadReport(const BlockShape& shape, std::size_t kinds)
-      : window(shape, 1), friction(shape, 1), rates(kinds) {
-    books.bodies.resize(kinds);
-  }
-
-  Window window, friction;
-  std::unique_ptr<PoreWater::Reads> water;  // null until a material has some
-  GridAtParticles read;
-  alignas(64) double wave_speed[chunk_size], heating[chunk_size];
-  double rate = 0;    // of the time step, 1/s
-  double travel = 0;  // farthest way of a particle, cells
-  bool left = false;
-  std::vector<KindRates> rates;
-  NodeBooks books;  // of loads, and of rigid bodies with a prescribed motion
-  LawBatch columns;
-  std::vector<double> dilatation;
-  std::string fault;  // of the particle with the lowest id; empty: none
-  std::int64_t fault_id = 0;
-
-  void keep_fault(std::int64_t id, std::string text) {
-    if (!fault.empty() && fault_id <= id) return;
-    fault = std::move(text);
-    fault_id = id;
-  }
-};
 
 namespace {
 
@@ -407,95 +379,6 @@ Verdict SolidStep::from_grid(const StageScope& scope) {
     advance(work_[n], scope, reports[static_cast<std::size_t>(thread)]);
   });
   return conclude(scope, reports);
-}
-
-void SolidStep::include_velocities(int body, Vec3 up, Vec3 down) {
-  const auto own = std::span(new_rates_)
-                       .subspan(1 + static_cast<std::size_t>(body * KindRates::count),
-                                static_cast<std::size_t>(KindRates::count));
-  KindRates rates = KindRates::from(own);
-  for (int d = 0; d < 3; ++d) {
-    rates.up[d] = std::max(rates.up[d], up[d]);
-    rates.down[d] = std::max(rates.down[d], down[d]);
-  }
-  rates.to(own);
-}
-
-// The books of the run take the sums of all bodies. Where the deformation is prescribed, what it
-// changes of energy is work from outside, done against the stress.
-void SolidStep::book_bodies() {
-  using Of = BodyEnergySums;
-  for (BodyEnergySums& body : books_.bodies) {
-    if (prescribed_ != nullptr) {
-      body[Of::node_work].merge(body[Of::stored_before]);
-      body[Of::node_work].subtract(body[Of::stored_after]);
-      books_.sums[StepSums::force_work].merge(body[Of::stored_after]);
-      books_.sums[StepSums::force_work].subtract(body[Of::stored_before]);
-    }
-    books_.sums[StepSums::node_gain].merge(body[Of::node_gain]);
-    books_.sums[StepSums::node_work].merge(body[Of::node_work]);
-    books_.sums[StepSums::load_work].merge(body[Of::load_work]);
-    books_.sums[StepSums::corner_work].merge(body[Of::corner_work]);
-  }
-}
-
-// What all ranks agree upon: maxima of the next step, faults, sums.
-Verdict SolidStep::conclude(const StageScope& scope, std::vector<ThreadReport>& reports) {
-  ThreadReport& all = reports.front();
-  for (std::size_t t = 1; t < reports.size(); ++t) {
-    const ThreadReport& r = reports[t];
-    all.rate = std::max(all.rate, r.rate);
-    all.travel = std::max(all.travel, r.travel);
-    all.left |= r.left;
-    for (std::size_t k = 0; k < r.rates.size(); ++k) all.rates[k].add(r.rates[k]);
-    all.books.merge(r.books);
-    if (!r.fault.empty()) all.keep_fault(r.fault_id, r.fault);
-  }
-  if (cohesive_ != nullptr) {
-    all.rate = std::max(all.rate, cohesive_->rate());
-    all.travel = std::max(all.travel, cohesive_->travel());
-    all.left |= cohesive_->any_left();
-  }
-  all.rate = std::max(all.rate, keep_resting(scope.step, all.rates));
-  std::vector<double> maxima(rate_count(bodies_.size()));
-  maxima.insert(maxima.end(), outside_->counts().begin(), outside_->counts().end());
-  maxima[0] = all.rate;
-  for (std::size_t k = 0; k < bodies_.size(); ++k)
-    all.rates[k].to(std::span(maxima).subspan(1 + k * static_cast<std::size_t>(KindRates::count),
-                                              static_cast<std::size_t>(KindRates::count)));
-  bool sound = true;
-  for (const double m : maxima) sound &= std::isfinite(m);
-  if (!sound && all.fault.empty())
-    all.keep_fault(0, "what a particle holds after the step is no number");
-  Reduction reduction;
-  std::vector<Reduction::Maximum> slots;
-  for (const double m : maxima) slots.push_back(reduction.add_maximum(m));
-  const auto travel = reduction.add_maximum(all.travel);
-  const auto left = reduction.add_any(all.left);
-  const auto fault = reduction.add_any(!all.fault.empty());
-  std::vector<Reduction::Sum> sums;
-  books_.merge(all.books);
-  book_bodies();
-  for (const ExactSum& sum : books_.sums) sums.push_back(reduction.add_sum(sum));
-  for (const BodyEnergySums& of : books_.bodies)
-    for (const ExactSum& sum : of.sums) sums.push_back(reduction.add_sum(sum));
-  scope.ranks->reduce(reduction);
-  if (reduction.any(fault)) {
-    *scope.reason = all.fault;
-    for (const std::string& text : scope.ranks->gather_to_all(all.fault))
-      if (!text.empty() && (scope.reason->empty() || text < *scope.reason)) *scope.reason = text;
-    return Verdict::reject;
-  }
-  for (std::size_t n = 0; n < maxima.size(); ++n) maxima[n] = reduction.maximum(slots[n]);
-  new_rates_ = std::move(maxima);
-  travel_ = reduction.maximum(travel);
-  left_ = reduction.any(left);
-  for (std::size_t s = 0; s < sums.size(); ++s) {
-    const std::size_t to =
-        s < StepSums::count ? s : StepSums::of_body(bodies_.size(), 0) + (s - StepSums::count);
-    (*scope.sums)[to] += reduction.sum(sums[s]).value();
-  }
-  return Verdict::good;
 }
 
 }  // namespace sluice::mpm

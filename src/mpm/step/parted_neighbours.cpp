@@ -5,6 +5,7 @@
 #include <iterator>
 #include <string_view>
 
+#include "mpm/shape/second_moment.hpp"
 #include "mpm/shape/weights.hpp"
 #include "mpm/transfer/particle_shape.hpp"
 
@@ -28,12 +29,11 @@ bool can_part(const MpmScene& solids, const SolidMaterial& material) {
          !may_break(*material.law);
 }
 
-// Second moment of the shape functions, cells^2; where widths differ, of the widest.
-double second_moment(Basis basis, const Carried& carried, std::size_t d) {
-  double half = 0;
-  if (basis == Basis::gimp) half = carried.columns.half < 0 ? carried.half[d] : 0.5;
-  if (basis == Basis::cpgimp || basis == Basis::quadratic) half = 0.5;
-  return basis == Basis::cubic ? 1.0 / 3 : 1.0 / 6 + half * half / 3;
+// Half the width that the shape functions of a basis give a particle, cells; where widths differ,
+// of the widest.
+double half_width(Basis basis, const Carried& carried, std::size_t d) {
+  if (basis == Basis::gimp && carried.columns.half < 0) return carried.half[d];
+  return basis == Basis::linear ? 0 : 0.5;
 }
 
 // Cells between particles whose hold on each other is least_hold of that in one place.
@@ -56,8 +56,8 @@ PartedNeighbours::PartedNeighbours(const MpmScene& solids, const SolidMaterial& 
       if (!level.active[d]) continue;
       const auto n = static_cast<std::size_t>(components_++);
       component_[n] = 3 * d + a;
-      share_[n] = width / (farthest_hold(second_moment(solids.basis, carried, d)) *
-                           level.spacing[static_cast<int>(d)]);
+      const double moment = second_moment(solids.basis, half_width(solids.basis, carried, d));
+      share_[n] = width / (farthest_hold(moment) * level.spacing[static_cast<int>(d)]);
     }
   }
 }

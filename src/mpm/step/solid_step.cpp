@@ -5,6 +5,7 @@
 
 #include "framework/base/reduction.hpp"
 #include "mpm/nodes/node_sums.hpp"
+#include "mpm/shape/second_moment.hpp"
 #include "mpm/shape/weights.hpp"
 
 namespace sluice::mpm {
@@ -24,13 +25,6 @@ TransferGrid transfer_grid(const MpmScene& solids, const Level& level,
   g.half = half;
   g.corner_limit = solids.cpdi_limit;
   return g;
-}
-
-// Of a hat averaged over a particle of half width l cells, in the mean over its places, h^2; with
-// l = 1/2 that of the quadratic spline wherever it is.
-static double second_moment(Basis basis, double l) {
-  if (basis == Basis::quadratic || basis == Basis::cubic) return 1 / second_moment_factor(basis);
-  return 1.0 / 6 + l * l / 3;
 }
 
 SolidStep::SolidStep(const Scene& scene, const MpmScene& solids,

@@ -325,11 +325,6 @@ class SolidStep {
   std::vector<MassAndImpulse> transmitted_;  // by body
 };
 
-// h^2 over the second moment of the shape functions of a basis.
-constexpr double second_moment_factor(Basis basis) {
-  return basis == Basis::cubic ? 3.0 : 4.0;
-}
-
 // Axes and active directions of a level, widths of particles.
 TransferGrid transfer_grid(const MpmScene& solids, const Level& level,
                            const std::array<double, 3>& half);
