@@ -16,7 +16,7 @@ std::string_view name_of(Basis b) {
   return names[static_cast<int>(b)];
 }
 std::string_view name_of(Transfer t) {
-  constexpr std::string_view names[] = {"FLIP", "PIC", "XPIC", "APIC", "affine"};
+  constexpr std::string_view names[] = {"FLIP", "PIC", "XPIC", "APIC", "affine", "midpoint"};
   return names[static_cast<int>(t)];
 }
 

@@ -61,12 +61,16 @@ void Mpm::shape_step(StepShape& shape) const {
     shape.stage(name, [step, act](const StageScope& scope) { return ((*step).*act)(scope); });
   };
   stage("bounds of the sums", &SolidLevels::begin);
+  if (solids_.midpoint() && files_give_velocities(solids_))
+    stage("spins of the start", &SolidLevels::start_spins);
   stage("particles to grid", &SolidLevels::to_grid);
   stage("sums of images and ranks", &SolidLevels::share_sums);
   stage("nodes: contact, forces, contact, boundary", &SolidLevels::move_nodes);
   if (solids_.transfer == Transfer::xpic)
     stage("filtered velocities (XPIC)", &SolidLevels::filter_velocities);
-  if (solids_.maps_back())
+  if (solids_.midpoint())
+    stage("new velocities; to grid at the middle of the step", &SolidLevels::map_back);
+  else if (solids_.maps_back())
     stage("particles move; velocities to grid (MUSL)", &SolidLevels::map_back);
   stage("grid to particles, deformation, stress", &SolidLevels::from_grid);
   shape.stage("energies of solids", judge_step);
@@ -116,8 +120,9 @@ std::vector<double> Mpm::tallies(const std::vector<double>& sums) const {
   const double fluid = sums[StepSums::corner_work];
   const double within = sums[StepSums::node_work] - sums[StepSums::load_work] - fluid;  // W_int
   const double outside = sums[StepSums::force_work] + sums[StepSums::work] + fluid;
-  return {gain + sums[StepSums::exchange_gain] - sums[StepSums::left_kinetic],
-          -within - sums[StepSums::left_internal], loss, gain - (within + outside - loss)};
+  const double beyond = sums[StepSums::beyond_nodes];
+  return {gain + beyond + sums[StepSums::exchange_gain] - sums[StepSums::left_kinetic],
+          -within - beyond - sums[StepSums::left_internal], loss, gain - (within + outside - loss)};
 }
 
 std::vector<ConservedTotal> Mpm::tallied_totals(const Totals& totals) const {
@@ -125,7 +130,8 @@ std::vector<ConservedTotal> Mpm::tallied_totals(const Totals& totals) const {
 }
 
 // T = K_p^n - K_p^(n+1) + (K* - K), R = -W_int - (U^(n+1) - U^n), D_c, summed over the run; all in
-// J. "nodes": round-off.
+// J. "nodes": round-off. Of the midpoint transfer what kicks give to particles takes the place of
+// K* - K, as nodes of little mass move further than what reads them: T is then what spins got.
 std::vector<std::pair<std::string, double>> Mpm::account(const Conservation& tallies) const {
   return account_from(tallies, 0);
 }

@@ -244,8 +244,8 @@ void SolidParticles::follow_wrapped(int kind, const Level& level, ParticleSet& s
 // Of put_seeded(): what it leaves alone.
 bool SolidParticles::starts_at_zero(int /*kind*/, Label label) const {
   const SolidLabels& l = solid_labels();
-  const Label empty[] = {l.acceleration, l.energy,        l.affine,      l.split,  l.displacement,
-                         l.viscous,      l.outside_force, l.heat_source, l.heating};
+  const Label empty[] = {l.acceleration, l.energy,  l.affine,        l.spin,        l.split,
+                         l.displacement, l.viscous, l.outside_force, l.heat_source, l.heating};
   return std::find(std::begin(empty), std::end(empty), label) != std::end(empty);
 }
 

@@ -18,7 +18,7 @@ namespace sluice::mpm {
 // (mpm/transfer/corner_volume.hpp).
 enum class Basis { linear, gimp, cpgimp, quadratic, cubic, cpdi, fast_cpdi, cpti, carried };
 // How velocities come back to particles: see mpm/transfer.
-enum class Transfer { flip, pic, xpic, apic, affine };
+enum class Transfer { flip, pic, xpic, apic, affine, midpoint };
 
 // A <geom_object>: particles that fill a piece of space.
 struct SeedObject {
@@ -190,8 +190,13 @@ struct MpmScene {
   int xpic_order = 2;
   double affine_damping = 1;  // kappa
   bool musl = true;           // of the linear basis
-  // Where the deformation is prescribed nodes have it, and velocities of particles do not.
-  bool maps_back() const { return basis == Basis::linear && musl && prescribed_file.empty(); }
+  // Particles carry a spin, gradients are those of the middle of a step (mpm_transfers.md).
+  bool midpoint() const { return transfer == Transfer::midpoint; }
+  // Velocity gradients are those of new velocities, which particles give to nodes once more. Where
+  // the deformation is prescribed nodes have it, and velocities of particles do not.
+  bool maps_back() const {
+    return midpoint() || (basis == Basis::linear && musl && prescribed_file.empty());
+  }
   bool carries_corners() const { return basis == Basis::carried; }
   // For those who need corners whatever the deck's basis is. Before the scene is used; what
   // corners have no form of gives way. Along directions of one cell a particle has no corners: it
@@ -200,6 +205,7 @@ struct MpmScene {
     basis = Basis::carried;
     total_lagrangian = false;
     if (transfer == Transfer::apic) transfer = Transfer::affine;
+    if (transfer == Transfer::midpoint) transfer = Transfer::flip;
     for (SolidMaterial& m : materials)
       for (SeedObject& o : m.objects)
         for (int d = 0; d < 3; ++d)

@@ -26,11 +26,9 @@ constexpr Word<Basis> bases[] = {
     {"4thorderBS", Basis::cubic},       {"cpdi", Basis::cpdi},
     {"fast_cpdi", Basis::fast_cpdi},    {"cpti", Basis::cpti},
     {"carried_corners", Basis::carried}};
-constexpr Word<Transfer> transfers[] = {{"flip", Transfer::flip},
-                                        {"pic", Transfer::pic},
-                                        {"xpic", Transfer::xpic},
-                                        {"apic", Transfer::apic},
-                                        {"affine", Transfer::affine}};
+constexpr Word<Transfer> transfers[] = {
+    {"flip", Transfer::flip}, {"pic", Transfer::pic},       {"xpic", Transfer::xpic},
+    {"apic", Transfer::apic}, {"affine", Transfer::affine}, {"midpoint", Transfer::midpoint}};
 
 template <class T, std::size_t n>
 T value_of(const Word<T> (&words)[n], std::string_view name) {

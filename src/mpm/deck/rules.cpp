@@ -197,6 +197,23 @@ void check_cohesive_zones(const DeckNode& root, std::vector<Fault>& faults) {
   }
 }
 
+// What the midpoint transfer has no form of.
+static void check_midpoint(const DeckNode& flags, const std::string& basis,
+                           std::vector<Fault>& faults) {
+  const DeckNode& transfer = *flags.child("transfer");
+  if (basis != "gimp" && basis != "cpgimp" && basis != "3rdorderBS" && basis != "4thorderBS")
+    add_error(faults, transfer.where,
+              fmt::format("<transfer> midpoint needs smooth shape functions without corners, and "
+                          "{} has none",
+                          basis.empty() ? "linear" : basis),
+              "write <interpolator>gimp</interpolator>, or remove <transfer>");
+  for (const char* name : {"total_lagrangian", "UsePrescribedDeformation"})
+    if (is_true(&flags, name))
+      add_error(faults, transfer.where,
+                fmt::format("<transfer> midpoint and <{}> exclude each other", name),
+                "remove one of them");
+}
+
 void check_transfer(const DeckNode& root, std::vector<Fault>& faults) {
   const DeckNode* flags = root.child("MPM");
   if (flags == nullptr || !runs_solids(root)) return;
@@ -211,6 +228,7 @@ void check_transfer(const DeckNode& root, std::vector<Fault>& faults) {
               fmt::format("<transfer> apic needs a basis with one second moment, and {} has none",
                           basis.empty() ? "linear" : basis),
               "write <interpolator>3rdorderBS</interpolator>, or <transfer>affine</transfer>");
+  if (transfer == "midpoint") check_midpoint(*flags, basis, faults);
   // Tags of the format that choose a transfer too.
   for (const char* name : {"XPIC2", "UseGradientEnhancedVelocityProjection"})
     if (is_true(flags, name) && says(*flags, "transfer"))

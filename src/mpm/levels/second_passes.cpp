@@ -46,34 +46,79 @@ Verdict SolidLevels::filter_velocities(const StageScope& scope) {
   return Verdict::good;
 }
 
-// MUSL: new velocities of particles go to the nodes once more, and velocity gradients are taken
-// from those (D. Sulsky, S.-J. Zhou, H. L. Schreyer, Comput. Phys. Commun. 87 (1995) 236).
-// Gradients of hats do not vanish with their weight: from v* of nodes that have hardly any mass
-// they would have no bound (mpm_scheme, section 14).
-Verdict SolidLevels::map_back(const StageScope& scope) {
-  std::vector<KindRates> bounds(solids_->materials.size());
-  for (int l = 0; l < count(); ++l) {
-    const std::vector<KindRates> own = level(l).move_all(scope_of(scope, l));
-    for (std::size_t k = 0; k < bounds.size(); ++k) bounds[k].add(own[k]);
-  }
+// Bounds of all ranks; or some rank has a fault, and the first of all texts is the reason.
+Verdict SolidLevels::agree_on(const StageScope& scope, std::vector<KindRates>& bounds,
+                              const std::string& fault) {
   Reduction reduction;
   std::vector<Reduction::Maximum> slots;
-  for (const KindRates& r : bounds)
+  for (const KindRates& r : bounds) {
     for (int d = 0; d < 3; ++d) {
       slots.push_back(reduction.add_maximum(r.up[d]));
       slots.push_back(reduction.add_maximum(r.down[d]));
     }
+    slots.push_back(reduction.add_maximum(r.affine));
+  }
+  const auto any_fault = reduction.add_any(!fault.empty());
   scope.ranks->reduce(reduction);
+  if (reduction.any(any_fault)) {
+    scope.reason->clear();
+    for (const std::string& text : scope.ranks->gather_to_all(fault))
+      if (!text.empty() && (scope.reason->empty() || text < *scope.reason)) *scope.reason = text;
+    return Verdict::reject;
+  }
   auto slot = slots.begin();
-  for (KindRates& r : bounds)
+  for (KindRates& r : bounds) {
     for (int d = 0; d < 3; ++d) {
       r.up[d] = reduction.maximum(*slot++);
       r.down[d] = reduction.maximum(*slot++);
     }
+    r.affine = reduction.maximum(*slot++);
+  }
+  return Verdict::good;
+}
+
+// New velocities of particles to nodes, once more.
+void SolidLevels::map_all_back(const StageScope& scope, std::span<const KindRates> bounds) {
   for (int l = 0; l < count(); ++l) level(l).sum_back(scope_of(scope, l), bounds);
   join_sums(scope, &Body::mapped);
   for (int l = 0; l < count(); ++l) level(l).finish_back(scope_of(scope, l));
   spread_velocities(&Body::mapped);
+}
+
+// MUSL: new velocities of particles go to the nodes once more, and velocity gradients are taken
+// from those (D. Sulsky, S.-J. Zhou, H. L. Schreyer, Comput. Phys. Commun. 87 (1995) 236).
+// Gradients of hats do not vanish with their weight: from v* of nodes that have hardly any mass
+// they would have no bound (mpm_scheme, section 14). The midpoint transfer does so at the middle of
+// the step, and with spins (step/midpoint_stage.cpp).
+Verdict SolidLevels::map_back(const StageScope& scope) {
+  std::vector<KindRates> bounds(solids_->materials.size());
+  std::string fault;
+  for (int l = 0; l < count(); ++l) {
+    const StageScope own_scope = scope_of(scope, l);
+    const std::vector<KindRates> own =
+        solids_->midpoint() ? level(l).kick_all(own_scope, fault) : level(l).move_all(own_scope);
+    for (std::size_t k = 0; k < bounds.size(); ++k) bounds[k].add(own[k]);
+  }
+  if (agree_on(scope, bounds, fault) == Verdict::reject) return Verdict::reject;
+  map_all_back(scope, bounds);
+  return Verdict::good;
+}
+
+// Where the deck gives particles velocities one by one: a spin is that of the velocities around, and
+// of the spins that these then have, which a few passes find.
+Verdict SolidLevels::start_spins(const StageScope& scope) {
+  if (scope.dt_before != 0) return Verdict::good;
+  constexpr int passes = 8;
+  for (int pass = 0; pass < passes; ++pass) {
+    std::vector<KindRates> bounds(solids_->materials.size());
+    for (int l = 0; l < count(); ++l) {
+      const std::vector<KindRates> own = level(l).hold_start(scope_of(scope, l), pass > 0);
+      for (std::size_t k = 0; k < bounds.size(); ++k) bounds[k].add(own[k]);
+    }
+    if (agree_on(scope, bounds, {}) == Verdict::reject) return Verdict::reject;
+    map_all_back(scope, bounds);
+    for (int l = 0; l < count(); ++l) level(l).take_spins(scope_of(scope, l));
+  }
   return Verdict::good;
 }
 

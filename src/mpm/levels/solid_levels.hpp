@@ -24,6 +24,8 @@ class SolidLevels {
   // Collective: the sums must have room for the largest.
   void add_corner_forces(const StageScope& scope,
                          const std::vector<std::vector<std::vector<CornerForce>>>& forces);
+  // The midpoint transfer, in the first step alone.
+  Verdict start_spins(const StageScope& scope);
   Verdict to_grid(const StageScope& scope);
   Verdict share_sums(const StageScope& scope);
   Verdict move_nodes(const StageScope& scope);
@@ -53,6 +55,9 @@ class SolidLevels {
   void join_sums(const StageScope& scope, NodeLanes Body::*group);
   void spread_velocities(NodeLanes Body::*group);
   void spread(NodeLanes Body::*group);
+  static Verdict agree_on(const StageScope& scope, std::vector<KindRates>& bounds,
+                          const std::string& fault);
+  void map_all_back(const StageScope& scope, std::span<const KindRates> bounds);
   // Clusters of grains into materials of their own; whether any particle has changed.
   bool regroup(ParticleCloud& cloud, Communicator& ranks, const StepEnd& end);
   // Rigid bodies that transmit forces move by what all levels gave them.

@@ -13,8 +13,16 @@ namespace {
 
 constexpr double largest_whole = 0x1p45;
 
-// x of particles to one exact sum.
-void add_all(const double* x, int n, double unit, ExactSum& to) {
+}  // namespace
+
+double energy_unit(double bound) {
+  if (!(bound > 0)) return 0x1p1000;
+  int exponent = 0;
+  std::frexp(bound, &exponent);  // bound < 2^exponent
+  return std::ldexp(1.0, std::min(41 - exponent, 1000));
+}
+
+void add_rounded(const double* x, int n, double unit, ExactSum& to) {
   std::int64_t sum = 0;
   int fits = 1;
   for (int q = 0; q < n; ++q) {
@@ -28,15 +36,6 @@ void add_all(const double* x, int n, double unit, ExactSum& to) {
   if (fits != 0) return;
   for (int q = 0; q < n; ++q)
     if (!(std::fabs(x[q] * unit) <= largest_whole)) to.add(x[q]);
-}
-
-}  // namespace
-
-double energy_unit(double bound) {
-  if (!(bound > 0)) return 0x1p1000;
-  int exponent = 0;
-  std::frexp(bound, &exponent);  // bound < 2^exponent
-  return std::ldexp(1.0, std::min(41 - exponent, 1000));
 }
 
 void add_energies(const ParticleSet& set, const ParticleSet& next, const Columns& c, std::size_t at,
@@ -62,6 +61,18 @@ void add_energies(const ParticleSet& set, const ParticleSet& next, const Columns
       after[q] += moment * (w[q] * w[q]);
     }
   }
+  for (int k = 0; k < 3 && c.spin >= 0; ++k) {
+    double inertia = 0;
+    for (int d = 0; d < 3; ++d)
+      if (d != k) inertia += unit.moment[d];
+    const double* v = set.column(static_cast<std::size_t>(c.spin + k)) + at;
+    const double* w = next.column(static_cast<std::size_t>(c.spin + k)) + at;
+    for (int q = 0; q < n; ++q) {
+      before[q] += inertia * (v[q] * v[q]);
+      middle[q] += inertia * ((v[q] + w[q]) * (v[q] + w[q]));
+      after[q] += inertia * (w[q] * w[q]);
+    }
+  }
   for (int q = 0; q < n; ++q) {
     before[q] *= 0.5 * m[q];
     middle[q] *= 0.125 * m[q];
@@ -73,15 +84,15 @@ void add_energies(const ParticleSet& set, const ParticleSet& next, const Columns
     const double *T = set.column(temperature) + at, *warmed = next.column(temperature) + at;
     alignas(64) double heat[chunk_size];
     for (int q = 0; q < n; ++q) heat[q] = m[q] * unit.capacity * (warmed[q] - T[q]);
-    add_all(heat, n, unit.heat, to[Of::heat]);
+    add_rounded(heat, n, unit.heat, to[Of::heat]);
   }
   const auto energy = static_cast<std::size_t>(c.energy);
-  add_all(m, n, unit.mass, to[Of::mass]);
-  add_all(before, n, unit.energy, to[Of::kinetic_before]);
-  add_all(middle, n, unit.energy, to[Of::kinetic_middle]);
-  add_all(after, n, unit.energy, to[Of::kinetic_after]);
-  add_all(set.column(energy) + at, n, unit.energy, to[Of::stored_before]);
-  add_all(next.column(energy) + at, n, unit.energy, to[Of::stored_after]);
+  add_rounded(m, n, unit.mass, to[Of::mass]);
+  add_rounded(before, n, unit.energy, to[Of::kinetic_before]);
+  add_rounded(middle, n, unit.energy, to[Of::kinetic_middle]);
+  add_rounded(after, n, unit.energy, to[Of::kinetic_after]);
+  add_rounded(set.column(energy) + at, n, unit.energy, to[Of::stored_before]);
+  add_rounded(next.column(energy) + at, n, unit.energy, to[Of::stored_after]);
 }
 
 }  // namespace sluice::mpm

@@ -23,8 +23,9 @@ struct BodyEnergySums {
     node_work,
     load_work,
     corner_work,
-    kick,  // sum J . dv of impulses J of everything but these forces
-    heat,  // sum m c_v dT, where heat can move
+    kick_gain,  // what kicks of the midpoint transfer gave to velocities and spins of particles
+    kick,       // sum J . dv of impulses J of everything but these forces
+    heat,       // sum m c_v dT, where heat can move
     // Numbers of particles: those that parted from neighbours (step/parted_neighbours.hpp), all.
     parted,
     particles,
@@ -46,13 +47,17 @@ double energy_unit(double bound);
 struct EnergyUnits {
   double mass = 1, energy = 1, heat = 1;
   double capacity = 0;  // c_v where heat can move, J/(kg K)
-  // Of affine transfers: second moments of the shape functions by direction, m^2. Within a particle
-  // they carry m tr(C M C^T)/2 beside m v^2/2 (mpm_transfers.md).
+  // Of affine transfers and spins: second moments of the shape functions by direction, m^2. Within
+  // a particle they carry m tr(C M C^T)/2 beside m v^2/2, or m w . I w/2 (mpm_transfers.md).
   Vec3 moment{};
 };
 
+// x of n particles to a sum, each rounded to 46 bits of the bound of which the unit was made, so that
+// no bit depends on their order.
+void add_rounded(const double* x, int n, double unit, ExactSum& to);
+
 // Adds masses and energies of n particles from `at` on: as they were in `set`, as they are in
-// `next`. Each energy is rounded to 46 bits of the bound, so that no bit depends on their order.
+// `next`.
 void add_energies(const ParticleSet& set, const ParticleSet& next, const Columns& columns,
                   std::size_t at, int n, EnergyUnits unit, BodyEnergySums& to);
 

@@ -62,6 +62,11 @@ bool alike(const SolidMaterial& material) {
 
 }  // namespace
 
+bool files_give_velocities(const MpmScene& solids) {
+  return std::any_of(solids.materials.begin(), solids.materials.end(),
+                     [](const SolidMaterial& m) { return file_gives(m, "p.velocity"); });
+}
+
 Carried carried_by(const Scene& scene, const MpmScene& solids, const SolidMaterial& material) {
   Carried c;
   int next = 0;
@@ -85,6 +90,7 @@ Carried carried_by(const Scene& scene, const MpmScene& solids, const SolidMateri
   if (solids.transfer == Transfer::apic || solids.transfer == Transfer::affine ||
       solids.gradient_enhanced)
     c.columns.affine = add(l.affine, true);
+  if (solids.midpoint() && !material.rigid) c.columns.spin = add(l.spin, true);
   if (!material.forms().empty()) c.half = c.half_at_rest = half_of(material.forms().front());
   const bool by_width = solids.basis == Basis::gimp || solids.basis == Basis::cpgimp;
   if (by_width && (solids.refine_particles || !alike(material)))

@@ -22,6 +22,7 @@ struct Columns {
   int temperature = -1;
   int concentration = -1;  // per mass, where one diffuses
   int affine = -1;         // 9, C of affine transfers
+  int spin = -1;           // 3, angular velocity of the midpoint transfer, 1/s
   int half = -1;           // 3, half widths in cells, where they differ among the particles
   int size = -1;           // 9, edges in the reference state, in cells
   int displacement = -1;   // 3
@@ -53,6 +54,9 @@ struct Carried {
   std::array<double, 3> half{0.5, 0.5, 0.5};          // where the particles do not differ
   std::array<double, 3> half_at_rest{0.5, 0.5, 0.5};  // of the first object's, in cells
 };
+
+// Do files of points give particles velocities of their own.
+bool files_give_velocities(const MpmScene& solids);
 
 Carried carried_by(const Scene& scene, const MpmScene& solids, const SolidMaterial& material);
 

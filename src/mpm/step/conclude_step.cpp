@@ -31,6 +31,10 @@ void SolidStep::book_bodies() {
       books_.sums[StepSums::force_work].subtract(body[Of::stored_before]);
     }
     books_.sums[StepSums::node_gain].merge(body[Of::node_gain]);
+    if (solids_->midpoint()) {
+      books_.sums[StepSums::beyond_nodes].merge(body[Of::kick_gain]);
+      books_.sums[StepSums::beyond_nodes].subtract(body[Of::node_gain]);
+    }
     books_.sums[StepSums::node_work].merge(body[Of::node_work]);
     books_.sums[StepSums::load_work].merge(body[Of::load_work]);
     books_.sums[StepSums::corner_work].merge(body[Of::corner_work]);

@@ -12,6 +12,7 @@
 #include "mpm/step/deformation.hpp"
 #include "mpm/step/law_batch.hpp"
 #include "mpm/step/thread_report.hpp"
+#include "mpm/step/travel.hpp"
 #include "mpm/transfer/from_grid.hpp"
 
 namespace sluice::mpm {
@@ -116,30 +117,6 @@ void to_spatial_gradient(const ParticleShape& shape, std::size_t at, int n, Grid
   }
 }
 
-// The longest way of a particle along a direction, cells.
-double farthest(const BlockWork& w, std::size_t at, int n, Vec3 spacing) {
-  double far = 0;
-  for (int d = 0; d < 3; ++d) {
-    const double *x = w.set->coordinate(d) + at, *to = w.next->coordinate(d) + at;
-    const double inverse = 1 / spacing[d];
-    for (int q = 0; q < n; ++q) far = std::max(far, std::fabs(to[q] - x[q]) * inverse);
-  }
-  return far;
-}
-
-bool any_outside(const Level& level, const ParticleSet& next, std::size_t at, int n) {
-  bool out = false;
-  for (int d = 0; d < 3; ++d) {
-    if (!level.active[static_cast<std::size_t>(d)]) continue;
-    const double low = level.anchor[d] + level.domain.lower[d] * level.spacing[d];
-    const double high = level.anchor[d] + level.domain.upper[d] * level.spacing[d];
-    const double* x = next.coordinate(d) + at;
-    // Written so that what is no number counts as outside.
-    for (int q = 0; q < n; ++q) out |= !(x[q] >= low && x[q] < high);
-  }
-  return out;
-}
-
 }  // namespace
 
 // Rigid bodies go with their own velocity, with that which a rule of contact prescribes, or, where
@@ -206,7 +183,7 @@ void SolidStep::move_particles(const BlockWork& w, const StageScope& scope, std:
     take_outside_forces(w, at, n, report.read, report.books);
     damp(*solids_, body, w, at, n, dt, report.read);
   }
-  report.travel = std::max(report.travel, farthest(w, at, n, level_.spacing));
+  report.travel = std::max(report.travel, farthest_way(*w.set, *w.next, at, n, level_.spacing));
   report.left |= any_outside(level_, *w.next, at, n);
 }
 
@@ -229,6 +206,14 @@ std::vector<KindRates> SolidStep::move_all(const StageScope& scope) {
         rates.down[d] = std::max(rates.down[d], -v[static_cast<std::size_t>(d)][p]);
       }
   });
+  std::string none;
+  return take_first_reports(scope, reports, none);
+}
+
+// What the first of two passes over particles came to: bounds of their new velocities.
+std::vector<KindRates> SolidStep::take_first_reports(const StageScope& scope,
+                                                     const std::vector<ThreadReport>& reports,
+                                                     std::string& fault) {
   travel_ = 0;
   left_ = false;
   std::vector<KindRates> rates(bodies_.size());
@@ -238,6 +223,7 @@ std::vector<KindRates> SolidStep::move_all(const StageScope& scope) {
     left_ |= r.left;
     for (std::size_t k = 0; k < rates.size(); ++k) rates[k].add(r.rates[k]);
     books_.merge(r.books);
+    if (!r.fault.empty() && (fault.empty() || r.fault < fault)) fault = r.fault;
   }
   return rates;
 }
@@ -247,7 +233,9 @@ void SolidStep::advance(const BlockWork& w, const StageScope& scope, ThreadRepor
   const Columns& c = body.carried->columns;
   const Material& law = *body.material->law;
   const double dt = scope.step.dt;
-  if (!body.material->rigid)
+  if (!body.material->rigid && solids_->midpoint())
+    report.window.load(w.middle_lowest, w.middle_highest, body.table, body.mapped);
+  else if (!body.material->rigid)
     report.window.load(w.lowest, w.highest, body.table,
                        solids_->maps_back() ? body.mapped : body.nodes);
   const bool warms = solids_->friction_heats && !body.material->rigid && prescribed_ == nullptr;
@@ -261,17 +249,19 @@ void SolidStep::advance(const BlockWork& w, const StageScope& scope, ThreadRepor
   for (std::size_t at = w.run.begin; at < w.run.end; at += chunk_size) {
     const int n = static_cast<int>(std::min<std::size_t>(chunk_size, w.run.end - at));
     const bool rigid = body.material->rigid;
+    const bool middle = solids_->midpoint() && !rigid;
     if (!solids_->maps_back())
       move_particles(w, scope, at, n, report);
     else if (rigid)
       read_rigid(w, at, n, false, report);
     else
-      read_window(solids_->basis, body.grid, places_of(*w.set, c), shape_of(*w.set, c),
+      read_window(solids_->basis, body.grid, places_of_gradients(w), shape_of(*w.set, c),
                   static_cast<int>(at), n, false, report.window, report.read);
     if (solids_->axisymmetric)
-      add_hoop_rate(*w.set,
+      add_hoop_rate(middle ? *w.next : *w.set,
                     (solids_->maps_back() && !rigid ? body.mapped_units : body.units).reference.x,
                     at, n, report.read);
+    if (middle) finish_motion(w, dt, at, n, report);
     carry_affine(*solids_, body, w, at, n, level_.spacing, report.read);
     if (solids_->total_lagrangian && !rigid)
       to_spatial_gradient(shape_of(*w.set, c), at, n, report.read);

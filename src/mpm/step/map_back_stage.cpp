@@ -23,10 +23,16 @@ void SolidStep::sum_back(const StageScope& scope, std::span<const KindRates> bou
     Body& body = bodies_[m];
     KindRates rates = bounds[m];
     rates.mass = body.rates.mass;
+    rates.extent = body.rates.extent;
     body.mapped_units = units_of(body, static_cast<int>(m), rates);
     body.mapped.clear();
-    body.mapped.fit(body.table);
   }
+  const bool middle = solids_->midpoint();
+  for (const BlockWork& w : work_) {
+    Body& body = bodies_[static_cast<std::size_t>(w.kind)];
+    if (middle && !body.material->rigid) add_blocks(body.table, w.middle_lowest, w.middle_highest);
+  }
+  for (Body& body : bodies_) body.mapped.fit(body.table);
   const ThreadTeam& team = *scope.levels.front()->team();
   std::vector<Window> windows(static_cast<std::size_t>(team.size()), Window(shape_, 1));
   team.for_each(work_.size(), [&](std::size_t n, int thread) {
@@ -34,12 +40,18 @@ void SolidStep::sum_back(const StageScope& scope, std::span<const KindRates> bou
     Body& body = bodies_[static_cast<std::size_t>(w.kind)];
     const Columns& c = body.carried->columns;
     ParticlesToGrid p;
-    p.x = places_of(*w.set, c);
+    if (middle && body.material->rigid) return;
+    p.x = places_of_gradients(w);
     p.shape = shape_of(*w.set, c);
     p.v = read_columns<3>(*w.next, c.velocity);
     p.mass = w.set->column(static_cast<std::size_t>(c.mass));
     Window& window = windows[static_cast<std::size_t>(thread)];
-    window.begin(w.lowest, w.highest);
+    if (middle) {
+      p.spin = read_columns<3>(*w.next, c.spin);
+      window.begin(w.middle_lowest, w.middle_highest);
+    } else {
+      window.begin(w.lowest, w.highest);
+    }
     add_to_window(solids_->basis, body.grid, p, static_cast<int>(w.run.begin),
                   static_cast<int>(w.run.end), body.mapped_units, window);
     window.add_to(body.table, body.mapped, team.size() > 1);

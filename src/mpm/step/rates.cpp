@@ -134,6 +134,10 @@ KindRates rates_of(Basis basis, const TransferGrid& grid, const ParticleSet& set
     const double* a = column(c.affine, n);
     r.affine = largest(begin, end, r.affine, [&](std::size_t i) { return std::fabs(a[i]); });
   }
+  for (int n = 0; n < 3 && c.spin >= 0; ++n) {
+    const double* w = column(c.spin, n);
+    r.affine = largest(begin, end, r.affine, [&](std::size_t i) { return std::fabs(w[i]); });
+  }
   if (by_corners(basis)) {
     ParticleShape shape = shape_of(set, c);
     shape.F = read_columns<9>(now, c.F);

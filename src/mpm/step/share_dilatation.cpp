@@ -8,6 +8,7 @@
 #include "framework/particle/particle_map.hpp"
 #include "mpm/step/deformation.hpp"
 #include "mpm/step/law_batch.hpp"
+#include "mpm/step/midpoint_stage.hpp"
 #include "mpm/step/solid_step.hpp"
 
 namespace sluice::mpm {
@@ -32,11 +33,13 @@ void SolidStep::find_dilatations(const BlockWork& w, double dt, const Window& wi
   double* volume = w.next->column(static_cast<std::size_t>(c.volume));
   for (std::size_t at = w.run.begin; at < w.run.end; at += chunk_size) {
     const int n = static_cast<int>(std::min<std::size_t>(chunk_size, w.run.end - at));
-    read_window(solids_->basis, body.grid, places_of(*w.set, c), shape_of(*w.set, c),
+    read_window(solids_->basis, body.grid, places_of_gradients(w), shape_of(*w.set, c),
                 static_cast<int>(at), n, false, window, read);
     if (solids_->axisymmetric)
-      add_hoop_rate(*w.set, (solids_->maps_back() ? body.mapped_units : body.units).reference.x, at,
-                    n, read);
+      add_hoop_rate(solids_->midpoint() ? *w.next : *w.set,
+                    (solids_->maps_back() ? body.mapped_units : body.units).reference.x, at, n,
+                    read);
+    if (solids_->midpoint()) to_end_of_step(dt, n, read);
     Batch& b = columns.between(*w.set, *w.next, *body.carried, at, n);
     for (std::size_t e = 0; e < 9; ++e) b.L[e] = read.L[e];
     deform(solids_->subcycles_of_F, dt, b, volume + at);

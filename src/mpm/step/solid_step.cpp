@@ -231,6 +231,7 @@ Verdict SolidStep::to_grid(const StageScope& scope) {
     p.volume = w.set->column(static_cast<std::size_t>(c.volume));
     p.stress = read_columns<6>(*w.set, c.stress);
     p.affine = read_columns<9>(*w.set, c.affine);
+    p.spin = read_columns<3>(*w.set, c.spin);
     p.load = outside_->middle_forces(w.kind, w.box);
     if (c.viscous >= 0) p.extra_pressure = w.set->column(static_cast<std::size_t>(c.viscous));
     if (c.pore_pressure >= 0) p.pore_pressure = water_->acting(w, c);

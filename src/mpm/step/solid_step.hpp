@@ -39,8 +39,9 @@ struct BlockWork {
   const ParticleSet* set = nullptr;
   ParticleSet* next = nullptr;
   BlockRun run;
-  int box = 0;                  // local number
-  IntVec3 lowest{}, highest{};  // nodes that they reach
+  int box = 0;                                // local number
+  IntVec3 lowest{}, highest{};                // nodes that they reach
+  IntVec3 middle_lowest{}, middle_highest{};  // at the middle of the step: midpoint transfer
 };
 
 // One material on the nodes of a level.
@@ -86,6 +87,8 @@ struct StepSums {
     contact_loss,
     node_gain,
     node_work,
+    // Of the midpoint transfer: what kicks gave to particles beyond that gain of nodes.
+    beyond_nodes,
     load_work,  // of forces from outside on particles, within node_work and force_work
     reaction_x,
     reaction_y,
@@ -189,8 +192,14 @@ class SolidStep {
   void sum_filtered(const StageScope& scope, bool first);
   void finish_filter();
   void add_filtered(double factor);
-  // MUSL: particles move (bounds of their new velocities); sums of these; velocities of nodes.
+  // MUSL: particles move (bounds of their new velocities); sums of these; velocities of nodes. The
+  // midpoint transfer: they have their new velocities; fault: why the step cannot go on.
   std::vector<KindRates> move_all(const StageScope& scope);
+  std::vector<KindRates> kick_all(const StageScope& scope, std::string& fault);
+  // Of the start of the midpoint transfer: particles as they are, with their spins or without, where
+  // new ones will stand (bounds of them); spins from the velocities that they mapped.
+  std::vector<KindRates> hold_start(const StageScope& scope, bool spins);
+  void take_spins(const StageScope& scope);
   void sum_back(const StageScope& scope, std::span<const KindRates> bounds);
   void finish_back(const StageScope& scope);
 
@@ -290,6 +299,18 @@ class SolidStep {
   void move_particles(const BlockWork& work, const StageScope& scope, std::size_t at, int n,
                       ThreadReport& report);
   void advance(const BlockWork& work, const StageScope& scope, ThreadReport& report);
+  std::vector<KindRates> take_first_reports(const StageScope& scope,
+                                            const std::vector<ThreadReport>& reports,
+                                            std::string& fault);
+  // The midpoint transfer (step/midpoint_stage.cpp).
+  void kick_particles(const BlockWork& work, const StageScope& scope, std::size_t at, int n,
+                      ThreadReport& report);
+  void book_kick(const BlockWork& work, std::size_t at, int n, ThreadReport& report) const;
+  void find_middle_nodes(BlockWork& work) const;
+  void add_bounds(const BlockWork& work, ThreadReport& report) const;
+  std::array<const double*, 3> places_of_gradients(const BlockWork& work) const;
+  void finish_motion(const BlockWork& work, double dt, std::size_t at, int n,
+                     ThreadReport& report) const;
   std::vector<ThreadReport> new_reports(const StageScope& scope) const;
   Verdict conclude(const StageScope& scope, std::vector<ThreadReport>& reports);
   void book_bodies();

@@ -15,6 +15,7 @@ struct BasisLimit {
 
 BasisLimit limit_of(const MpmScene& solids) {
   if (solids.total_lagrangian) return {"total Lagrangian form", {0.9, 0.9, 0.9}};
+  if (solids.midpoint()) return {"the midpoint transfer", {0.9, 0.9, 0.9}};
   switch (solids.basis) {
     case Basis::linear:
       if (solids.maps_back()) return {"linear basis", {0.9, 0.9, 0.9}};

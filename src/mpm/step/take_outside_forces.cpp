@@ -139,6 +139,7 @@ void SolidStep::jump(const BlockWork& w, std::size_t at, int n, bool& left) cons
       for (int d = 0; d < 3; ++d) {
         (w.next->coordinate(d) + at)[q] += i.way[d];
         (w.next->column(static_cast<std::size_t>(c.velocity + d)) + at)[q] = i.velocity[d];
+        if (c.spin >= 0) (w.next->column(static_cast<std::size_t>(c.spin + d)) + at)[q] = 0;
         const double way = bodies_[static_cast<std::size_t>(w.kind)]
                                .grid.axes[static_cast<std::size_t>(d)]
                                .rounded(i.way[d]);

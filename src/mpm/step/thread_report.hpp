@@ -2,6 +2,7 @@
 #pragma once
 #include "mpm/step/law_batch.hpp"
 #include "mpm/step/solid_step.hpp"
+#include "mpm/transfer/impulses_from_grid.hpp"
 
 namespace sluice::mpm {
 
@@ -15,6 +16,7 @@ struct SolidStep::ThreadReport {
   Window window, friction;
   std::unique_ptr<PoreWater::Reads> water;  // null until a material has some
   GridAtParticles read;
+  ImpulsesAtParticles impulses;
   alignas(64) double wave_speed[chunk_size], heating[chunk_size];
   double rate = 0;    // of the time step, 1/s
   double travel = 0;  // farthest way of a particle, cells

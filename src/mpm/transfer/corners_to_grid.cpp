@@ -108,8 +108,8 @@ void add_values(const TransferGrid& grid, const std::array<const double*, 3>& x,
 void add_corners(Basis basis, const TransferGrid& grid, const ParticlesToGrid& p, int begin,
                  int end, const SumUnits& units, Window& window) {
   const auto add = [&]<int D, bool Tetrahedron>() {
-    p.affine[0] != nullptr ? add_block<D, Tetrahedron, true>(grid, p, begin, end, units, window)
-                           : add_block<D, Tetrahedron, false>(grid, p, begin, end, units, window);
+    p.varies() ? add_block<D, Tetrahedron, true>(grid, p, begin, end, units, window)
+               : add_block<D, Tetrahedron, false>(grid, p, begin, end, units, window);
   };
   if (basis == Basis::cpti) return add.template operator()<3, true>();
   if (grid.count == 3) return add.template operator()<3, false>();

@@ -1,34 +1,11 @@
 #include "mpm/transfer/from_grid.hpp"
 
-#include "mpm/nodes/node_sums.hpp"
 #include "mpm/transfer/corner_transfer.hpp"
 #include "mpm/transfer/dispatch.hpp"
+#include "mpm/transfer/paired_sum.hpp"
 
 namespace sluice::mpm {
 namespace {
-
-// Sums over the nodes of a stencil so far, outside in: ((first + last) + middle), or (first + last)
-// + (second + third). A mirror image then has the mirrored bits.
-template <int N>
-struct Paired {
-  Four outer, inner;
-  [[gnu::always_inline]] void add(int i, Four term) {
-    if (i == 0)
-      outer = term;
-    else if (i == N - 1)
-      outer += term;
-    else if (N == 3)
-      inner = term;
-    else if (i == 1)
-      inner = term;
-    else
-      inner += term;
-  }
-  [[gnu::always_inline]] Four sum() const {
-    if constexpr (N == 2) return outer;
-    return outer + inner;
-  }
-};
 
 // Sums over the first A axes: v*, its change, and (A each) sum v* dS/dx_a, sum S v* (x_i - x_p)_a.
 template <int A, bool Moments>

@@ -47,6 +47,20 @@ void reference_row(const ParticlesToGrid& p, int d, int at, int n, double scale,
   }
 }
 
+// Column d of C of a spin: w x e_d.
+void add_spin(const ParticlesToGrid& p, int d, int at, int n, double unit, int a, Gift* gifts) {
+  const int e = (d + 1) % 3, f = (d + 2) % 3;
+  const double* w_e = p.spin[static_cast<std::size_t>(e)] + at;
+  const double* w_f = p.spin[static_cast<std::size_t>(f)] + at;
+  for (int q = 0; q < n; ++q) {
+    const double mu = p.mass[at + q] * unit;
+    Four column{};
+    column[1 + e] = mu * w_f[q];
+    column[1 + f] = -(mu * w_e[q]);
+    gifts[q].affine[a] = column;
+  }
+}
+
 }  // namespace
 
 void make_gifts(const TransferGrid& grid, const ParticlesToGrid& p, int at, int n,
@@ -75,6 +89,7 @@ void make_gifts(const TransferGrid& grid, const ParticlesToGrid& p, int at, int 
         stress_row(p, d, at, n, -u.force, row);
       for (int q = 0; q < n; ++q) gifts[q].traction[a] = Four{row[0][q], row[1][q], row[2][q], 0.0};
     }
+    if (p.spin[0] != nullptr) add_spin(p, d, at, n, u.momentum, a, gifts);
     if (p.affine[0] == nullptr) continue;
     const double* C[3];
     for (int e = 0; e < 3; ++e) C[e] = p.affine[static_cast<std::size_t>(3 * e + d)] + at;

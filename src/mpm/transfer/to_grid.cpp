@@ -89,7 +89,7 @@ int reach_of(Basis basis) {
 void add_to_window(Basis basis, const TransferGrid& grid, const ParticlesToGrid& p, int begin,
                    int end, const SumUnits& units, Window& window) {
   if (by_corners(basis)) return add_corners(basis, grid, p, begin, end, units, window);
-  const bool affine = p.affine[0] != nullptr;
+  const bool affine = p.varies();
   for_basis(basis, has_own_widths(basis, p.shape), grid.count, [&]<int D, class B>() {
     affine ? add_block<D, B, true>(basis, grid, p, begin, end, units, window)
            : add_block<D, B, false>(basis, grid, p, begin, end, units, window);

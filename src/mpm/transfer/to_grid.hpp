@@ -2,7 +2,8 @@
 //
 //   M = sum m S,  P = sum m S (v - v_ref + C (x_i - x_p)),  f = sum (f_p S - tau grad S)
 //
-// tau = V sigma; C only with affine transfers (mpm_scheme, sections 2, 4 and 12).
+// tau = V sigma; C only with affine transfers (mpm_scheme, sections 2, 4 and 12); of the midpoint
+// transfer it is that of a spin w, C r = w x r.
 #pragma once
 #include <array>
 
@@ -23,8 +24,10 @@ struct ParticlesToGrid {
   const double* extra_pressure = nullptr;  // of the artificial viscosity; may be null
   const double* pore_pressure = nullptr;   // may be null
   Nine<const double> affine{};             // C, 1/s; null unless the transfer is affine
+  std::array<const double*, 3> spin{};     // w, 1/s; null unless the transfer has one
   std::array<const double*, 3> load{};     // f_p, N; null: none
-  bool reference_gradients = false;        // total Lagrangian: V sigma F^-T in place of V sigma
+  bool varies() const { return affine[0] != nullptr || spin[0] != nullptr; }  // within a particle
+  bool reference_gradients = false;  // total Lagrangian: V sigma F^-T in place of V sigma
 };
 
 // Units of the integers (2^k by field), and the velocity from which momentum is counted.

@@ -1,0 +1,279 @@
+// The midpoint transfer: new velocities and spins of particles at the places of the middle of a
+// step, from which these go to the nodes once more (SolidLevels::map_back); mpm_transfers.md.
+//
+//   v+ = v + sum S dv_i,   w+ = w + I^-1 sum S r x dv_i,   x' = x + dt v+/2
+//   vh_i = sum m S' (v+ + w+ x (x_i - x'))/sum m S',   L = sum vh_i (x) grad S'
+//   F+ = (I - dt L/2)^-1 (I + dt L/2) F,   x+ = x + dt sum S' vh_i
+//
+// Forces on nodes and velocities of nodes are adjoint in both maps, so that stress neither loses
+// nor gains energy by them, and what turns is mapped as it turns.
+#include "mpm/step/midpoint_stage.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mpm/step/thread_report.hpp"
+#include "mpm/step/travel.hpp"
+
+namespace sluice::mpm {
+namespace {
+
+constexpr double spin_relaxation = 0.01;  // kappa: spins follow the grid in h/(kappa c)
+constexpr double least_inertia = 1e-3;    // of I, h^2 for each direction
+constexpr double farthest_middle = 0.5;   // cells: windows of blocks reach no farther
+
+// A spin about the axis k is one of two active directions.
+bool turns(const Level& level, int k) {
+  return level.active[static_cast<std::size_t>((k + 1) % 3)] &&
+         level.active[static_cast<std::size_t>((k + 2) % 3)];
+}
+
+// About the axis k, of the velocities that were read: half their curl.
+double spin_of(const GridAtParticles& read, int k, int q) {
+  const int i = (k + 1) % 3, j = (k + 2) % 3;
+  return 0.5 * (read.L[3 * j + i][q] - read.L[3 * i + j][q]);
+}
+
+}  // namespace
+
+void to_end_of_step(double dt, int n, GridAtParticles& read) {
+  const double half = 0.5 * dt, two = 2 / dt;
+  auto& L = read.L;
+#pragma GCC ivdep
+  for (int q = 0; q < n; ++q) {
+    const double a = 1 - half * L[0][q], b = -half * L[1][q], c = -half * L[2][q];
+    const double d = -half * L[3][q], e = 1 - half * L[4][q], f = -half * L[5][q];
+    const double g = -half * L[6][q], h = -half * L[7][q], i = 1 - half * L[8][q];
+    const double A = e * i - f * h, B = c * h - b * i, C = b * f - c * e;
+    const double factor = two / (a * A + d * B + g * C);
+    L[0][q] = factor * A - two;
+    L[1][q] = factor * B;
+    L[2][q] = factor * C;
+    L[3][q] = factor * (f * g - d * i);
+    L[4][q] = factor * (a * i - c * g) - two;
+    L[5][q] = factor * (c * d - a * f);
+    L[6][q] = factor * (d * h - e * g);
+    L[7][q] = factor * (b * g - a * h);
+    L[8][q] = factor * (a * e - b * d) - two;
+  }
+}
+
+// Velocities and spins after the kick, places of the middle of the step.
+void SolidStep::kick_particles(const BlockWork& w, const StageScope& scope, std::size_t at, int n,
+                               ThreadReport& report) {
+  const Body& body = bodies_[static_cast<std::size_t>(w.kind)];
+  const Columns& c = body.carried->columns;
+  const bool loaded = outside_->acts(w.kind);
+  ImpulsesAtParticles& got = report.impulses;
+  read_impulses(solids_->basis, body.grid, places_of(*w.set, c), shape_of(*w.set, c),
+                static_cast<int>(at), n, loaded, report.window, got);
+  double way = 0;  // farthest, cells
+  for (int d = 0; d < 3; ++d) {
+    const double* x = w.set->coordinate(d) + at;
+    const double* v = w.set->column(static_cast<std::size_t>(c.velocity + d)) + at;
+    double* middle = w.next->coordinate(d) + at;
+    double* to_v = w.next->column(static_cast<std::size_t>(c.velocity + d)) + at;
+    const double half = 0.5 * scope.step.dt, inverse = 1 / level_.spacing[d];
+    bool sound = true;
+    for (int q = 0; q < n; ++q) {
+      to_v[q] = v[q] + got.dv[d][q];
+      middle[q] = x[q] + half * to_v[q];
+      way = std::max(way, std::fabs(half * to_v[q]) * inverse);
+      sound &= to_v[q] == to_v[q];
+    }
+    if (!sound) way = std::nan("");
+    const double* spin = w.set->column(static_cast<std::size_t>(c.spin + d)) + at;
+    double* to_spin = w.next->column(static_cast<std::size_t>(c.spin + d)) + at;
+    if (!turns(level_, d)) {
+      std::fill_n(to_spin, n, 0.0);
+      continue;
+    }
+    double least = 0;
+    for (int k = 0; k < 3; ++k)
+      if (k != d) least += least_inertia * level_.spacing[k] * level_.spacing[k];
+    for (int q = 0; q < n; ++q)
+      to_spin[q] = spin[q] + got.turn[d][q] / std::max(got.inertia[d][q], least);
+  }
+  book_kick(w, at, n, report);
+  if (!(way <= farthest_middle)) {
+    for (int d = 0; d < 3; ++d)
+      std::copy_n(w.set->coordinate(d) + at, n, w.next->coordinate(d) + at);
+    report.keep_fault(0, fmt::format("particles of material {} '{}' would move {:g} cells in half "
+                                     "this step, more than {:g}",
+                                     w.kind, body.material->name, way, farthest_middle));
+  }
+  for (int d = 0; d < 3 && loaded; ++d) {
+    std::copy_n(got.u[d], n, report.read.u[d]);
+    std::copy_n(got.dv[d], n, report.read.dv[d]);
+  }
+  take_outside_forces(w, at, n, report.read, report.books);
+}
+
+// m dv . (v + v+)/2 and m (w+ - w) . I (w + w+)/2 of each particle.
+void SolidStep::book_kick(const BlockWork& w, std::size_t at, int n, ThreadReport& report) const {
+  const Body& body = bodies_[static_cast<std::size_t>(w.kind)];
+  const Columns& c = body.carried->columns;
+  alignas(64) double work[chunk_size] = {};
+  for (int d = 0; d < 3; ++d) {
+    const double* v = w.set->column(static_cast<std::size_t>(c.velocity + d)) + at;
+    const double* to_v = w.next->column(static_cast<std::size_t>(c.velocity + d)) + at;
+    const double* spin = w.set->column(static_cast<std::size_t>(c.spin + d)) + at;
+    const double* to_spin = w.next->column(static_cast<std::size_t>(c.spin + d)) + at;
+    const double* inertia = report.impulses.inertia[d];
+    for (int q = 0; q < n; ++q)
+      work[q] += to_v[q] * to_v[q] - v[q] * v[q] +
+                 inertia[q] * (to_spin[q] * to_spin[q] - spin[q] * spin[q]);
+  }
+  const double* mass = w.set->column(static_cast<std::size_t>(c.mass)) + at;
+  for (int q = 0; q < n; ++q) work[q] *= 0.5 * mass[q];
+  add_rounded(work, n, body.energy_units.energy,
+              report.books.bodies[static_cast<std::size_t>(w.kind)][BodyEnergySums::kick_gain]);
+}
+
+// Of the new velocities and spins of a block.
+void SolidStep::add_bounds(const BlockWork& w, ThreadReport& report) const {
+  const Columns& c = bodies_[static_cast<std::size_t>(w.kind)].carried->columns;
+  KindRates& rates = report.rates[static_cast<std::size_t>(w.kind)];
+  for (int d = 0; d < 3; ++d) {
+    const double* v = w.next->column(static_cast<std::size_t>(c.velocity + d));
+    const double* spin = w.next->column(static_cast<std::size_t>(c.spin + d));
+    for (std::size_t p = w.run.begin; p < w.run.end; ++p) {
+      rates.up[d] = std::max(rates.up[d], v[p]);
+      rates.down[d] = std::max(rates.down[d], -v[p]);
+      rates.affine = std::max(rates.affine, std::fabs(spin[p]));
+    }
+  }
+}
+
+std::vector<KindRates> SolidStep::kick_all(const StageScope& scope, std::string& fault) {
+  std::vector<ThreadReport> reports = new_reports(scope);
+  scope.levels.front()->team()->for_each(work_.size(), [&](std::size_t i, int thread) {
+    BlockWork& w = work_[i];
+    const Body& body = bodies_[static_cast<std::size_t>(w.kind)];
+    ThreadReport& report = reports[static_cast<std::size_t>(thread)];
+    if (!body.material->rigid) report.window.load(w.lowest, w.highest, body.table, body.nodes);
+    for (std::size_t at = w.run.begin; at < w.run.end; at += chunk_size) {
+      const int n = static_cast<int>(std::min<std::size_t>(chunk_size, w.run.end - at));
+      if (body.material->rigid)
+        move_particles(w, scope, at, n, report);
+      else
+        kick_particles(w, scope, at, n, report);
+    }
+    if (body.material->rigid) return;
+    find_middle_nodes(w);
+    add_bounds(w, report);
+  });
+  return take_first_reports(scope, reports, fault);
+}
+
+std::vector<KindRates> SolidStep::hold_start(const StageScope& scope, bool spins) {
+  std::vector<ThreadReport> reports = new_reports(scope);
+  scope.levels.front()->team()->for_each(work_.size(), [&](std::size_t i, int thread) {
+    BlockWork& w = work_[i];
+    const Body& body = bodies_[static_cast<std::size_t>(w.kind)];
+    const Columns& c = body.carried->columns;
+    if (body.material->rigid) return;
+    const std::size_t count = w.run.end - w.run.begin;
+    for (int d = 0; d < 3; ++d) {
+      const auto keep = [&](const double* from, double* to) {
+        std::copy_n(from + w.run.begin, count, to + w.run.begin);
+      };
+      const auto velocity = static_cast<std::size_t>(c.velocity + d);
+      const auto spin = static_cast<std::size_t>(c.spin + d);
+      keep(w.set->coordinate(d), w.next->coordinate(d));
+      keep(w.set->column(velocity), w.next->column(velocity));
+      keep(w.set->column(spin), w.next->column(spin));
+      if (!spins) std::fill_n(w.next->column(spin) + w.run.begin, count, 0.0);
+    }
+    find_nodes_of(w);
+    find_middle_nodes(w);
+    add_bounds(w, reports[static_cast<std::size_t>(thread)]);
+  });
+  std::vector<KindRates> rates(bodies_.size());
+  for (const ThreadReport& r : reports)
+    for (std::size_t k = 0; k < rates.size(); ++k) rates[k].add(r.rates[k]);
+  return rates;
+}
+
+void SolidStep::take_spins(const StageScope& scope) {
+  std::vector<ThreadReport> reports = new_reports(scope);
+  scope.levels.front()->team()->for_each(work_.size(), [&](std::size_t i, int thread) {
+    const BlockWork& w = work_[i];
+    const Body& body = bodies_[static_cast<std::size_t>(w.kind)];
+    const Columns& c = body.carried->columns;
+    if (body.material->rigid) return;
+    ThreadReport& report = reports[static_cast<std::size_t>(thread)];
+    report.window.load(w.middle_lowest, w.middle_highest, body.table, body.mapped);
+    ParticleSet& set = scope.particles->store(w.kind).set(level_.index, w.box);
+    for (std::size_t at = w.run.begin; at < w.run.end; at += chunk_size) {
+      const int n = static_cast<int>(std::min<std::size_t>(chunk_size, w.run.end - at));
+      read_window(solids_->basis, body.grid, places_of_gradients(w), shape_of(set, c),
+                  static_cast<int>(at), n, false, report.window, report.read);
+      for (int k = 0; k < 3; ++k) {
+        double* spin = set.column(static_cast<std::size_t>(c.spin + k)) + at;
+        for (int q = 0; q < n; ++q) spin[q] = turns(level_, k) ? spin_of(report.read, k, q) : 0.0;
+      }
+    }
+  });
+}
+
+// Nodes around the places of the middle of the step, of all particles of a block.
+void SolidStep::find_middle_nodes(BlockWork& w) const {
+  const Body& body = bodies_[static_cast<std::size_t>(w.kind)];
+  w.middle_lowest = w.lowest;
+  w.middle_highest = w.highest;
+  for (int d = 0; d < 3; ++d) {
+    if (shape_.edge[d] == 1) continue;
+    const double* x = w.next->coordinate(d);
+    double low = x[w.run.begin], high = low;
+    for (std::size_t p = w.run.begin; p < w.run.end; ++p) {
+      low = std::min(low, x[p]);
+      high = std::max(high, x[p]);
+    }
+    const Axis& axis = body.grid.axes[static_cast<std::size_t>(d)];
+    const auto cell = [&](double place) {
+      return static_cast<int>(std::floor(axis.place(place) + axis.first));
+    };
+    // A step in which a particle would go farther is not finished.
+    w.middle_lowest[d] = std::max(cell(low) - 1, w.lowest[d] - 1);
+    w.middle_highest[d] = std::min(cell(high) + 2, w.highest[d] + 1);
+  }
+}
+
+// Places at which mapped velocities are read.
+std::array<const double*, 3> SolidStep::places_of_gradients(const BlockWork& w) const {
+  const Body& body = bodies_[static_cast<std::size_t>(w.kind)];
+  if (!solids_->midpoint() || body.material->rigid) return places_of(*w.set, body.carried->columns);
+  return {w.next->coordinate(0), w.next->coordinate(1), w.next->coordinate(2)};
+}
+
+// What was read at the middle of the step makes its end.
+void SolidStep::finish_motion(const BlockWork& w, double dt, std::size_t at, int n,
+                              ThreadReport& report) const {
+  const Body& body = bodies_[static_cast<std::size_t>(w.kind)];
+  const Columns& c = body.carried->columns;
+  GridAtParticles& read = report.read;
+  const double beta = std::min(1.0, spin_relaxation * dt * body.rates.wave);
+  for (int k = 0; k < 3; ++k) {
+    if (!turns(level_, k)) continue;
+    double* spin = w.next->column(static_cast<std::size_t>(c.spin + k)) + at;
+    for (int q = 0; q < n; ++q) spin[q] += beta * (spin_of(read, k, q) - spin[q]);
+  }
+  to_end_of_step(dt, n, read);
+  for (int d = 0; d < 3; ++d) {
+    const double reference = body.mapped_units.reference[d];
+    const double* x = w.set->coordinate(d) + at;
+    double* to = w.next->coordinate(d) + at;
+    for (int q = 0; q < n; ++q) to[q] = x[q] + dt * (reference + read.u[d][q]);
+    if (c.displacement < 0) continue;
+    const double* way = w.set->column(static_cast<std::size_t>(c.displacement + d)) + at;
+    double* to_way = w.next->column(static_cast<std::size_t>(c.displacement + d)) + at;
+    for (int q = 0; q < n; ++q) to_way[q] = way[q] + dt * (reference + read.u[d][q]);
+  }
+  report.travel = std::max(report.travel, farthest_way(*w.set, *w.next, at, n, level_.spacing));
+  report.left |= any_outside(level_, *w.next, at, n);
+}
+
+}  // namespace sluice::mpm
