@@ -228,18 +228,16 @@ TEST_P(EveryBasis, BarVibratesAtItsFrequency) {
 
 INSTANTIATE_TEST_SUITE_P(
     Transfers, EveryBasis,
-    testing::Values(Case{"linear", {flag("interpolator", "linear")}},
-                    Case{"gimp", {flag("interpolator", "gimp")}},
-                    Case{"quadratic", {flag("interpolator", "quadraticBS")}},
-                    Case{"cubic", {flag("interpolator", "cubicBS")}},
-                    Case{"gimp_midpoint",
-                         {flag("interpolator", "gimp"), flag("transfer", "midpoint")}},
-                    Case{"cubic_midpoint",
-                         {flag("interpolator", "cubicBS"), flag("transfer", "midpoint")}},
-                    Case{"cpdi", {flag("interpolator", "cpdi")}},
-                    Case{"carried_corners", {flag("interpolator", "carried_corners")}},
-                    Case{"reference",
-                         {flag("interpolator", "quadraticBS"), flag("total_lagrangian", "true")}}),
+    testing::Values(
+        Case{"linear", {flag("interpolator", "linear")}},
+        Case{"gimp", {flag("interpolator", "gimp")}},
+        Case{"quadratic", {flag("interpolator", "quadraticBS")}},
+        Case{"cubic", {flag("interpolator", "cubicBS")}},
+        Case{"gimp_midpoint", {flag("interpolator", "gimp"), flag("transfer", "midpoint")}},
+        Case{"cubic_midpoint", {flag("interpolator", "cubicBS"), flag("transfer", "midpoint")}},
+        Case{"cpdi", {flag("interpolator", "cpdi")}},
+        Case{"carried_corners", {flag("interpolator", "carried_corners")}},
+        Case{"reference", {flag("interpolator", "quadraticBS"), flag("total_lagrangian", "true")}}),
     [](const auto& of) { return of.param.name; });
 
 }  // namespace

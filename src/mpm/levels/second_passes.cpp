@@ -104,8 +104,8 @@ Verdict SolidLevels::map_back(const StageScope& scope) {
   return Verdict::good;
 }
 
-// Where the deck gives particles velocities one by one: a spin is that of the velocities around, and
-// of the spins that these then have, which a few passes find.
+// Where the deck gives particles velocities one by one: a spin is that of the velocities around,
+// and of the spins that these then have, which a few passes find.
 Verdict SolidLevels::start_spins(const StageScope& scope) {
   if (scope.dt_before != 0) return Verdict::good;
   constexpr int passes = 8;

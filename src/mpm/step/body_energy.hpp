@@ -52,8 +52,8 @@ struct EnergyUnits {
   Vec3 moment{};
 };
 
-// x of n particles to a sum, each rounded to 46 bits of the bound of which the unit was made, so that
-// no bit depends on their order.
+// x of n particles to a sum, each rounded to 46 bits of the bound of which the unit was made, so
+// that no bit depends on their order.
 void add_rounded(const double* x, int n, double unit, ExactSum& to);
 
 // Adds masses and energies of n particles from `at` on: as they were in `set`, as they are in

@@ -196,8 +196,8 @@ class SolidStep {
   // midpoint transfer: they have their new velocities; fault: why the step cannot go on.
   std::vector<KindRates> move_all(const StageScope& scope);
   std::vector<KindRates> kick_all(const StageScope& scope, std::string& fault);
-  // Of the start of the midpoint transfer: particles as they are, with their spins or without, where
-  // new ones will stand (bounds of them); spins from the velocities that they mapped.
+  // Of the start of the midpoint transfer: particles as they are, with their spins or without,
+  // where new ones will stand (bounds of them); spins from the velocities that they mapped.
   std::vector<KindRates> hold_start(const StageScope& scope, bool spins);
   void take_spins(const StageScope& scope);
   void sum_back(const StageScope& scope, std::span<const KindRates> bounds);
