@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mpm/step/largest.hpp"
 #include "mpm/step/thread_report.hpp"
 #include "mpm/step/travel.hpp"
 
@@ -76,14 +77,13 @@ void SolidStep::kick_particles(const BlockWork& w, const StageScope& scope, std:
     double* middle = w.next->coordinate(d) + at;
     double* to_v = w.next->column(static_cast<std::size_t>(c.velocity + d)) + at;
     const double half = 0.5 * scope.step.dt, inverse = 1 / level_.spacing[d];
-    bool sound = true;
     for (int q = 0; q < n; ++q) {
       to_v[q] = v[q] + got.dv[d][q];
       middle[q] = x[q] + half * to_v[q];
-      way = std::max(way, std::fabs(half * to_v[q]) * inverse);
-      sound &= to_v[q] == to_v[q];
     }
-    if (!sound) way = std::nan("");
+    const double own = largest(0, static_cast<std::size_t>(n), 0,
+                               [&](std::size_t q) { return std::fabs(half * to_v[q]) * inverse; });
+    if (!(own <= way)) way = own;
     const double* spin = w.set->column(static_cast<std::size_t>(c.spin + d)) + at;
     double* to_spin = w.next->column(static_cast<std::size_t>(c.spin + d)) + at;
     if (!turns(level_, d)) {
@@ -109,6 +109,7 @@ void SolidStep::kick_particles(const BlockWork& w, const StageScope& scope, std:
     std::copy_n(got.dv[d], n, report.read.dv[d]);
   }
   take_outside_forces(w, at, n, report.read, report.books);
+  add_bounds(w, at, n, report);
 }
 
 // m dv . (v + v+)/2 and m (w+ - w) . I (w + w+)/2 of each particle.
@@ -132,18 +133,22 @@ void SolidStep::book_kick(const BlockWork& w, std::size_t at, int n, ThreadRepor
               report.books.bodies[static_cast<std::size_t>(w.kind)][BodyEnergySums::kick_gain]);
 }
 
-// Of the new velocities and spins of a block.
-void SolidStep::add_bounds(const BlockWork& w, ThreadReport& report) const {
+// Of new velocities and spins, and of places of the middle of the step.
+void SolidStep::add_bounds(const BlockWork& w, std::size_t at, int n, ThreadReport& report) const {
   const Columns& c = bodies_[static_cast<std::size_t>(w.kind)].carried->columns;
   KindRates& rates = report.rates[static_cast<std::size_t>(w.kind)];
   for (int d = 0; d < 3; ++d) {
     const double* v = w.next->column(static_cast<std::size_t>(c.velocity + d));
     const double* spin = w.next->column(static_cast<std::size_t>(c.spin + d));
-    for (std::size_t p = w.run.begin; p < w.run.end; ++p) {
-      rates.up[d] = std::max(rates.up[d], v[p]);
-      rates.down[d] = std::max(rates.down[d], -v[p]);
-      rates.affine = std::max(rates.affine, std::fabs(spin[p]));
-    }
+    const double* x = w.next->coordinate(d);
+    const std::size_t end = at + static_cast<std::size_t>(n);
+    const auto most = [&](double from, const auto& of) { return largest(at, end, from, of); };
+    rates.up[d] = most(rates.up[d], [&](std::size_t p) { return v[p]; });
+    rates.down[d] = most(rates.down[d], [&](std::size_t p) { return -v[p]; });
+    if (turns(level_, d))
+      rates.affine = most(rates.affine, [&](std::size_t p) { return std::fabs(spin[p]); });
+    report.up[d] = most(report.up[d], [&](std::size_t p) { return x[p]; });
+    report.down[d] = most(report.down[d], [&](std::size_t p) { return -x[p]; });
   }
 }
 
@@ -154,6 +159,7 @@ std::vector<KindRates> SolidStep::kick_all(const StageScope& scope, std::string&
     const Body& body = bodies_[static_cast<std::size_t>(w.kind)];
     ThreadReport& report = reports[static_cast<std::size_t>(thread)];
     if (!body.material->rigid) report.window.load(w.lowest, w.highest, body.table, body.nodes);
+    report.up = report.down = KindRates::none();
     for (std::size_t at = w.run.begin; at < w.run.end; at += chunk_size) {
       const int n = static_cast<int>(std::min<std::size_t>(chunk_size, w.run.end - at));
       if (body.material->rigid)
@@ -162,8 +168,7 @@ std::vector<KindRates> SolidStep::kick_all(const StageScope& scope, std::string&
         kick_particles(w, scope, at, n, report);
     }
     if (body.material->rigid) return;
-    find_middle_nodes(w);
-    add_bounds(w, report);
+    find_middle_nodes(w, report);
   });
   return take_first_reports(scope, reports, fault);
 }
@@ -175,6 +180,8 @@ std::vector<KindRates> SolidStep::hold_start(const StageScope& scope, bool spins
     const Body& body = bodies_[static_cast<std::size_t>(w.kind)];
     const Columns& c = body.carried->columns;
     if (body.material->rigid) return;
+    ThreadReport& report = reports[static_cast<std::size_t>(thread)];
+    report.up = report.down = KindRates::none();
     const std::size_t count = w.run.end - w.run.begin;
     for (int d = 0; d < 3; ++d) {
       const auto keep = [&](const double* from, double* to) {
@@ -188,8 +195,8 @@ std::vector<KindRates> SolidStep::hold_start(const StageScope& scope, bool spins
       if (!spins) std::fill_n(w.next->column(spin) + w.run.begin, count, 0.0);
     }
     find_nodes_of(w);
-    find_middle_nodes(w);
-    add_bounds(w, reports[static_cast<std::size_t>(thread)]);
+    add_bounds(w, w.run.begin, static_cast<int>(count), report);
+    find_middle_nodes(w, report);
   });
   std::vector<KindRates> rates(bodies_.size());
   for (const ThreadReport& r : reports)
@@ -209,8 +216,8 @@ void SolidStep::take_spins(const StageScope& scope) {
     ParticleSet& set = scope.particles->store(w.kind).set(level_.index, w.box);
     for (std::size_t at = w.run.begin; at < w.run.end; at += chunk_size) {
       const int n = static_cast<int>(std::min<std::size_t>(chunk_size, w.run.end - at));
-      read_window(solids_->basis, body.grid, places_of_gradients(w), shape_of(set, c),
-                  static_cast<int>(at), n, false, report.window, report.read);
+      read_velocities(solids_->basis, body.grid, places_of_gradients(w), shape_of(set, c),
+                      static_cast<int>(at), n, report.window, report.read);
       for (int k = 0; k < 3; ++k) {
         double* spin = set.column(static_cast<std::size_t>(c.spin + k)) + at;
         for (int q = 0; q < n; ++q) spin[q] = turns(level_, k) ? spin_of(report.read, k, q) : 0.0;
@@ -220,25 +227,19 @@ void SolidStep::take_spins(const StageScope& scope) {
 }
 
 // Nodes around the places of the middle of the step, of all particles of a block.
-void SolidStep::find_middle_nodes(BlockWork& w) const {
+void SolidStep::find_middle_nodes(BlockWork& w, const ThreadReport& report) const {
   const Body& body = bodies_[static_cast<std::size_t>(w.kind)];
   w.middle_lowest = w.lowest;
   w.middle_highest = w.highest;
   for (int d = 0; d < 3; ++d) {
     if (shape_.edge[d] == 1) continue;
-    const double* x = w.next->coordinate(d);
-    double low = x[w.run.begin], high = low;
-    for (std::size_t p = w.run.begin; p < w.run.end; ++p) {
-      low = std::min(low, x[p]);
-      high = std::max(high, x[p]);
-    }
     const Axis& axis = body.grid.axes[static_cast<std::size_t>(d)];
     const auto cell = [&](double place) {
       return static_cast<int>(std::floor(axis.place(place) + axis.first));
     };
     // A step in which a particle would go farther is not finished.
-    w.middle_lowest[d] = std::max(cell(low) - 1, w.lowest[d] - 1);
-    w.middle_highest[d] = std::min(cell(high) + 2, w.highest[d] + 1);
+    w.middle_lowest[d] = std::max(cell(-report.down[d]) - 1, w.lowest[d] - 1);
+    w.middle_highest[d] = std::min(cell(report.up[d]) + 2, w.highest[d] + 1);
   }
 }
 

@@ -306,8 +306,8 @@ class SolidStep {
   void kick_particles(const BlockWork& work, const StageScope& scope, std::size_t at, int n,
                       ThreadReport& report);
   void book_kick(const BlockWork& work, std::size_t at, int n, ThreadReport& report) const;
-  void find_middle_nodes(BlockWork& work) const;
-  void add_bounds(const BlockWork& work, ThreadReport& report) const;
+  void find_middle_nodes(BlockWork& work, const ThreadReport& report) const;
+  void add_bounds(const BlockWork& work, std::size_t at, int n, ThreadReport& report) const;
   std::array<const double*, 3> places_of_gradients(const BlockWork& work) const;
   void finish_motion(const BlockWork& work, double dt, std::size_t at, int n,
                      ThreadReport& report) const;
