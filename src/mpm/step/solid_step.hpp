@@ -66,8 +66,9 @@ struct Body {
   std::vector<CornerForce> corners;  // loads on corners of this rank's particles, then the fluid's
   std::size_t corner_loads = 0;      // how many are loads
   NodeLanes cohesive;                // sums of cohesive points: stiffness, -, -, - | force
-  NodeLanes friction;                // rise of temperature by friction, where it heats
-  Vec3 pushed{};                     // change of velocity of a body that transmits forces
+  NodeLanes met;       // midpoint transfer, where contact acts: its direction, v* along it
+  NodeLanes friction;  // rise of temperature by friction, where it heats
+  Vec3 pushed{};       // change of velocity of a body that transmits forces
 };
 
 // What a step sums for the books of a run, beside what its particles tell.
