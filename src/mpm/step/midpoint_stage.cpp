@@ -21,9 +21,9 @@
 namespace sluice::mpm {
 namespace {
 
-constexpr double spin_relaxation = 0.01;  // kappa: spins follow the grid in h/(kappa c)
-constexpr double least_inertia = 1e-3;    // of I, h^2 for each direction
-constexpr double farthest_middle = 0.5;   // cells: windows of blocks reach no farther
+constexpr double spin_relaxation = 0.003;  // kappa: spins follow the grid in h/(kappa c)
+constexpr double least_inertia = 1e-3;     // of I, h^2 for each direction
+constexpr double farthest_middle = 0.5;    // cells: windows of blocks reach no farther
 
 // A spin about the axis k is one of two active directions.
 bool turns(const Level& level, int k) {
