@@ -83,7 +83,10 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"3rdorderBS", "flip", 3, 1, 1}, Case{"4thorderBS", "flip", 2, 0.1, 1},
                     Case{"linear", "flip", 2, 0.1, 1}, Case{"gimp", "flip", 2, 0.1, 2},
                     Case{"cpdi", "flip", 2, 0.1, 2}, Case{"3rdorderBS", "flip", 2, 0.1, 2},
-                    Case{"carried_corners", "flip", 3, 0.1, 2}));
+                    Case{"carried_corners", "flip", 3, 0.1, 2}, Case{"gimp", "midpoint", 2, 0.1, 1},
+                    Case{"gimp", "midpoint", 1, 0.1, 2}, Case{"gimp", "midpoint", 2, 0.1, 2},
+                    Case{"gimp", "midpoint", 3, 1, 2}, Case{"3rdorderBS", "midpoint", 2, 0.1, 2},
+                    Case{"4thorderBS", "midpoint", 2, 0.1, 2}));
 
 // A step that the deck forces upon a basis that it makes unstable: the run tells, and ends or goes
 // on with shorter steps; its energy does not grow tenfold.

@@ -7,6 +7,7 @@
 #include "framework/base/json.hpp"
 #include "mpm/nodes/node_sums.hpp"
 #include "mpm/step/midpoint_stage.hpp"
+#include "mpm/test_support/solid_run.hpp"
 #include "mpm/test_support/text_run.hpp"
 #include "mpm/transfer/impulses_from_grid.hpp"
 
@@ -258,6 +259,22 @@ INSTANTIATE_TEST_SUITE_P(Of, Midpoint,
                                          Case{"cpdi", 1, 0.8}, Case{"cpdi", 2, 0.8},
                                          Case{"carried_corners", 1, 0.8},
                                          Case{"carried_corners", 2, 0.8}));
+
+// Bodies that meet, roll, slip and bounce, at the largest step: contact works on velocities that it
+// gave, so that nothing gains.
+class MidpointInContact : public testing::TestWithParam<const char*> {};
+
+TEST_P(MidpointInContact, GainsNothing) {
+  const SolidRun run(
+      GetParam(), {"MPM/interpolator=gimp", "MPM/transfer=midpoint", "Time/timestep_multiplier=1"});
+  const Json solids = Json::parse(run.report().solids_json);
+  for (const auto& [name, body] : solids.members())
+    EXPECT_LE(body.at("numerical_gain_of_scale").get<double>(), 0.005) << name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, MidpointInContact,
+                         testing::Values("bouncing_bar", "three_disks", "disk_rolls", "disk_slips",
+                                         "sliding_block", "rigid_piston"));
 
 }  // namespace
 }  // namespace sluice::mpm::midpoint_test

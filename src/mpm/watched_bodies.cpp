@@ -30,6 +30,7 @@ std::vector<BodyEnergy> Mpm::body_energies(const std::vector<double>& sums) cons
     b.stored_after = of(Of::stored_after);
     b.work = of(Of::node_gain) - of(Of::node_work) + of(Of::load_work) + of(Of::corner_work);
     b.kick = of(Of::kick);
+    b.contact_slack = of(Of::contact_slack);
     b.heat = of(Of::heat);
     b.parted = of(Of::parted);
     b.particles = of(Of::particles);

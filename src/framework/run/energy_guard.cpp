@@ -45,7 +45,7 @@ EnergyGuard::Change EnergyGuard::change(const Account& account, const BodyEnergy
         -std::max(c.swing, account.swing) - driven * (std::fabs(b.work) + std::fabs(account.work));
   }
   c.gain = account.carried + own - own_work;
-  c.unjust += c.gain;
+  c.unjust += c.gain - std::max(0.0, b.contact_slack);
   c.carried = dK + c.rise - own - (b.work - own_work);
   const double energy = b.kinetic_before + std::fabs(b.stored_before);
   const double slow = 1e-8 * spacing / dt;
@@ -54,6 +54,14 @@ EnergyGuard::Change EnergyGuard::change(const Account& account, const BodyEnergy
   if (share > std::max(large_growth, 1.05 * account.record) && more > step_gain * c.scale)
     c.more = more;
   return c;
+}
+
+// What is sure of the gain, with either work of contact.
+double EnergyGuard::run_gain_of(const Account& a) {
+  const double low = a.gain - std::max(0.0, a.slack), high = a.gain - std::min(0.0, a.slack);
+  if (high < 0) return high;
+  // Of a swing, which is 6 D (1 - r^2), a fourth.
+  return std::max(0.0, low - 0.25 * a.most_swing);
 }
 
 std::optional<EnergyGuard::Excess> EnergyGuard::judge(const std::vector<BodyEnergy>& step,
@@ -83,6 +91,8 @@ void EnergyGuard::accept(const std::vector<BodyEnergy>& step, int number, double
     a.most = std::max(a.most, step[n].kinetic_before + std::fabs(step[n].stored_before));
     a.work_in += taken_in(step[n]);
     if (a.steps != 1) a.gain += c.gain;  // then H is known for the first time
+    if (a.steps > 1) a.most_swing = std::max(a.most_swing, c.swing);
+    a.slack += step[n].contact_slack;
     a.worst = std::max(a.worst, c.of_scale(c.unjust));
     a.carried = c.carried;
     a.rise = c.rise;
@@ -99,8 +109,8 @@ void EnergyGuard::accept(const std::vector<BodyEnergy>& step, int number, double
       else if (first == 0)
         first = number;
     };
-    since(a.gain > run_gain * c.scale, a.gained_since);
-    since(a.gain < -run_loss * c.scale, a.lost_since);
+    since(run_gain_of(a) > run_gain * c.scale, a.gained_since);
+    since(run_gain_of(a) < -run_loss * c.scale, a.lost_since);
   }
   if (factor_ < 1 && --left_ <= 0) {
     factor_ = std::min(1.0, 2 * factor_);
@@ -111,7 +121,7 @@ void EnergyGuard::accept(const std::vector<BodyEnergy>& step, int number, double
 std::vector<EnergyGuard::Crossing> EnergyGuard::crossings() const {
   std::vector<Crossing> all;
   for (const Account& a : accounts_) {
-    const double share = scale_of(a) > 0 ? a.gain / scale_of(a) : 0;
+    const double share = scale_of(a) > 0 ? run_gain_of(a) / scale_of(a) : 0;
     if (a.gained_since > 0) all.push_back({a.material, true, a.gained_since, share});
     if (a.lost_since > 0) all.push_back({a.material, false, a.lost_since, share});
   }
@@ -132,8 +142,8 @@ Json EnergyGuard::to_json() const {
   for (const Account& a : accounts_) {
     const double scale = scale_of(a);
     json[a.name] = {{"scale_J", scale},
-                    {"numerical_gain_J", a.gain},
-                    {"numerical_gain_of_scale", scale > 0 ? a.gain / scale : 0.0},
+                    {"numerical_gain_J", run_gain_of(a)},
+                    {"numerical_gain_of_scale", scale > 0 ? run_gain_of(a) / scale : 0.0},
                     {"largest_gain_of_a_step", a.worst},
                     {"above_gain_limit_since_step", a.gained_since},
                     {"below_loss_limit_since_step", a.lost_since}};
@@ -150,12 +160,12 @@ std::string EnergyGuard::summary() const {
           "warning: solid '{}' has gained energy by numerical error, more than {:g} % of its scale "
           "since step {}; {:+.2g} % at the end. Take a smaller <timestep_multiplier> or another "
           "<interpolator>\n",
-          a.name, 100 * run_gain, a.gained_since, 100 * a.gain / scale);
+          a.name, 100 * run_gain, a.gained_since, 100 * run_gain_of(a) / scale);
     if (a.lost_since > 0)
       text += fmt::format(
           "solid '{}' has lost more than {:g} % of its energy to transfer and integration since "
           "step {}; {:+.3g} % of its scale at the end\n",
-          a.name, 100 * run_loss, a.lost_since, 100 * a.gain / scale);
+          a.name, 100 * run_loss, a.lost_since, 100 * run_gain_of(a) / scale);
   }
   return text;
 }
@@ -177,6 +187,8 @@ Json EnergyGuard::checkpoint() const {
                       {"most", a.most},
                       {"work_in", a.work_in},
                       {"gain", a.gain},
+                      {"most_swing", a.most_swing},
+                      {"slack", a.slack},
                       {"worst", a.worst},
                       {"gained_since", a.gained_since},
                       {"lost_since", a.lost_since}});
@@ -203,6 +215,8 @@ void EnergyGuard::restore(const Json& json) {
     a.most = real("most");
     a.work_in = real("work_in");
     a.gain = real("gain");
+    a.most_swing = real("most_swing");
+    a.slack = real("slack");
     a.worst = real("worst");
     a.gained_since = whole("gained_since");
     a.lost_since = whole("lost_since");

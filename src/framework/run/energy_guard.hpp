@@ -16,7 +16,9 @@
 //   D^n = m |v+ - v-|^2/6 + (U^(n+1) - 2 U^n + U^(n-1))/12 = (omega dt)^2/6 of the energy,
 //
 // which is steady and small for modes that the grid resolves and grows in every step with an
-// unstable one. (Of v+ - v- what loads and contact make is left out.)
+// unstable one. (Of v+ - v- what loads and contact make is left out.) Of one amplitude H is less by
+// omega^2 a b/4 of the energy: a step of another length than the one before, as the last one of a
+// run, may change it by up to 3/2 D, which is taken off what a run has gained.
 //
 // A step whose g, or whose growth of a large and growing D, is above `step_gain` of the scale, the
 // largest energy or work of the body so far, is to be redone with half its length, and steps stay
@@ -42,6 +44,9 @@ struct BodyEnergy {
   double stored_before = 0, stored_after = 0;
   double work = 0;  // J . (v- + v+)/2 of all but the stress
   double kick = 0;  // J . (v+ - v-) of impulses that may be as large as the momentum
+  // By what the work may be more: contact that holds a velocity works by that one, contact that
+  // stops one by the middle of before and behind; which of both it is no node knows.
+  double contact_slack = 0;
   double heat = 0;  // that came in, where heat can move
   // Numbers of particles: that lost their neighbours (parted_bodies.hpp), and all.
   double parted = 0, particles = 0;
@@ -94,19 +99,21 @@ class EnergyGuard {
   struct Account {
     std::string name;
     int material = 0;
-    int steps = 0;       // booked; at most 2
-    double carried = 0;  // part of the energy of the next step that this one made, less its work
-    double rise = 0;     // U^n - U^(n-1)
-    double growth = 0;   // D
-    double record = 0;   // largest D over the scale, slowly forgotten
-    int streak = 0;      // steps in which D was large and grew
-    double dt = 0;       // of the step before
-    double work = 0;     // likewise
-    double swing = 0;    // by what a change of its length changed H at most
-    double most = 0;     // largest energy
-    double work_in = 0;  // positive work and heat so far
-    double gain = 0;     // sum of g
-    double worst = 0;    // largest g of a step, as a share
+    int steps = 0;          // booked; at most 2
+    double carried = 0;     // part of the energy of the next step that this one made, less its work
+    double rise = 0;        // U^n - U^(n-1)
+    double growth = 0;      // D
+    double record = 0;      // largest D over the scale, slowly forgotten
+    int streak = 0;         // steps in which D was large and grew
+    double dt = 0;          // of the step before
+    double work = 0;        // likewise
+    double swing = 0;       // by what a change of its length changed H at most
+    double most = 0;        // largest energy
+    double work_in = 0;     // positive work and heat so far
+    double gain = 0;        // sum of g
+    double most_swing = 0;  // largest swing so far
+    double slack = 0;       // sum of slacks of contact
+    double worst = 0;       // largest g of a step, as a share
     int gained_since = 0, lost_since = 0;  // step; 0: not beyond the limit
   };
   struct Change {
@@ -116,6 +123,7 @@ class EnergyGuard {
     double more = 0;    // of D, where it is large and grows
     double of_scale(double x) const { return scale > 0 ? x / scale : 0; }
   };
+  static double run_gain_of(const Account& a);
   static double scale_of(const Account& a) { return a.most > a.work_in ? a.most : a.work_in; }
   static Change change(const Account& account, const BodyEnergy& step, double dt, double spacing);
 

@@ -90,6 +90,12 @@ TEST(EnergyGuard, AStepOfAnotherLengthIsNoGain) {
     };
     EXPECT_EQ(run(guard, spring, 1000, length).refused, 0) << most;
   }
+  // The last step of a run is cut: H rises by up to (omega dt)^2/4 of the energy, 4 % here.
+  EnergyGuard guard;
+  Spring spring(1);
+  run(guard, spring, 100, [](int n) { return n < 100 ? 0.4 : 0.01; });
+  EXPECT_EQ(gain_of(guard), 0);
+  EXPECT_TRUE(guard.crossings().empty());
 }
 
 TEST(EnergyGuard, WorkFromOutsideIsNoGain) {

@@ -59,6 +59,7 @@ class NodeLanes {
     values_.resize(static_cast<std::size_t>(table.count()) * block_lanes);
   }
   void clear() { values_.clear(); }
+  int blocks() const { return static_cast<int>(values_.size() / block_lanes); }
   std::int64_t* sums(int block) {
     return values_.data() + static_cast<std::size_t>(block) * block_lanes;
   }

@@ -19,6 +19,11 @@ using Four = double __attribute__((vector_size(32)));
 using FourBits = std::uint64_t __attribute__((vector_size(32)));
 using FourAtNode = double __attribute__((vector_size(32), may_alias));
 using FourBitsAtNode = std::uint64_t __attribute__((vector_size(32), may_alias));
+// A whole node.
+using Eight = double __attribute__((vector_size(64)));
+using EightBits = std::uint64_t __attribute__((vector_size(64)));
+using EightAtNode = double __attribute__((vector_size(64), may_alias));
+using EightBitsAtNode = std::uint64_t __attribute__((vector_size(64), may_alias));
 
 inline constexpr double rounding_number = 0x1.8p52;  // 1.5 2^52
 inline constexpr std::int64_t rounding_bits = std::bit_cast<std::int64_t>(rounding_number);
@@ -38,6 +43,15 @@ inline void add_rounded(std::int64_t* node, Four value) {
   const Four rounded = value + rounding_number;
   auto* to = reinterpret_cast<FourBitsAtNode*>(node);
   *to += reinterpret_cast<FourBits>(rounded);
+}
+
+inline Eight joined(const Four& low, const Four& high) {
+  return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
+}
+[[gnu::always_inline]] inline void add_rounded(std::int64_t* node, const Eight& value) {
+  const Eight rounded = value + rounding_number;
+  auto* to = reinterpret_cast<EightBitsAtNode*>(node);
+  *to += reinterpret_cast<EightBits>(rounded);
 }
 
 // 2^k for contributions of at most `bound`; 1 where all are zero.

@@ -23,6 +23,8 @@ struct BodyEnergySums {
     node_work,
     load_work,
     corner_work,
+    // Work of contact by velocities behind it, beyond that by the middle of before and behind.
+    contact_slack,
     kick_gain,  // what kicks of the midpoint transfer gave to velocities and spins of particles
     kick,       // sum J . dv of impulses J of everything but these forces
     heat,       // sum m c_v dT, where heat can move

@@ -255,8 +255,8 @@ void SolidStep::advance(const BlockWork& w, const StageScope& scope, ThreadRepor
     else if (rigid)
       read_rigid(w, at, n, false, report);
     else
-      read_window(solids_->basis, body.grid, places_of_gradients(w), shape_of_gradients(w),
-                  static_cast<int>(at), n, false, report.window, report.read);
+      read_velocities(solids_->basis, body.grid, places_of_gradients(w), shape_of_gradients(w),
+                      static_cast<int>(at), n, report.window, report.read);
     if (solids_->axisymmetric)
       add_hoop_rate(middle ? *w.next : *w.set,
                     (solids_->maps_back() && !rigid ? body.mapped_units : body.units).reference.x,

@@ -16,6 +16,22 @@ void to_velocities(std::int64_t* node, const SumUnits& units) {
   for (int l = 0; l < lanes; ++l) node[l] = as_bits(l < 3 ? v[l] : 0.0);
 }
 
+// Where contact acts the velocity along its impulse is that which it gave: with the nodes at which
+// that is so found anew, bodies would leave each other faster than they came.
+void hold_met(Body& body) {
+  for (int b = 0; b < body.met.blocks(); ++b) {
+    const std::int64_t* met = body.met.sums(b);
+    std::int64_t* node = body.mapped.sums(b);
+    for (int n = 0; n < block_nodes; ++n, met += lanes, node += lanes) {
+      if (met[count_lane] == 0) continue;
+      double lacking = as_real(met[3]);
+      for (int d = 0; d < 3; ++d)
+        lacking -= as_real(met[d]) * (as_real(node[d]) + body.mapped_units.reference[d]);
+      for (int d = 0; d < 3; ++d) node[d] = as_bits(as_real(node[d]) + lacking * as_real(met[d]));
+    }
+  }
+}
+
 }  // namespace
 
 void SolidStep::sum_back(const StageScope& scope, std::span<const KindRates> bounds) {
@@ -67,6 +83,7 @@ void SolidStep::finish_back(const StageScope& scope) {
           std::int64_t* node = body.mapped.sums(static_cast<int>(b));
           for (int n = 0; n < block_nodes; ++n) to_velocities(node + n * lanes, body.mapped_units);
         });
+    hold_met(body);
     hold_boundary(static_cast<int>(m));
     boundary_->unfold(static_cast<int>(m), body.table, body.mapped);
   }

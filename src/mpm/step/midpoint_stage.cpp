@@ -16,6 +16,7 @@
 #include <limits>
 
 #include "mpm/step/carry_corners.hpp"
+#include "mpm/step/largest.hpp"
 #include "mpm/step/thread_report.hpp"
 #include "mpm/step/travel.hpp"
 
@@ -77,14 +78,13 @@ void SolidStep::kick_particles(const BlockWork& w, const StageScope& scope, std:
     double* middle = w.next->coordinate(d) + at;
     double* to_v = w.next->column(static_cast<std::size_t>(c.velocity + d)) + at;
     const double half = 0.5 * scope.step.dt, inverse = 1 / level_.spacing[d];
-    bool sound = true;
     for (int q = 0; q < n; ++q) {
       to_v[q] = v[q] + got.dv[d][q];
       middle[q] = x[q] + half * to_v[q];
-      way = std::max(way, std::fabs(half * to_v[q]) * inverse);
-      sound &= to_v[q] == to_v[q];
     }
-    if (!sound) way = std::nan("");
+    const double own = largest(0, static_cast<std::size_t>(n), 0,
+                               [&](std::size_t q) { return std::fabs(half * to_v[q]) * inverse; });
+    if (own > way || own != own) way = own;  // what is no number stays
     const double* spin = w.set->column(static_cast<std::size_t>(c.spin + d)) + at;
     double* to_spin = w.next->column(static_cast<std::size_t>(c.spin + d)) + at;
     if (!turns(level_, d)) {
@@ -110,6 +110,7 @@ void SolidStep::kick_particles(const BlockWork& w, const StageScope& scope, std:
     std::copy_n(got.dv[d], n, report.read.dv[d]);
   }
   take_outside_forces(w, at, n, report.read, report.books);
+  add_bounds(w, at, n, report);
 }
 
 // The step is not finished: its middle is its start, so that windows hold what is there.
@@ -207,18 +208,22 @@ void SolidStep::relax_spins(const BlockWork& w, double dt, std::size_t at, int n
               report.books.bodies[static_cast<std::size_t>(w.kind)][Of::kinetic_after]);
 }
 
-// Of the new velocities and spins of a block.
-void SolidStep::add_bounds(const BlockWork& w, ThreadReport& report) const {
+// Of new velocities and spins, and of places of the middle of the step.
+void SolidStep::add_bounds(const BlockWork& w, std::size_t at, int n, ThreadReport& report) const {
   const Columns& c = bodies_[static_cast<std::size_t>(w.kind)].carried->columns;
   KindRates& rates = report.rates[static_cast<std::size_t>(w.kind)];
   for (int d = 0; d < 3; ++d) {
     const double* v = w.next->column(static_cast<std::size_t>(c.velocity + d));
     const double* spin = w.next->column(static_cast<std::size_t>(c.spin + d));
-    for (std::size_t p = w.run.begin; p < w.run.end; ++p) {
-      rates.up[d] = std::max(rates.up[d], v[p]);
-      rates.down[d] = std::max(rates.down[d], -v[p]);
-      rates.affine = std::max(rates.affine, std::fabs(spin[p]));
-    }
+    const double* x = w.next->coordinate(d);
+    const std::size_t end = at + static_cast<std::size_t>(n);
+    const auto most = [&](double from, const auto& of) { return largest(at, end, from, of); };
+    rates.up[d] = most(rates.up[d], [&](std::size_t p) { return v[p]; });
+    rates.down[d] = most(rates.down[d], [&](std::size_t p) { return -v[p]; });
+    if (turns(level_, d))
+      rates.affine = most(rates.affine, [&](std::size_t p) { return std::fabs(spin[p]); });
+    report.up[d] = most(report.up[d], [&](std::size_t p) { return x[p]; });
+    report.down[d] = most(report.down[d], [&](std::size_t p) { return -x[p]; });
   }
 }
 
@@ -229,6 +234,7 @@ std::vector<KindRates> SolidStep::kick_all(const StageScope& scope, std::string&
     const Body& body = bodies_[static_cast<std::size_t>(w.kind)];
     ThreadReport& report = reports[static_cast<std::size_t>(thread)];
     if (!body.material->rigid) report.window.load(w.lowest, w.highest, body.table, body.nodes);
+    report.up = report.down = KindRates::none();
     for (std::size_t at = w.run.begin; at < w.run.end; at += chunk_size) {
       const int n = static_cast<int>(std::min<std::size_t>(chunk_size, w.run.end - at));
       if (body.material->rigid)
@@ -237,8 +243,7 @@ std::vector<KindRates> SolidStep::kick_all(const StageScope& scope, std::string&
         kick_particles(w, scope, at, n, report);
     }
     if (body.material->rigid) return;
-    find_middle_nodes(w);
-    add_bounds(w, report);
+    find_middle_nodes(w, report);
   });
   return take_first_reports(scope, reports, fault);
 }
@@ -250,6 +255,8 @@ std::vector<KindRates> SolidStep::hold_start(const StageScope& scope, bool spins
     const Body& body = bodies_[static_cast<std::size_t>(w.kind)];
     const Columns& c = body.carried->columns;
     if (body.material->rigid) return;
+    ThreadReport& report = reports[static_cast<std::size_t>(thread)];
+    report.up = report.down = KindRates::none();
     const std::size_t count = w.run.end - w.run.begin;
     for (int d = 0; d < 3; ++d) {
       const auto keep = [&](const double* from, double* to) {
@@ -263,8 +270,8 @@ std::vector<KindRates> SolidStep::hold_start(const StageScope& scope, bool spins
     }
     stay(w, w.run.begin, static_cast<int>(count));
     find_nodes_of(w);
-    find_middle_nodes(w);
-    add_bounds(w, reports[static_cast<std::size_t>(thread)]);
+    add_bounds(w, w.run.begin, static_cast<int>(count), report);
+    find_middle_nodes(w, report);
   });
   std::vector<KindRates> rates(bodies_.size());
   for (const ThreadReport& r : reports)
@@ -284,8 +291,8 @@ void SolidStep::take_spins(const StageScope& scope) {
     ParticleSet& set = scope.particles->store(w.kind).set(level_.index, w.box);
     for (std::size_t at = w.run.begin; at < w.run.end; at += chunk_size) {
       const int n = static_cast<int>(std::min<std::size_t>(chunk_size, w.run.end - at));
-      read_window(solids_->basis, body.grid, places_of_gradients(w), shape_of_gradients(w),
-                  static_cast<int>(at), n, false, report.window, report.read);
+      read_velocities(solids_->basis, body.grid, places_of_gradients(w), shape_of_gradients(w),
+                      static_cast<int>(at), n, report.window, report.read);
       for (int k = 0; k < 3; ++k) {
         double* spin = set.column(static_cast<std::size_t>(c.spin + k)) + at;
         for (int q = 0; q < n; ++q) spin[q] = turns(level_, k) ? spin_of(report.read, k, q) : 0.0;
@@ -300,7 +307,7 @@ double SolidStep::extent_of_middle(const Body& body) const {
 }
 
 // Nodes around the places of the middle of the step, of all particles of a block.
-void SolidStep::find_middle_nodes(BlockWork& w) const {
+void SolidStep::find_middle_nodes(BlockWork& w, const ThreadReport& report) const {
   const Body& body = bodies_[static_cast<std::size_t>(w.kind)];
   const int reach = by_corners(solids_->basis)
                         ? static_cast<int>(std::floor(extent_of_middle(body) + most_stray)) + 1
@@ -309,19 +316,13 @@ void SolidStep::find_middle_nodes(BlockWork& w) const {
   w.middle_highest = w.highest;
   for (int d = 0; d < 3; ++d) {
     if (shape_.edge[d] == 1) continue;
-    const double* x = w.next->coordinate(d);
-    double low = x[w.run.begin], high = low;
-    for (std::size_t p = w.run.begin; p < w.run.end; ++p) {
-      low = std::min(low, x[p]);
-      high = std::max(high, x[p]);
-    }
     const Axis& axis = body.grid.axes[static_cast<std::size_t>(d)];
     const auto cell = [&](double place) {
       return static_cast<int>(std::floor(axis.place(place) + axis.first));
     };
     // A step in which a particle would go farther is not finished.
-    w.middle_lowest[d] = std::max(cell(low) - reach, w.lowest[d] - 1);
-    w.middle_highest[d] = std::min(cell(high) + 1 + reach, w.highest[d] + 1);
+    w.middle_lowest[d] = std::max(cell(-report.down[d]) - reach, w.lowest[d] - 1);
+    w.middle_highest[d] = std::min(cell(report.up[d]) + 1 + reach, w.highest[d] + 1);
   }
 }
 

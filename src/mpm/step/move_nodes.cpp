@@ -78,10 +78,22 @@ static void book_energy(const NodeImpulses& of, double mass, Vec3 v, Vec3 after,
   const Vec3 middle = 0.5 * (v + after);
   body[BodyEnergySums::node_gain].add(0.5 * mass * (dot(after, after) - dot(v, v)));
   body[BodyEnergySums::node_work].add(dot(of.push, middle));
-  if (of.met != Vec3{}) books.sums[StepSums::contact_loss].add(-dot(of.met, middle));
+  if (of.met != Vec3{}) {
+    books.sums[StepSums::contact_loss].add(-dot(of.met, middle));
+    body[BodyEnergySums::contact_slack].add(dot(of.met, after - middle));
+  }
   if (!kicked && of.met == Vec3{}) return;
   const Vec3 change = after - v;
   body[BodyEnergySums::kick].add(dot(mass * change - of.push, change));
+}
+
+// Along the impulse of contact the velocity of a node is given.
+static void keep_met(Body& body, int block, int n, Vec3 impulse, Vec3 after) {
+  const Vec3 direction = (1 / std::sqrt(dot(impulse, impulse))) * impulse;
+  std::int64_t* met = body.met.sums(block) + n * lanes;
+  for (int d = 0; d < 3; ++d) met[d] = as_bits(direction[d]);
+  met[3] = as_bits(dot(after, direction));
+  met[count_lane] = 1;
 }
 
 void SolidStep::finish_block(const NodeStep& step, int m, int block, const BlockImpulses& impulses,
@@ -121,6 +133,7 @@ void SolidStep::finish_block(const NodeStep& step, int m, int block, const Block
     if (booked && !image)
       book_energy(of, mass, v, after, held || forced, books.bodies[static_cast<std::size_t>(m)],
                   books);
+    if (solids_->midpoint() && of.met != Vec3{}) keep_met(body, block, n, of.met, after);
     for (int d = 0; d < 3; ++d) {
       node[d] = as_bits(after[d] - body.units.reference[d]);
       node[4 + d] = as_bits(after[d] - v[d]);
@@ -194,6 +207,8 @@ Verdict SolidStep::move_nodes(const StageScope& scope) {
     list_groups();
     for (Body& body : bodies_) {
       body.friction.clear();
+      body.met.clear();
+      if (contact_ != nullptr && solids_->midpoint()) body.met.fit(body.table);
       if (solids_->friction_heats) body.friction.fit(body.table);
     }
     std::vector<MeetingScratch> scratch(static_cast<std::size_t>(team.size()));

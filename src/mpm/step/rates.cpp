@@ -6,22 +6,11 @@
 #include "mpm/material/batch_math.hpp"
 #include "mpm/material/material.hpp"
 #include "mpm/shape/weights.hpp"
+#include "mpm/step/largest.hpp"
 #include "mpm/transfer/corners.hpp"
 
 namespace sluice::mpm {
 namespace {
-
-// The largest of f(i); a NaN wins.
-template <class F>
-double largest(std::size_t begin, std::size_t end, double from, F&& f) {
-  bool sound = true;
-  for (std::size_t i = begin; i < end; ++i) {
-    const double x = f(i);
-    sound &= x == x;
-    from = x > from ? x : from;
-  }
-  return sound ? from : std::nan("");
-}
 
 // Row d of F^-1 of a particle.
 Vec3 inverse_row(const Nine<const double>& F, int d, std::size_t p) {
@@ -177,22 +166,25 @@ double step_rate(const Level& level, const ParticleSet& set, const Columns& colu
   for (int d = 0; d < 3; ++d) {
     if (!level.active[static_cast<std::size_t>(d)]) continue;
     const double* v = set.column(static_cast<std::size_t>(columns.velocity + d)) + at;
-    double most = 0;
-    if (columns.reference >= 0)
-      for (int q = 0; q < n; ++q) {
-        const Vec3 row = inverse_row(F, d, at + static_cast<std::size_t>(q));
-        most = std::max(most, c[q] * std::sqrt(dot(row, row)));
-      }
-    else
-      for (int q = 0; q < n; ++q) most = std::max(most, c[q] + std::fabs(v[q]));
-    rate = std::max(rate, most / level.spacing[d]);
+    const auto count = static_cast<std::size_t>(n);
+    const double most =
+        columns.reference >= 0
+            ? largest(0, count, 0,
+                      [&](std::size_t q) {
+                        const Vec3 row = inverse_row(F, d, at + q);
+                        return c[q] * std::sqrt(dot(row, row));
+                      })
+            : largest(0, count, 0, [&](std::size_t q) { return c[q] + std::fabs(v[q]); });
+    // What is no number must not be lost: the step is then rejected.
+    if (!(most <= rate * level.spacing[d])) rate = most / level.spacing[d];
   }
   return rate;
 }
 
 double wave_rate(const Level& level, int n, const double* c) {
-  double most = 0, inverse = 0;
-  for (int q = 0; q < n; ++q) most = std::max(most, c[q]);
+  double inverse = 0;
+  const double most =
+      largest(0, static_cast<std::size_t>(n), 0, [&](std::size_t q) { return c[q]; });
   for (int d = 0; d < 3; ++d)
     if (level.active[static_cast<std::size_t>(d)])
       inverse = std::max(inverse, 1 / level.spacing[d]);

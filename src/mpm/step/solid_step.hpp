@@ -66,8 +66,9 @@ struct Body {
   std::vector<CornerForce> corners;  // loads on corners of this rank's particles, then the fluid's
   std::size_t corner_loads = 0;      // how many are loads
   NodeLanes cohesive;                // sums of cohesive points: stiffness, -, -, - | force
-  NodeLanes friction;                // rise of temperature by friction, where it heats
-  Vec3 pushed{};                     // change of velocity of a body that transmits forces
+  NodeLanes met;       // midpoint transfer, where contact acts: its direction, v* along it
+  NodeLanes friction;  // rise of temperature by friction, where it heats
+  Vec3 pushed{};       // change of velocity of a body that transmits forces
 };
 
 // What a step sums for the books of a run, beside what its particles tell.
@@ -309,8 +310,8 @@ class SolidStep {
   void relax_spins(const BlockWork& work, double dt, std::size_t at, int n,
                    ThreadReport& report) const;
   double extent_of_middle(const Body& body) const;
-  void find_middle_nodes(BlockWork& work) const;
-  void add_bounds(const BlockWork& work, ThreadReport& report) const;
+  void find_middle_nodes(BlockWork& work, const ThreadReport& report) const;
+  void add_bounds(const BlockWork& work, std::size_t at, int n, ThreadReport& report) const;
   std::array<const double*, 3> places_of_gradients(const BlockWork& work) const;
   ParticleShape shape_of_gradients(const BlockWork& work) const;
   double halve_corners(const BlockWork& work, double half, std::size_t at, int n,

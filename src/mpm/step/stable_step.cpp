@@ -43,10 +43,13 @@ StableShare stable_share(const MpmScene& solids, const std::array<bool, 3>& acti
   const BasisLimit limit = limit_of(solids);
   // A fluid beside them adds its stiffness to nodes of little mass (MPMICE).
   constexpr double beside_fluid = 0.55;
+  // Nodes at which contact acts have the velocities that it gave, not those of particles.
+  constexpr double where_bodies_meet = 0.8;
   StableShare least;
   const auto consider = [&](int count) {
     double share = limit.shares[static_cast<std::size_t>(std::clamp(count, 1, 3)) - 1];
     if (solids.whole_kicks) share = std::min(share, beside_fluid);
+    if (solids.midpoint() && !solids.contacts.empty()) share = std::min(share, where_bodies_meet);
     if (share < least.share)
       least = {share, fmt::format("{} with {} particle{} per cell and direction", limit.name, count,
                                   count == 1 ? "" : "s")};

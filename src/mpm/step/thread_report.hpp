@@ -21,6 +21,7 @@ struct SolidStep::ThreadReport {
   double rate = 0;    // of the time step, 1/s
   double travel = 0;  // farthest way of a particle, cells
   bool left = false;
+  Vec3 up{}, down{};  // of x and -x at the middle of the step, of a block
   std::vector<KindRates> rates;
   NodeBooks books;  // of loads, and of rigid bodies with a prescribed motion
   LawBatch columns;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mpm/step/largest.hpp"
+
 namespace sluice::mpm {
 
 double farthest_way(const ParticleSet& set, const ParticleSet& next, std::size_t at, int n,
@@ -11,7 +13,8 @@ double farthest_way(const ParticleSet& set, const ParticleSet& next, std::size_t
   for (int d = 0; d < 3; ++d) {
     const double *x = set.coordinate(d) + at, *to = next.coordinate(d) + at;
     const double inverse = 1 / spacing[d];
-    for (int q = 0; q < n; ++q) far = std::max(far, std::fabs(to[q] - x[q]) * inverse);
+    far = largest(0, static_cast<std::size_t>(n), far,
+                  [&](std::size_t q) { return std::fabs(to[q] - x[q]) * inverse; });
   }
   return far;
 }

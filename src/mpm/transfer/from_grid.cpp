@@ -7,89 +7,118 @@
 namespace sluice::mpm {
 namespace {
 
-// Sums over the first A axes: v*, its change, and (A each) sum v* dS/dx_a, sum S v* (x_i - x_p)_a.
-template <int A, bool Moments>
+// v* of a node or a sum, with its change where that is asked for.
+template <bool Changes>
+struct ValuesOf {
+  using Lanes = Eight;
+};
+template <>
+struct ValuesOf<false> {
+  using Lanes = Four;
+};
+template <bool Changes>
+using Values = typename ValuesOf<Changes>::Lanes;
+[[gnu::always_inline]] inline Four velocity_of(const Four& values) {
+  return values;
+}
+[[gnu::always_inline]] inline Four velocity_of(const Eight& values) {
+  return __builtin_shufflevector(values, values, 0, 1, 2, 3);
+}
+
+// Sums over the first A axes: v* and its change, and (A each) sum v* dS/dx_a, sum S v* (x_i -
+// x_p)_a.
+template <int A, bool Moments, bool Changes>
 struct Sums {
-  Four velocity, change;
+  Values<Changes> values;
   Four slope[A];
   Four moment[Moments ? A : 1];
 };
 
-template <int N, bool Moments>
-[[gnu::always_inline]] inline Sums<1, Moments> read_row(const std::int64_t* node,
-                                                        const double (&w)[N], const double (&d)[N],
-                                                        const double (&off)[N]) {
-  Paired<N> velocity, change, slope, moment;
+template <int N, bool Moments, bool Changes>
+[[gnu::always_inline]] inline void read_row(const std::int64_t* node, const double (&w)[N],
+                                            const double (&d)[N], const double (&off)[N],
+                                            Sums<1, Moments, Changes>& to) {
+  Paired<N, Values<Changes>> values;
+  Paired<N> slope, moment;
   for (int i = 0; i < N; ++i, node += lanes) {
-    const Four v = *reinterpret_cast<const FourAtNode*>(node);
-    const Four c = *reinterpret_cast<const FourAtNode*>(node + 4);
-    velocity.add(i, w[i] * v);
-    change.add(i, w[i] * c);
+    Values<Changes> all;
+    if constexpr (Changes)
+      all = *reinterpret_cast<const EightAtNode*>(node);
+    else
+      all = *reinterpret_cast<const FourAtNode*>(node);
+    const Four v = velocity_of(all);
+    values.add(i, w[i] * all);
     slope.add(i, d[i] * v);
     if constexpr (Moments) moment.add(i, off[i] * v);
   }
-  Sums<1, Moments> to;
-  to.velocity = velocity.sum();
-  to.change = change.sum();
+  values.sum(to.values);
   to.slope[0] = slope.sum();
   if constexpr (Moments) to.moment[0] = moment.sum();
-  return to;
 }
 
 // Sums over axes 0 to A from those over axes 0 to A - 1 at the N places of axis A.
-template <int N, int A, bool Moments, class At>
-[[gnu::always_inline]] inline Sums<A + 1, Moments> join(const AxisWeights<N>& axis, int q,
-                                                        const At& at) {
-  Paired<N> velocity, change, slope[A + 1], moment[Moments ? A + 1 : 1];
+template <int N, int A, bool Moments, bool Changes, class At>
+[[gnu::always_inline]] inline void join(const AxisWeights<N>& axis, int q, const At& at,
+                                        Sums<A + 1, Moments, Changes>& to) {
+  Paired<N, Values<Changes>> values;
+  Paired<N> slope[A + 1], moment[Moments ? A + 1 : 1];
   for (int i = 0; i < N; ++i) {
-    const Sums<A, Moments> s = at(i);
+    Sums<A, Moments, Changes> s;
+    at(i, s);
     const double w = axis.w[i][q];
-    velocity.add(i, w * s.velocity);
-    change.add(i, w * s.change);
+    const Four v = velocity_of(s.values);
+    values.add(i, w * s.values);
     for (int a = 0; a < A; ++a) slope[a].add(i, w * s.slope[a]);
-    slope[A].add(i, axis.d[i][q] * s.velocity);
+    slope[A].add(i, axis.d[i][q] * v);
     if constexpr (Moments) {
       for (int a = 0; a < A; ++a) moment[a].add(i, w * s.moment[a]);
-      moment[A].add(i, (w * axis.off[i][q]) * s.velocity);
+      moment[A].add(i, (w * axis.off[i][q]) * v);
     }
   }
-  Sums<A + 1, Moments> to;
-  to.velocity = velocity.sum();
-  to.change = change.sum();
+  values.sum(to.values);
   for (int a = 0; a <= A; ++a) {
     to.slope[a] = slope[a].sum();
     if constexpr (Moments) to.moment[a] = moment[a].sum();
   }
-  return to;
 }
 
-template <int D, int N, bool Moments>
-[[gnu::always_inline]] inline Sums<D, Moments> read_particle(const AxisWeights<N> (&w)[D], int q,
-                                                             const std::int64_t* node,
-                                                             const std::ptrdiff_t (&stride)[D]) {
+template <int D, int N, bool Moments, bool Changes>
+[[gnu::always_inline]] inline void read_particle(const AxisWeights<N> (&w)[D], int q,
+                                                 const std::int64_t* node,
+                                                 const std::ptrdiff_t (&stride)[D],
+                                                 Sums<D, Moments, Changes>& to) {
   double wx[N], dx[N], off[N];
   for (int i = 0; i < N; ++i) {
     wx[i] = w[0].w[i][q];
     dx[i] = w[0].d[i][q];
     off[i] = Moments ? wx[i] * w[0].off[i][q] : 0.0;
   }
-  const auto row = [&](const std::int64_t* at)
-                       [[gnu::always_inline]] { return read_row<N, Moments>(at, wx, dx, off); };
+  const auto row =
+      [&](const std::int64_t* at, Sums<1, Moments, Changes>& of_row)
+          [[gnu::always_inline]] { read_row<N, Moments, Changes>(at, wx, dx, off, of_row); };
   if constexpr (D == 1) {
-    return row(node);
-  } else if constexpr (D == 2) {
-    return join<N, 1, Moments>(
-        w[1], q, [&](int j) [[gnu::always_inline]] { return row(node + j * stride[1]); });
+    row(node, to);
   } else {
-    return join<N, 2, Moments>(w[2], q, [&](int k) [[gnu::always_inline]] {
-      return join<N, 1, Moments>(w[1], q, [&](int j) [[gnu::always_inline]] {
-        return row(node + k * stride[2] + j * stride[1]);
-      });
-    });
+    const auto plane = [&](const std::int64_t* at, Sums<2, Moments, Changes>& of_plane)
+                           [[gnu::always_inline]] {
+                             join<N, 1, Moments, Changes>(
+                                 w[1], q,
+                                 [&](int j, Sums<1, Moments, Changes>& of_row)
+                                     [[gnu::always_inline]] { row(at + j * stride[1], of_row); },
+                                 of_plane);
+                           };
+    if constexpr (D == 2)
+      plane(node, to);
+    else
+      join<N, 2, Moments, Changes>(
+          w[2], q,
+          [&](int k, Sums<2, Moments, Changes>& of_plane)
+              [[gnu::always_inline]] { plane(node + k * stride[2], of_plane); },
+          to);
   }
 }
 
-template <int D, class B, bool Moments>
+template <int D, class B, bool Moments, bool Changes>
 void read(Basis basis, const TransferGrid& grid, const std::array<const double*, 3>& x,
           const ParticleShape& shape, int at, int n, const Window& window, GridAtParticles& to) {
   alignas(64) static thread_local AxisWeights<B::nodes> w[D];
@@ -107,10 +136,11 @@ void read(Basis basis, const TransferGrid& grid, const std::array<const double*,
   for (int q = 0; q < n; ++q) {
     const std::int64_t* node = nodes;
     for (int a = 0; a < D; ++a) node += (w[a].first[q] - low[a]) * stride[a];
-    const Sums<D, Moments> s = read_particle<D, B::nodes, Moments>(w, q, node, stride);
+    Sums<D, Moments, Changes> s;
+    read_particle<D, B::nodes, Moments, Changes>(w, q, node, stride, s);
     for (int e = 0; e < 3; ++e) {
-      to.u[e][q] = s.velocity[e];
-      to.dv[e][q] = s.change[e];
+      to.u[e][q] = s.values[e];
+      if constexpr (Changes) to.dv[e][q] = s.values[4 + e];
       for (int a = 0; a < D; ++a) {
         const int d = grid.active[static_cast<std::size_t>(a)];
         to.L[3 * e + d][q] = s.slope[a][e];
@@ -141,8 +171,17 @@ void read_window(Basis basis, const TransferGrid& grid, const std::array<const d
                  GridAtParticles& to) {
   if (by_corners(basis)) return read_corners(basis, grid, x, shape, at, n, window, to);
   for_basis(basis, has_own_widths(basis, shape), grid.count, [&]<int D, class B>() {
-    moments ? read<D, B, true>(basis, grid, x, shape, at, n, window, to)
-            : read<D, B, false>(basis, grid, x, shape, at, n, window, to);
+    moments ? read<D, B, true, true>(basis, grid, x, shape, at, n, window, to)
+            : read<D, B, false, true>(basis, grid, x, shape, at, n, window, to);
+  });
+}
+
+void read_velocities(Basis basis, const TransferGrid& grid, const std::array<const double*, 3>& x,
+                     const ParticleShape& shape, int at, int n, const Window& window,
+                     GridAtParticles& to) {
+  if (by_corners(basis)) return read_corners(basis, grid, x, shape, at, n, window, to);
+  for_basis(basis, has_own_widths(basis, shape), grid.count, [&]<int D, class B>() {
+    read<D, B, false, false>(basis, grid, x, shape, at, n, window, to);
   });
 }
 

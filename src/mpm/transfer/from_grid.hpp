@@ -25,6 +25,11 @@ void read_window(Basis basis, const TransferGrid& grid, const std::array<const d
                  const ParticleShape& shape, int at, int n, bool moments, const Window& window,
                  GridAtParticles& to);
 
+// Without dv, which is not touched.
+void read_velocities(Basis basis, const TransferGrid& grid, const std::array<const double*, 3>& x,
+                     const ParticleShape& shape, int at, int n, const Window& window,
+                     GridAtParticles& to);
+
 // No gradients along directions that are not active.
 void clear_inactive(const TransferGrid& grid, int n, bool moments, GridAtParticles& to);
 

@@ -47,17 +47,17 @@ void reference_row(const ParticlesToGrid& p, int d, int at, int n, double scale,
   }
 }
 
-// Column d of C of a spin: w x e_d.
-void add_spin(const ParticlesToGrid& p, int d, int at, int n, double unit, int a, Gift* gifts) {
-  const int e = (d + 1) % 3, f = (d + 2) % 3;
-  const double* w_e = p.spin[static_cast<std::size_t>(e)] + at;
-  const double* w_f = p.spin[static_cast<std::size_t>(f)] + at;
+// Columns of C of a spin: w x e_d.
+void add_spin(const TransferGrid& grid, const ParticlesToGrid& p, int at, int n, double unit,
+              Gift* gifts) {
+  const double *x = p.spin[0] + at, *y = p.spin[1] + at, *z = p.spin[2] + at;
   for (int q = 0; q < n; ++q) {
     const double mu = p.mass[at + q] * unit;
-    Four column{};
-    column[1 + e] = mu * w_f[q];
-    column[1 + f] = -(mu * w_e[q]);
-    gifts[q].affine[a] = column;
+    const Four columns[3] = {{0, 0, mu * z[q], -(mu * y[q])},
+                             {0, -(mu * z[q]), 0, mu * x[q]},
+                             {0, mu * y[q], -(mu * x[q]), 0}};
+    for (int a = 0; a < grid.count; ++a)
+      gifts[q].affine[a] = columns[grid.active[static_cast<std::size_t>(a)]];
   }
 }
 
@@ -77,6 +77,7 @@ void make_gifts(const TransferGrid& grid, const ParticlesToGrid& p, int at, int 
     for (int q = 0; q < n; ++q)
       gifts[q].load = Four{p.load[0][at + q] * u.force, p.load[1][at + q] * u.force,
                            p.load[2][at + q] * u.force, 0.0};
+  if (p.spin[0] != nullptr) add_spin(grid, p, at, n, u.momentum, gifts);
   for (int a = 0; a < grid.count; ++a) {
     const int d = grid.active[static_cast<std::size_t>(a)];
     if (p.volume == nullptr) {
@@ -89,7 +90,6 @@ void make_gifts(const TransferGrid& grid, const ParticlesToGrid& p, int at, int 
         stress_row(p, d, at, n, -u.force, row);
       for (int q = 0; q < n; ++q) gifts[q].traction[a] = Four{row[0][q], row[1][q], row[2][q], 0.0};
     }
-    if (p.spin[0] != nullptr) add_spin(p, d, at, n, u.momentum, a, gifts);
     if (p.affine[0] == nullptr) continue;
     const double* C[3];
     for (int e = 0; e < 3; ++e) C[e] = p.affine[static_cast<std::size_t>(3 * e + d)] + at;

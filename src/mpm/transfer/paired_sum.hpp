@@ -6,10 +6,10 @@ namespace sluice::mpm {
 
 // Outside in: ((first + last) + middle), or (first + last) + (second + third). A mirror image then
 // has the mirrored bits.
-template <int N>
+template <int N, class Lanes = Four>
 struct Paired {
-  Four outer, inner;
-  [[gnu::always_inline]] void add(int i, Four term) {
+  Lanes outer, inner;
+  [[gnu::always_inline]] void add(int i, const Lanes& term) {
     if (i == 0)
       outer = term;
     else if (i == N - 1)
@@ -21,9 +21,16 @@ struct Paired {
     else
       inner += term;
   }
-  [[gnu::always_inline]] Four sum() const {
-    if constexpr (N == 2) return outer;
-    return outer + inner;
+  [[gnu::always_inline]] void sum(Lanes& to) const {
+    if constexpr (N == 2)
+      to = outer;
+    else
+      to = outer + inner;
+  }
+  [[gnu::always_inline]] Lanes sum() const {
+    Lanes to;
+    sum(to);
+    return to;
   }
 };
 

@@ -12,7 +12,7 @@ namespace {
 
 // Adds to the nodes of one particle, a row along the first axis at a time. Nodes of the first
 // active direction follow each other in memory: those that are not active have one layer.
-template <int D, int N, bool Affine>
+template <int D, int N, bool Affine, bool Forces>
 [[gnu::always_inline]] inline void add_particle(const Gift& g, const AxisWeights<N> (&w)[D], int q,
                                                 std::int64_t* nodes,
                                                 const std::ptrdiff_t (&stride)[D]) {
@@ -23,7 +23,12 @@ template <int D, int N, bool Affine>
     dx[i] = w[0].d[i][q];
     if constexpr (Affine) off[i] = wx[i] * w[0].off[i][q];
   }
-  const Four mass_momentum = g.mass_momentum, load = g.load, pull_x = g.traction[0];
+  const Four pull_x = g.traction[0];
+  Eight beside[N];  // of what varies along the row: moments of affine velocities | tractions
+  for (int i = 0; i < N && Forces; ++i) {
+    const Four slope = Four{} + (Affine ? off[i] : 0.0), pull = Four{} + dx[i];
+    beside[i] = joined(slope, pull);
+  }
   for (int k = 0; k < planes; ++k) {
     const double wz = D > 2 ? w[D - 1].w[k][q] : 1.0, dz = D > 2 ? w[D - 1].d[k][q] : 0.0;
     for (int j = 0; j < rows; ++j) {
@@ -33,27 +38,33 @@ template <int D, int N, bool Affine>
       std::int64_t* node = nodes;
       if constexpr (D > 1) node += j * stride[1];
       if constexpr (D > 2) node += k * stride[2];
-      Four mass = mass_momentum, force = load * wyz, slope{};
-      if constexpr (D > 1) force += g.traction[1] * (dy * wz);
-      if constexpr (D > 2) force += g.traction[2] * (wy * dz);
+      Four mass = g.mass_momentum, slope{};
       if constexpr (Affine) {
         slope = g.affine[0] * wyz;
         if constexpr (D > 1) mass += g.affine[1] * w[1].off[j][q];
         if constexpr (D > 2) mass += g.affine[2] * w[2].off[k][q];
       }
       mass *= wyz;
-      const Four pull = pull_x * wyz;
-      for (int i = 0; i < N; ++i, node += lanes) {
-        Four momentum = mass * wx[i];
-        if constexpr (Affine) momentum += slope * off[i];
-        add_rounded(node, momentum);
-        add_rounded(node + 4, force * wx[i] + pull * dx[i]);
+      if constexpr (Forces) {
+        Four force = g.load * wyz;
+        if constexpr (D > 1) force += g.traction[1] * (dy * wz);
+        if constexpr (D > 2) force += g.traction[2] * (wy * dz);
+        const Eight row = joined(mass, force), varying = joined(slope, pull_x * wyz);
+        for (int i = 0; i < N; ++i, node += lanes)
+          add_rounded(node, row * wx[i] + varying * beside[i]);
+      } else {
+        for (int i = 0; i < N; ++i, node += lanes) {
+          Four momentum = mass * wx[i];
+          if constexpr (Affine) momentum += slope * off[i];
+          add_rounded(node, momentum);
+          node[count_lane] = wrapped_sum(node[count_lane], rounding_bits);
+        }
       }
     }
   }
 }
 
-template <int D, class B, bool Affine>
+template <int D, class B, bool Affine, bool Forces>
 void add_block(Basis basis, const TransferGrid& grid, const ParticlesToGrid& p, int begin, int end,
                const SumUnits& units, Window& window) {
   alignas(64) static thread_local AxisWeights<B::nodes> weights[D];
@@ -75,7 +86,7 @@ void add_block(Basis basis, const TransferGrid& grid, const ParticlesToGrid& p, 
     for (int q = 0; q < n; ++q) {
       std::int64_t* node = nodes;
       for (int a = 0; a < D; ++a) node += (weights[a].first[q] - low[a]) * stride[a];
-      add_particle<D, B::nodes, Affine>(gifts[q], weights, q, node, stride);
+      add_particle<D, B::nodes, Affine, Forces>(gifts[q], weights, q, node, stride);
     }
   }
 }
@@ -91,8 +102,12 @@ void add_to_window(Basis basis, const TransferGrid& grid, const ParticlesToGrid&
   if (by_corners(basis)) return add_corners(basis, grid, p, begin, end, units, window);
   const bool affine = p.varies();
   for_basis(basis, has_own_widths(basis, p.shape), grid.count, [&]<int D, class B>() {
-    affine ? add_block<D, B, true>(basis, grid, p, begin, end, units, window)
-           : add_block<D, B, false>(basis, grid, p, begin, end, units, window);
+    const auto add = [&]<bool Affine>() {
+      p.volume != nullptr || p.load[0] != nullptr
+          ? add_block<D, B, Affine, true>(basis, grid, p, begin, end, units, window)
+          : add_block<D, B, Affine, false>(basis, grid, p, begin, end, units, window);
+    };
+    affine ? add.template operator()<true>() : add.template operator()<false>();
   });
 }
 
