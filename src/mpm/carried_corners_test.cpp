@@ -76,12 +76,22 @@ double largest(const Columns& columns) {
   return most;
 }
 
+class Carried : public testing::TestWithParam<std::string> {
+ protected:
+  void choose(SolidDeck& deck) const { deck.flags += "<transfer>" + GetParam() + "</transfer>"; }
+  std::string named(const std::string& name) const { return name + '_' + GetParam(); }
+};
+
+INSTANTIATE_TEST_SUITE_P(With, Carried, testing::Values("flip", "midpoint"),
+                         [](const auto& of) { return of.param; });
+
 // A disk across 100 cells and periodic ends at the speed of sound: no stress, to the bit.
-TEST(CarriedCorners, AFlyingDiskKeepsItsShapeToTheBit) {
+TEST_P(Carried, AFlyingDiskKeepsItsShapeToTheBit) {
   SolidDeck deck = flat_deck(disk("0.47,0.53", 0.21, "1,0.5"));
   deck.level = "<periodic>[1,1,1]</periodic>";
   deck.faces = " ";
-  const TextRun run(deck, rewrites(5), "flying_disk");
+  choose(deck);
+  const TextRun run(deck, rewrites(5), named("flying_disk"));
   EXPECT_GT(run.report().steps, 400);
   const double stress = largest(run.particles("p.stress")) / young;
   RecordProperty("stress", fmt::format("{:.1e}", stress));
@@ -135,10 +145,10 @@ void expect_whole(const TextRun& run, double thickness) {
 }
 
 // Two disks meet, flatten, turn around each other and part.
-TEST(CarriedCorners, DisksThatCollideStayWholeOverAThousandSteps) {
-  const SolidDeck deck =
-      flat_deck(disk("0.3,0.33", 0.2, "0.1,0.1") + disk("0.7,0.67", 0.2, "-0.1,-0.1"));
-  const TextRun run(deck, rewrites(18), "whole_disks");
+TEST_P(Carried, DisksThatCollideStayWholeOverAThousandSteps) {
+  SolidDeck deck = flat_deck(disk("0.3,0.33", 0.2, "0.1,0.1") + disk("0.7,0.67", 0.2, "-0.1,-0.1"));
+  choose(deck);
+  const TextRun run(deck, rewrites(18), named("whole_disks"));
   EXPECT_GE(run.report().steps, 1000);
   expect_whole(run, 0.1);
   const auto kinetic = run.history("KineticEnergy");

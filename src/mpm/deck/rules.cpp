@@ -201,11 +201,10 @@ void check_cohesive_zones(const DeckNode& root, std::vector<Fault>& faults) {
 static void check_midpoint(const DeckNode& flags, const std::string& basis,
                            std::vector<Fault>& faults) {
   const DeckNode& transfer = *flags.child("transfer");
-  if (basis != "gimp" && basis != "cpgimp" && basis != "3rdorderBS" && basis != "4thorderBS")
+  if (basis.empty() || basis == "linear")
     add_error(faults, transfer.where,
-              fmt::format("<transfer> midpoint needs smooth shape functions without corners, and "
-                          "{} has none",
-                          basis.empty() ? "linear" : basis),
+              "<transfer> midpoint needs particles that have a width, or splines; those of the "
+              "interpolator linear are points",
               "write <interpolator>gimp</interpolator>, or remove <transfer>");
   for (const char* name : {"total_lagrangian", "UsePrescribedDeformation"})
     if (is_true(&flags, name))

@@ -10,10 +10,12 @@ constexpr double second_moment_factor(Basis basis) {
 }
 
 // Of a hat averaged over a particle of half width l cells, in the mean over its places, h^2; with
-// l = 1/2 that of the quadratic spline wherever it is.
+// l = 1/2 that of the quadratic spline wherever it is. Corners stand l away.
 constexpr double second_moment(Basis basis, double l) {
   if (basis == Basis::quadratic || basis == Basis::cubic) return 1 / second_moment_factor(basis);
-  return 1.0 / 6 + l * l / 3;
+  const bool corners = basis == Basis::cpdi || basis == Basis::fast_cpdi || basis == Basis::cpti ||
+                       basis == Basis::carried;
+  return 1.0 / 6 + (corners ? l * l : l * l / 3);
 }
 
 }  // namespace sluice::mpm

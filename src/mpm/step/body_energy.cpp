@@ -61,18 +61,6 @@ void add_energies(const ParticleSet& set, const ParticleSet& next, const Columns
       after[q] += moment * (w[q] * w[q]);
     }
   }
-  for (int k = 0; k < 3 && c.spin >= 0; ++k) {
-    double inertia = 0;
-    for (int d = 0; d < 3; ++d)
-      if (d != k) inertia += unit.moment[d];
-    const double* v = set.column(static_cast<std::size_t>(c.spin + k)) + at;
-    const double* w = next.column(static_cast<std::size_t>(c.spin + k)) + at;
-    for (int q = 0; q < n; ++q) {
-      before[q] += inertia * (v[q] * v[q]);
-      middle[q] += inertia * ((v[q] + w[q]) * (v[q] + w[q]));
-      after[q] += inertia * (w[q] * w[q]);
-    }
-  }
   for (int q = 0; q < n; ++q) {
     before[q] *= 0.5 * m[q];
     middle[q] *= 0.125 * m[q];

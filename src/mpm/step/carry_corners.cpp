@@ -107,8 +107,8 @@ Vec3 corner_at(const ParticleSet& set, const Columns& c, int corner, std::size_t
   return {set.column(first)[p], set.column(first + 1)[p], set.column(first + 2)[p]};
 }
 
-void move_corners(const Body& body, const BlockWork& w, std::size_t at, int n, double dt,
-                  const GridAtParticles& read) {
+void move_corners(const Body& body, const BlockWork& w, std::size_t at, int n, Vec3 reference,
+                  double dt, const VelocitiesAtCorners& v) {
   const Columns& c = body.carried->columns;
   const TransferGrid& grid = body.grid;
   for (int k = 0; k < c.corner_count; ++k)
@@ -116,10 +116,10 @@ void move_corners(const Body& body, const BlockWork& w, std::size_t at, int n, d
       const auto column = static_cast<std::size_t>(c.corners + 3 * k + d);
       const double* x = w.set->column(column) + at;
       double* to = w.next->column(column) + at;
-      const double* u = read.corner[k][d];
+      const double* u = v[k][d];
       const Axis& axis = grid.axes[static_cast<std::size_t>(d)];
-      const double reference = body.units.reference[d];
-      for (int q = 0; q < n; ++q) to[q] = x[q] + axis.rounded(dt * (reference + u[q]));
+      const double of_all = reference[d];
+      for (int q = 0; q < n; ++q) to[q] = x[q] + axis.rounded(dt * (of_all + u[q]));
     }
   for_directions(grid.count, [&]<int D>() { find_middles<D>(body, *w.next, at, n); });
 }

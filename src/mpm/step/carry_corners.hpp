@@ -10,11 +10,11 @@ namespace sluice::mpm {
 
 Vec3 corner_at(const ParticleSet& set, const Columns& columns, int corner, std::size_t p);
 
-// New corners of particles at, ..., at + n - 1, with the velocities that were read at the old ones;
+// Corners of particles at, ..., at + n - 1 after dt of the velocities reference + v that were read;
 // new places: the middles of the corners. dt v* is a multiple of Axis::unit, so that adding it is
 // exact: what moves as a whole keeps its shape to the bit, however far it goes.
-void move_corners(const Body& body, const BlockWork& work, std::size_t at, int n, double dt,
-                  const GridAtParticles& read);
+void move_corners(const Body& body, const BlockWork& work, std::size_t at, int n, Vec3 reference,
+                  double dt, const VelocitiesAtCorners& v);
 
 // J = V/V_0 of the new corners. New F, which has gone on by dt L F, L = sum_k v_k (x) b_k/V, is
 // scaled by s along the active directions to det F = J, and L becomes that of this step:

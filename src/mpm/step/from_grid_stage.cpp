@@ -178,7 +178,7 @@ void SolidStep::move_particles(const BlockWork& w, const StageScope& scope, std:
                 static_cast<int>(at), n, solids_->transfer == Transfer::apic, report.window,
                 report.read);
   move(*solids_, body, w, at, n, dt, report.read);
-  if (c.corners >= 0) move_corners(body, w, at, n, dt, report.read);
+  if (c.corners >= 0) move_corners(body, w, at, n, body.units.reference, dt, report.read.corner);
   if (!body.material->rigid) {
     take_outside_forces(w, at, n, report.read, report.books);
     damp(*solids_, body, w, at, n, dt, report.read);
@@ -255,7 +255,7 @@ void SolidStep::advance(const BlockWork& w, const StageScope& scope, ThreadRepor
     else if (rigid)
       read_rigid(w, at, n, false, report);
     else
-      read_velocities(solids_->basis, body.grid, places_of_gradients(w), shape_of(*w.set, c),
+      read_velocities(solids_->basis, body.grid, places_of_gradients(w), shape_of_gradients(w),
                       static_cast<int>(at), n, report.window, report.read);
     if (solids_->axisymmetric)
       add_hoop_rate(middle ? *w.next : *w.set,

@@ -39,7 +39,7 @@ void SolidStep::sum_back(const StageScope& scope, std::span<const KindRates> bou
     Body& body = bodies_[m];
     KindRates rates = bounds[m];
     rates.mass = body.rates.mass;
-    rates.extent = body.rates.extent;
+    rates.extent = extent_of_middle(body);
     body.mapped_units = units_of(body, static_cast<int>(m), rates);
     body.mapped.clear();
   }
@@ -58,7 +58,7 @@ void SolidStep::sum_back(const StageScope& scope, std::span<const KindRates> bou
     ParticlesToGrid p;
     if (middle && body.material->rigid) return;
     p.x = places_of_gradients(w);
-    p.shape = shape_of(*w.set, c);
+    p.shape = shape_of_gradients(w);
     p.v = read_columns<3>(*w.next, c.velocity);
     p.mass = w.set->column(static_cast<std::size_t>(c.mass));
     Window& window = windows[static_cast<std::size_t>(thread)];

@@ -13,7 +13,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "mpm/step/carry_corners.hpp"
 #include "mpm/step/largest.hpp"
 #include "mpm/step/thread_report.hpp"
 #include "mpm/step/travel.hpp"
@@ -23,7 +25,6 @@ namespace {
 
 constexpr double spin_relaxation = 0.003;  // kappa: spins follow the grid in h/(kappa c)
 constexpr double least_inertia = 1e-3;     // of I, h^2 for each direction
-constexpr double farthest_middle = 0.5;    // cells: windows of blocks reach no farther
 
 // A spin about the axis k is one of two active directions.
 bool turns(const Level& level, int k) {
@@ -66,10 +67,10 @@ void SolidStep::kick_particles(const BlockWork& w, const StageScope& scope, std:
                                ThreadReport& report) {
   const Body& body = bodies_[static_cast<std::size_t>(w.kind)];
   const Columns& c = body.carried->columns;
-  const bool loaded = outside_->acts(w.kind);
+  const bool loaded = outside_->acts(w.kind), corners = c.corners >= 0;
   ImpulsesAtParticles& got = report.impulses;
   read_impulses(solids_->basis, body.grid, places_of(*w.set, c), shape_of(*w.set, c),
-                static_cast<int>(at), n, loaded, report.window, got);
+                static_cast<int>(at), n, loaded || corners, report.window, got);
   double way = 0;  // farthest, cells
   for (int d = 0; d < 3; ++d) {
     const double* x = w.set->coordinate(d) + at;
@@ -83,7 +84,7 @@ void SolidStep::kick_particles(const BlockWork& w, const StageScope& scope, std:
     }
     const double own = largest(0, static_cast<std::size_t>(n), 0,
                                [&](std::size_t q) { return std::fabs(half * to_v[q]) * inverse; });
-    if (!(own <= way)) way = own;
+    if (own > way || own != own) way = own;  // what is no number stays
     const double* spin = w.set->column(static_cast<std::size_t>(c.spin + d)) + at;
     double* to_spin = w.next->column(static_cast<std::size_t>(c.spin + d)) + at;
     if (!turns(level_, d)) {
@@ -97,9 +98,9 @@ void SolidStep::kick_particles(const BlockWork& w, const StageScope& scope, std:
       to_spin[q] = spin[q] + got.turn[d][q] / std::max(got.inertia[d][q], least);
   }
   book_kick(w, at, n, report);
+  if (corners) way = std::max(way, halve_corners(w, 0.5 * scope.step.dt, at, n, got.corner));
   if (!(way <= farthest_middle)) {
-    for (int d = 0; d < 3; ++d)
-      std::copy_n(w.set->coordinate(d) + at, n, w.next->coordinate(d) + at);
+    stay(w, at, n);
     report.keep_fault(0, fmt::format("particles of material {} '{}' would move {:g} cells in half "
                                      "this step, more than {:g}",
                                      w.kind, body.material->name, way, farthest_middle));
@@ -112,25 +113,99 @@ void SolidStep::kick_particles(const BlockWork& w, const StageScope& scope, std:
   add_bounds(w, at, n, report);
 }
 
-// m dv . (v + v+)/2 and m (w+ - w) . I (w + w+)/2 of each particle.
+// The step is not finished: its middle is its start, so that windows hold what is there.
+void SolidStep::stay(const BlockWork& w, std::size_t at, int n) const {
+  const Columns& c = bodies_[static_cast<std::size_t>(w.kind)].carried->columns;
+  for (int d = 0; d < 3; ++d) std::copy_n(w.set->coordinate(d) + at, n, w.next->coordinate(d) + at);
+  for (int k = 0; k < 3 * c.corner_count; ++k) {
+    const auto column = static_cast<std::size_t>(c.corners + k);
+    std::copy_n(w.set->column(column) + at, n, w.next->column(column) + at);
+  }
+}
+
+// Corners that particles share go to the middle of the step with velocities that they share. The
+// farthest way of one, cells.
+double SolidStep::halve_corners(const BlockWork& w, double half, std::size_t at, int n,
+                                const VelocitiesAtCorners& v) const {
+  const Body& body = bodies_[static_cast<std::size_t>(w.kind)];
+  const Columns& c = body.carried->columns;
+  move_corners(body, w, at, n, body.units.reference, half, v);
+  double way = 0;
+  bool sound = true;
+  for (int k = 0; k < 3 * c.corner_count; ++k) {
+    const auto column = static_cast<std::size_t>(c.corners + k);
+    const double *from = w.set->column(column) + at, *to = w.next->column(column) + at;
+    const double inverse = 1 / level_.spacing[k % 3];
+    for (int q = 0; q < n; ++q) {
+      const double cells = std::fabs(to[q] - from[q]) * inverse;
+      way = std::max(way, cells);
+      sound &= cells == cells;
+    }
+  }
+  return sound ? way : std::numeric_limits<double>::infinity();
+}
+
+// What velocities and spins of each particle get, m dv . (v + v+)/2 + m (w+ - w) . I (w + w+)/2;
+// and the energies of spins, for the guard.
 void SolidStep::book_kick(const BlockWork& w, std::size_t at, int n, ThreadReport& report) const {
   const Body& body = bodies_[static_cast<std::size_t>(w.kind)];
   const Columns& c = body.carried->columns;
-  alignas(64) double work[chunk_size] = {};
+  alignas(64) double gain[chunk_size] = {}, before[chunk_size] = {}, middle[chunk_size] = {},
+                     after[chunk_size] = {};
   for (int d = 0; d < 3; ++d) {
     const double* v = w.set->column(static_cast<std::size_t>(c.velocity + d)) + at;
     const double* to_v = w.next->column(static_cast<std::size_t>(c.velocity + d)) + at;
     const double* spin = w.set->column(static_cast<std::size_t>(c.spin + d)) + at;
     const double* to_spin = w.next->column(static_cast<std::size_t>(c.spin + d)) + at;
     const double* inertia = report.impulses.inertia[d];
-    for (int q = 0; q < n; ++q)
-      work[q] += to_v[q] * to_v[q] - v[q] * v[q] +
-                 inertia[q] * (to_spin[q] * to_spin[q] - spin[q] * spin[q]);
+    for (int q = 0; q < n; ++q) {
+      const double sum = spin[q] + to_spin[q];
+      gain[q] += to_v[q] * to_v[q] - v[q] * v[q];
+      before[q] += inertia[q] * (spin[q] * spin[q]);
+      middle[q] += inertia[q] * (sum * sum);
+      after[q] += inertia[q] * (to_spin[q] * to_spin[q]);
+    }
   }
   const double* mass = w.set->column(static_cast<std::size_t>(c.mass)) + at;
-  for (int q = 0; q < n; ++q) work[q] *= 0.5 * mass[q];
-  add_rounded(work, n, body.energy_units.energy,
-              report.books.bodies[static_cast<std::size_t>(w.kind)][BodyEnergySums::kick_gain]);
+  for (int q = 0; q < n; ++q) {
+    gain[q] = 0.5 * mass[q] * (gain[q] + (after[q] - before[q]));
+    before[q] *= 0.5 * mass[q];
+    middle[q] *= 0.125 * mass[q];
+    after[q] *= 0.5 * mass[q];
+  }
+  using Of = BodyEnergySums;
+  BodyEnergySums& to = report.books.bodies[static_cast<std::size_t>(w.kind)];
+  const double unit = body.energy_units.energy;
+  add_rounded(gain, n, unit, to[Of::kick_gain]);
+  add_rounded(before, n, unit, to[Of::kinetic_before]);
+  add_rounded(middle, n, unit, to[Of::kinetic_middle]);
+  add_rounded(after, n, unit, to[Of::kinetic_after]);
+}
+
+// Spins are drawn to what the grid shows; the energy that this takes.
+void SolidStep::relax_spins(const BlockWork& w, double dt, std::size_t at, int n,
+                            ThreadReport& report) const {
+  const Body& body = bodies_[static_cast<std::size_t>(w.kind)];
+  const Columns& c = body.carried->columns;
+  const double beta = std::min(1.0, spin_relaxation * dt * body.rates.wave);
+  alignas(64) double gain[chunk_size] = {};
+  for (int k = 0; k < 3; ++k) {
+    if (!turns(level_, k)) continue;
+    double inertia = 0;
+    for (int d = 0; d < 3; ++d)
+      if (d != k) inertia += body.energy_units.moment[d];
+    double* spin = w.next->column(static_cast<std::size_t>(c.spin + k)) + at;
+    for (int q = 0; q < n; ++q) {
+      const double before = spin[q];
+      spin[q] += beta * (spin_of(report.read, k, q) - spin[q]);
+      gain[q] += inertia * (spin[q] * spin[q] - before * before);
+    }
+  }
+  const double* mass = w.set->column(static_cast<std::size_t>(c.mass)) + at;
+  for (int q = 0; q < n; ++q) gain[q] *= 0.5 * mass[q];
+  using Of = BodyEnergySums;
+  add_rounded(gain, n, body.energy_units.energy,
+              report.books.bodies[static_cast<std::size_t>(w.kind)][Of::kinetic_after]);
 }
 
 // Of new velocities and spins, and of places of the middle of the step.
@@ -189,11 +264,11 @@ std::vector<KindRates> SolidStep::hold_start(const StageScope& scope, bool spins
       };
       const auto velocity = static_cast<std::size_t>(c.velocity + d);
       const auto spin = static_cast<std::size_t>(c.spin + d);
-      keep(w.set->coordinate(d), w.next->coordinate(d));
       keep(w.set->column(velocity), w.next->column(velocity));
       keep(w.set->column(spin), w.next->column(spin));
       if (!spins) std::fill_n(w.next->column(spin) + w.run.begin, count, 0.0);
     }
+    stay(w, w.run.begin, static_cast<int>(count));
     find_nodes_of(w);
     add_bounds(w, w.run.begin, static_cast<int>(count), report);
     find_middle_nodes(w, report);
@@ -216,7 +291,7 @@ void SolidStep::take_spins(const StageScope& scope) {
     ParticleSet& set = scope.particles->store(w.kind).set(level_.index, w.box);
     for (std::size_t at = w.run.begin; at < w.run.end; at += chunk_size) {
       const int n = static_cast<int>(std::min<std::size_t>(chunk_size, w.run.end - at));
-      read_velocities(solids_->basis, body.grid, places_of_gradients(w), shape_of(set, c),
+      read_velocities(solids_->basis, body.grid, places_of_gradients(w), shape_of_gradients(w),
                       static_cast<int>(at), n, report.window, report.read);
       for (int k = 0; k < 3; ++k) {
         double* spin = set.column(static_cast<std::size_t>(c.spin + k)) + at;
@@ -226,9 +301,17 @@ void SolidStep::take_spins(const StageScope& scope) {
   });
 }
 
+// How far corners may be from their particle then, cells.
+double SolidStep::extent_of_middle(const Body& body) const {
+  return body.rates.extent + (solids_->carries_corners() ? 2 * farthest_middle : 0.0);
+}
+
 // Nodes around the places of the middle of the step, of all particles of a block.
 void SolidStep::find_middle_nodes(BlockWork& w, const ThreadReport& report) const {
   const Body& body = bodies_[static_cast<std::size_t>(w.kind)];
+  const int reach = by_corners(solids_->basis)
+                        ? static_cast<int>(std::floor(extent_of_middle(body) + most_stray)) + 1
+                        : 1;
   w.middle_lowest = w.lowest;
   w.middle_highest = w.highest;
   for (int d = 0; d < 3; ++d) {
@@ -238,8 +321,8 @@ void SolidStep::find_middle_nodes(BlockWork& w, const ThreadReport& report) cons
       return static_cast<int>(std::floor(axis.place(place) + axis.first));
     };
     // A step in which a particle would go farther is not finished.
-    w.middle_lowest[d] = std::max(cell(-report.down[d]) - 1, w.lowest[d] - 1);
-    w.middle_highest[d] = std::min(cell(report.up[d]) + 2, w.highest[d] + 1);
+    w.middle_lowest[d] = std::max(cell(-report.down[d]) - reach, w.lowest[d] - 1);
+    w.middle_highest[d] = std::min(cell(report.up[d]) + 1 + reach, w.highest[d] + 1);
   }
 }
 
@@ -250,18 +333,23 @@ std::array<const double*, 3> SolidStep::places_of_gradients(const BlockWork& w) 
   return {w.next->coordinate(0), w.next->coordinate(1), w.next->coordinate(2)};
 }
 
+// Corners that particles carry are those of the middle of the step; the shape of others is that of
+// its start, so that a gradient that is constant in a particle is read as it is.
+ParticleShape SolidStep::shape_of_gradients(const BlockWork& w) const {
+  const Body& body = bodies_[static_cast<std::size_t>(w.kind)];
+  const Columns& c = body.carried->columns;
+  ParticleShape shape = shape_of(*w.set, c);
+  if (solids_->midpoint() && !body.material->rigid) shape.corners = corners_of(*w.next, c);
+  return shape;
+}
+
 // What was read at the middle of the step makes its end.
 void SolidStep::finish_motion(const BlockWork& w, double dt, std::size_t at, int n,
                               ThreadReport& report) const {
   const Body& body = bodies_[static_cast<std::size_t>(w.kind)];
   const Columns& c = body.carried->columns;
   GridAtParticles& read = report.read;
-  const double beta = std::min(1.0, spin_relaxation * dt * body.rates.wave);
-  for (int k = 0; k < 3; ++k) {
-    if (!turns(level_, k)) continue;
-    double* spin = w.next->column(static_cast<std::size_t>(c.spin + k)) + at;
-    for (int q = 0; q < n; ++q) spin[q] += beta * (spin_of(read, k, q) - spin[q]);
-  }
+  relax_spins(w, dt, at, n, report);
   to_end_of_step(dt, n, read);
   for (int d = 0; d < 3; ++d) {
     const double reference = body.mapped_units.reference[d];
@@ -273,6 +361,7 @@ void SolidStep::finish_motion(const BlockWork& w, double dt, std::size_t at, int
     double* to_way = w.next->column(static_cast<std::size_t>(c.displacement + d)) + at;
     for (int q = 0; q < n; ++q) to_way[q] = way[q] + dt * (reference + read.u[d][q]);
   }
+  if (c.corners >= 0) move_corners(body, w, at, n, body.mapped_units.reference, dt, read.corner);
   report.travel = std::max(report.travel, farthest_way(*w.set, *w.next, at, n, level_.spacing));
   report.left |= any_outside(level_, *w.next, at, n);
 }

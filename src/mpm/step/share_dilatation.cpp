@@ -33,7 +33,7 @@ void SolidStep::find_dilatations(const BlockWork& w, double dt, const Window& wi
   double* volume = w.next->column(static_cast<std::size_t>(c.volume));
   for (std::size_t at = w.run.begin; at < w.run.end; at += chunk_size) {
     const int n = static_cast<int>(std::min<std::size_t>(chunk_size, w.run.end - at));
-    read_velocities(solids_->basis, body.grid, places_of_gradients(w), shape_of(*w.set, c),
+    read_velocities(solids_->basis, body.grid, places_of_gradients(w), shape_of_gradients(w),
                     static_cast<int>(at), n, window, read);
     if (solids_->axisymmetric)
       add_hoop_rate(solids_->midpoint() ? *w.next : *w.set,

@@ -7,6 +7,7 @@
 #include "mpm/nodes/node_sums.hpp"
 #include "mpm/shape/second_moment.hpp"
 #include "mpm/shape/weights.hpp"
+#include "mpm/step/midpoint_stage.hpp"
 
 namespace sluice::mpm {
 
@@ -89,7 +90,9 @@ Verdict SolidStep::begin(const StageScope& scope) {
   list_work(cloud, scope.step.time);
   if (cohesive_ != nullptr) cohesive_->begin(cloud, *kinds_);
   bool far = solids_->total_lagrangian;
-  for (const Body& body : bodies_) far |= body.rates.extent > farthest_corner_of_neighbours;
+  const double on_the_way = solids_->midpoint() ? farthest_middle : 0.0;
+  for (const Body& body : bodies_)
+    far |= body.rates.extent + on_the_way > farthest_corner_of_neighbours;
   if (exchange_ == nullptr || !exchange_->fits(level_, far))
     exchange_ = std::make_unique<NodeExchange>(level_, *scope.ranks, far);
   jumps_ = insertions_in(insertions_, scope.step.time, scope.step.dt);

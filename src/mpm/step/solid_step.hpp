@@ -307,9 +307,16 @@ class SolidStep {
   void kick_particles(const BlockWork& work, const StageScope& scope, std::size_t at, int n,
                       ThreadReport& report);
   void book_kick(const BlockWork& work, std::size_t at, int n, ThreadReport& report) const;
+  void relax_spins(const BlockWork& work, double dt, std::size_t at, int n,
+                   ThreadReport& report) const;
+  double extent_of_middle(const Body& body) const;
   void find_middle_nodes(BlockWork& work, const ThreadReport& report) const;
   void add_bounds(const BlockWork& work, std::size_t at, int n, ThreadReport& report) const;
   std::array<const double*, 3> places_of_gradients(const BlockWork& work) const;
+  ParticleShape shape_of_gradients(const BlockWork& work) const;
+  double halve_corners(const BlockWork& work, double half, std::size_t at, int n,
+                       const VelocitiesAtCorners& v) const;
+  void stay(const BlockWork& work, std::size_t at, int n) const;
   void finish_motion(const BlockWork& work, double dt, std::size_t at, int n,
                      ThreadReport& report) const;
   std::vector<ThreadReport> new_reports(const StageScope& scope) const;

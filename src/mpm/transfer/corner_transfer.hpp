@@ -2,13 +2,14 @@
 // corners share nodes.
 #pragma once
 #include "mpm/transfer/from_grid.hpp"
+#include "mpm/transfer/impulses_from_grid.hpp"
 #include "mpm/transfer/to_grid.hpp"
 #include "mpm/transfer/values_to_grid.hpp"
 
 namespace sluice::mpm {
 
-// As add_to_window, add_values_to_window and read_window (without moments). The window must reach
-// the corners' nodes.
+// As add_to_window, add_values_to_window, read_window (without moments) and read_impulses. The
+// window must reach the corners' nodes.
 void add_corners(Basis basis, const TransferGrid& grid, const ParticlesToGrid& p, int begin,
                  int end, const SumUnits& units, Window& window);
 void add_values_of_corners(Basis basis, const TransferGrid& grid,
@@ -17,5 +18,9 @@ void add_values_of_corners(Basis basis, const TransferGrid& grid,
 void read_corners(Basis basis, const TransferGrid& grid, const std::array<const double*, 3>& x,
                   const ParticleShape& shape, int at, int n, const Window& window,
                   GridAtParticles& to);
+void read_impulses_of_corners(Basis basis, const TransferGrid& grid,
+                              const std::array<const double*, 3>& x, const ParticleShape& shape,
+                              int at, int n, bool velocities, const Window& window,
+                              ImpulsesAtParticles& to);
 
 }  // namespace sluice::mpm

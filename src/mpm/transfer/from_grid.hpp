@@ -8,13 +8,16 @@
 
 namespace sluice::mpm {
 
+// v* at corners that particles carry.
+using VelocitiesAtCorners = double[most_corners][3][chunk_size];
+
 // Results for the particles of a chunk.
 struct GridAtParticles {
   alignas(64) double u[3][chunk_size];
   alignas(64) double dv[3][chunk_size];
   alignas(64) double L[9][chunk_size];
   alignas(64) double moment[9][chunk_size];  // sum S v* (x) (x_i - x_p), where it is asked for
-  alignas(64) double corner[most_corners][3][chunk_size];  // v* at corners that particles carry
+  alignas(64) VelocitiesAtCorners corner;
 };
 
 // Particles at, ..., at + n - 1 (n <= chunk_size) of one block; node lanes v*, - | v* - v, -.

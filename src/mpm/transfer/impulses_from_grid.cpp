@@ -1,7 +1,6 @@
 #include "mpm/transfer/impulses_from_grid.hpp"
 
-#include <stdexcept>
-
+#include "mpm/transfer/corner_transfer.hpp"
 #include "mpm/transfer/dispatch.hpp"
 #include "mpm/transfer/paired_sum.hpp"
 
@@ -135,7 +134,8 @@ void read(Basis basis, const TransferGrid& grid, const std::array<const double*,
 void read_impulses(Basis basis, const TransferGrid& grid, const std::array<const double*, 3>& x,
                    const ParticleShape& shape, int at, int n, bool velocities, const Window& window,
                    ImpulsesAtParticles& to) {
-  if (by_corners(basis)) throw std::logic_error("particles with corners carry no spin");
+  if (by_corners(basis))
+    return read_impulses_of_corners(basis, grid, x, shape, at, n, velocities, window, to);
   for_basis(basis, has_own_widths(basis, shape), grid.count, [&]<int D, class B>() {
     velocities ? read<D, B, true>(basis, grid, x, shape, at, n, window, to)
                : read<D, B, false>(basis, grid, x, shape, at, n, window, to);

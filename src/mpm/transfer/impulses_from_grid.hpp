@@ -14,6 +14,7 @@ struct ImpulsesAtParticles {
   alignas(64) double dv[3][chunk_size];       // m/s
   alignas(64) double turn[3][chunk_size];     // sum S r x (v* - v), m^2/s
   alignas(64) double inertia[3][chunk_size];  // I, m^2; of axes that two active directions span
+  alignas(64) VelocitiesAtCorners corner;     // with u
 };
 
 // Particles at, ..., at + n - 1 (n <= chunk_size) of one block; node lanes v*, - | v* - v, -.
