@@ -227,7 +227,10 @@ void check_transfer(const DeckNode& root, std::vector<Fault>& faults) {
               fmt::format("<transfer> apic needs a basis with one second moment, and {} has none",
                           basis.empty() ? "linear" : basis),
               "write <interpolator>3rdorderBS</interpolator>, or <transfer>affine</transfer>");
-  if (transfer == "midpoint") check_midpoint(*flags, basis, faults);
+  if (transfer == "midpoint" && !runs_mpm(root))
+    add_not_built(faults, flags->child("transfer")->where, "<transfer> midpoint beside a fluid");
+  else if (transfer == "midpoint")
+    check_midpoint(*flags, basis, faults);
   // Tags of the format that choose a transfer too.
   for (const char* name : {"XPIC2", "UseGradientEnhancedVelocityProjection"})
     if (is_true(flags, name) && says(*flags, "transfer"))
