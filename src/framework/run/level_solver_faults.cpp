@@ -94,12 +94,14 @@ void LevelSolver::spread_masks(int slot) {
   }
 }
 
-// By one cell along each direction: what flows into a cell has the slopes of its neighbours.
+// By one cell along each direction: what flows into a cell has the slopes of its neighbours. All
+// cells are found before the first is masked: boxes may share the cells beside them.
 std::int64_t LevelSolver::widen_masks(int slot) {
+  const int boxes = static_cast<int>(state_.local_boxes().size());
+  std::vector<std::vector<IntVec3>> next(static_cast<std::size_t>(boxes));
   std::int64_t found = 0;
-  for (int b = 0; b < static_cast<int>(state_.local_boxes().size()); ++b) {
+  for (int b = 0; b < boxes; ++b) {
     const RealView mask = state_.view(slot, 0, b);
-    std::vector<IntVec3> next;
     for_each_cell(state_.local_boxes()[static_cast<std::size_t>(b)].cells, [&](IntVec3 c) {
       bool beside = false;
       for (int d = 0; d < 3; ++d) {
@@ -110,10 +112,13 @@ std::int64_t LevelSolver::widen_masks(int slot) {
           beside = beside || mask(other) == 0.0;
         }
       }
-      if (beside && mask(c) != 0.0) next.push_back(c);
+      if (beside && mask(c) != 0.0) next[static_cast<std::size_t>(b)].push_back(c);
     });
-    for (const IntVec3 c : next) mask(c) = 0.0;
-    found += static_cast<std::int64_t>(next.size());
+  }
+  for (int b = 0; b < boxes; ++b) {
+    const RealView mask = state_.view(slot, 0, b);
+    for (const IntVec3 c : next[static_cast<std::size_t>(b)]) mask(c) = 0.0;
+    found += static_cast<std::int64_t>(next[static_cast<std::size_t>(b)].size());
   }
   return found;
 }
