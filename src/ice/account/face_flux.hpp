@@ -163,6 +163,7 @@ class FaceFluxRows {
  private:
   void add_shear(int i, FaceFlux& flux) const {
     const double k = shear_[i] * smaller(rho_[0][i], rho_[1][i]);
+    double work = 0;  // of all components first: the order of two does not show in the bits
     for (int c = 0; c < o_->components; ++c) {
       if (c == axis_) continue;
       const double a = (*row_)(h_->velocity, c, axis_, shift_ - 1)[i];
@@ -170,8 +171,9 @@ class FaceFluxRows {
       const double q = k * (b - a);
       flux.impulse[c] -= q;
       flux.momentum[c] -= q;
-      flux.energy -= q * (0.5 * (a + b));
+      work += q * (0.5 * (a + b));
     }
+    flux.energy -= work;
   }
 
   const Row* row_;
