@@ -19,30 +19,34 @@ struct Impulse {
   Four velocity, change, moment[D];
 };
 
-// Hats, axis after axis.
+// Hats, axis after axis: of changes alone, as moments are differences of these.
 template <int D, bool Velocities>
-inline Impulse<D> at_corner(const std::int64_t* node, const std::ptrdiff_t (&stride)[D],
-                            const double (&s)[D]) {
-  Impulse<D> v[1 << D];
+[[gnu::always_inline]] inline void at_corner(const std::int64_t* node,
+                                             const std::ptrdiff_t (&stride)[D],
+                                             const double (&s)[D], Impulse<D>& to) {
+  Four change[1 << D], velocity[1 << D], moment[D][1 << D];
+#pragma GCC unroll 8
   for (int i = 0; i < 1 << D; ++i) {
     const std::int64_t* from = node;
     for (int a = 0; a < D; ++a) from += (i >> a & 1) * stride[a];
-    if constexpr (Velocities) v[i].velocity = *reinterpret_cast<const FourAtNode*>(from);
-    v[i].change = *reinterpret_cast<const FourAtNode*>(from + 4);
+    if constexpr (Velocities) velocity[i] = *reinterpret_cast<const FourAtNode*>(from);
+    change[i] = *reinterpret_cast<const FourAtNode*>(from + 4);
   }
+#pragma GCC unroll 3
   for (int a = 0; a < D; ++a) {
     const double low = 0.5 - s[a], up = 0.5 + s[a], square = 0.25 - s[a] * s[a];
+#pragma GCC unroll 4
     for (int i = 0; i < 1 << (D - 1 - a); ++i) {
-      const Impulse<D>&from = v[2 * i], &to = v[2 * i + 1];
-      Impulse<D> mean;
-      if constexpr (Velocities) mean.velocity = low * from.velocity + up * to.velocity;
-      mean.change = low * from.change + up * to.change;
-      for (int b = 0; b < a; ++b) mean.moment[b] = low * from.moment[b] + up * to.moment[b];
-      mean.moment[a] = square * (to.change - from.change);
-      v[i] = mean;
+      if constexpr (Velocities) velocity[i] = low * velocity[2 * i] + up * velocity[2 * i + 1];
+      moment[a][i] = square * (change[2 * i + 1] - change[2 * i]);
+#pragma GCC unroll 2
+      for (int b = 0; b < a; ++b) moment[b][i] = low * moment[b][2 * i] + up * moment[b][2 * i + 1];
+      change[i] = low * change[2 * i] + up * change[2 * i + 1];
     }
   }
-  return v[0];
+  if constexpr (Velocities) to.velocity = velocity[0];
+  to.change = change[0];
+  for (int a = 0; a < D; ++a) to.moment[a] = moment[a][0];
 }
 
 // sum S r_a^2 of each active direction, from which I is made.
@@ -96,7 +100,8 @@ void read(const TransferGrid& grid, const std::array<const double*, 3>& x,
         s[a] = corners.s[c][a][q];
         node += (corners.first[c][a][q] - low[a]) * stride[a];
       }
-      const Impulse<D> v = at_corner<D, Velocities>(node, stride, s);
+      Impulse<D> v;
+      at_corner<D, Velocities>(node, stride, s, v);
       if constexpr (Velocities) velocity[c] = v.velocity;
       for (int e = 0; e < 3 && Velocities && carried; ++e) to.corner[c][e][q] = v.velocity[e];
       change[c] = v.change;
