@@ -1,7 +1,7 @@
 // The bodies that a run watches: solids that deform and are free.
 #include <fmt/format.h>
 
-#include "framework/base/communicator.hpp"
+#include "framework/base/lowest_text.hpp"
 #include "framework/run/particle_cloud.hpp"
 #include "mpm/mpm.hpp"
 #include "mpm/step/solid_step.hpp"
@@ -66,10 +66,7 @@ std::string Mpm::place_of_gain(const ParticleCloud& cloud, int material,
   const auto largest = all.add_maximum(most);
   ranks.reduce(all);
   if (most < all.maximum(largest)) text.clear();
-  std::string first;
-  for (const std::string& own : ranks.gather_to_all(text))
-    if (!own.empty() && (first.empty() || own < first)) first = own;
-  return first;
+  return lowest_text(ranks, text);
 }
 
 }  // namespace sluice::mpm

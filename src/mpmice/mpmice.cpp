@@ -118,8 +118,6 @@ void MpmIce::shape_step(StepShape& shape) const {
     of_solids(to, "nodes: contact, forces, contact, boundary", &SolidLevels::move_nodes);
     if (solids_.scene().transfer == mpm::Transfer::xpic)
       of_solids(to, "filtered velocities (XPIC)", &SolidLevels::filter_velocities);
-    if (solids_.scene().midpoint())
-      of_solids(to, "new velocities; to grid at the middle of the step", &SolidLevels::map_back);
     of_solids(to, "grid to particles, deformation, stress", &SolidLevels::from_grid);
     of_both(to, "volumes that solids sweep", &CouplingOnLevels::find_swept_volumes);
   };

@@ -39,8 +39,7 @@ std::vector<TagSpec> scheme_tags() {
           "how velocities come back to particles: flip (changes of the grid are added), pic (the "
           "grid's velocity is taken), xpic (pic of a higher order), apic (affine; angular "
           "momentum exact), affine (affine, damped by a rate), midpoint (flip of velocity and "
-          "spin; "
-          "velocity gradients are those of new velocities at the middle of the step)")
+          "spin; velocity gradients are those of new velocities at the middle of the step)")
           .words({"flip", "pic", "xpic", "apic", "affine", "midpoint"})
           .by_default("flip"),
       tag("xpic_order", "order of the transfer xpic; 1 is pic")

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "framework/base/lowest_text.hpp"
 #include "framework/base/reduction.hpp"
 #include "mpm/levels/solid_levels.hpp"
 
@@ -61,9 +62,7 @@ Verdict SolidLevels::agree_on(const StageScope& scope, std::vector<KindRates>& b
   const auto any_fault = reduction.add_any(!fault.empty());
   scope.ranks->reduce(reduction);
   if (reduction.any(any_fault)) {
-    scope.reason->clear();
-    for (const std::string& text : scope.ranks->gather_to_all(fault))
-      if (!text.empty() && (scope.reason->empty() || text < *scope.reason)) *scope.reason = text;
+    *scope.reason = lowest_text(*scope.ranks, fault);
     return Verdict::reject;
   }
   auto slot = slots.begin();

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "framework/base/lowest_text.hpp"
 #include "framework/base/reduction.hpp"
 #include "mpm/step/thread_report.hpp"
 
@@ -83,9 +84,7 @@ Verdict SolidStep::conclude(const StageScope& scope, std::vector<ThreadReport>& 
     for (const ExactSum& sum : of.sums) sums.push_back(reduction.add_sum(sum));
   scope.ranks->reduce(reduction);
   if (reduction.any(fault)) {
-    *scope.reason = all.fault;
-    for (const std::string& text : scope.ranks->gather_to_all(all.fault))
-      if (!text.empty() && (scope.reason->empty() || text < *scope.reason)) *scope.reason = text;
+    *scope.reason = lowest_text(*scope.ranks, all.fault);
     return Verdict::reject;
   }
   for (std::size_t n = 0; n < maxima.size(); ++n) maxima[n] = reduction.maximum(slots[n]);

@@ -5,6 +5,11 @@
 
 namespace sluice::mpm {
 
+// The larger of both into `most`; what is no number stays.
+inline void keep_larger(double& most, double x) {
+  if (x > most || x != x) most = x;
+}
+
 // max(from, f(begin), ..., f(end - 1)); what is not finite makes it no number.
 template <class F>
 double largest(std::size_t begin, std::size_t end, double from, F&& f) {

@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "mpm/step/carry_corners.hpp"
 #include "mpm/step/largest.hpp"
@@ -25,18 +24,6 @@ namespace {
 
 constexpr double spin_relaxation = 0.003;  // kappa: spins follow the grid in h/(kappa c)
 constexpr double least_inertia = 1e-3;     // of I, h^2 for each direction
-
-// A spin about the axis k is one of two active directions.
-bool turns(const Level& level, int k) {
-  return level.active[static_cast<std::size_t>((k + 1) % 3)] &&
-         level.active[static_cast<std::size_t>((k + 2) % 3)];
-}
-
-// About the axis k, of the velocities that were read: half their curl.
-double spin_of(const GridAtParticles& read, int k, int q) {
-  const int i = (k + 1) % 3, j = (k + 2) % 3;
-  return 0.5 * (read.L[3 * j + i][q] - read.L[3 * i + j][q]);
-}
 
 }  // namespace
 
@@ -82,9 +69,8 @@ void SolidStep::kick_particles(const BlockWork& w, const StageScope& scope, std:
       to_v[q] = v[q] + got.dv[d][q];
       middle[q] = x[q] + half * to_v[q];
     }
-    const double own = largest(0, static_cast<std::size_t>(n), 0,
-                               [&](std::size_t q) { return std::fabs(half * to_v[q]) * inverse; });
-    if (own > way || own != own) way = own;  // what is no number stays
+    keep_larger(way, largest(0, static_cast<std::size_t>(n), 0,
+                             [&](std::size_t q) { return std::fabs(half * to_v[q]) * inverse; }));
     const double* spin = w.set->column(static_cast<std::size_t>(c.spin + d)) + at;
     double* to_spin = w.next->column(static_cast<std::size_t>(c.spin + d)) + at;
     if (!turns(level_, d)) {
@@ -98,7 +84,7 @@ void SolidStep::kick_particles(const BlockWork& w, const StageScope& scope, std:
       to_spin[q] = spin[q] + got.turn[d][q] / std::max(got.inertia[d][q], least);
   }
   book_kick(w, at, n, report);
-  if (corners) way = std::max(way, halve_corners(w, 0.5 * scope.step.dt, at, n, got.corner));
+  if (corners) keep_larger(way, halve_corners(w, 0.5 * scope.step.dt, at, n, got.corner));
   if (!(way <= farthest_middle)) {
     stay(w, at, n);
     report.keep_fault(0, fmt::format("particles of material {} '{}' would move {:g} cells in half "
@@ -131,18 +117,15 @@ double SolidStep::halve_corners(const BlockWork& w, double half, std::size_t at,
   const Columns& c = body.carried->columns;
   move_corners(body, w, at, n, body.units.reference, half, v);
   double way = 0;
-  bool sound = true;
   for (int k = 0; k < 3 * c.corner_count; ++k) {
     const auto column = static_cast<std::size_t>(c.corners + k);
     const double *from = w.set->column(column) + at, *to = w.next->column(column) + at;
     const double inverse = 1 / level_.spacing[k % 3];
-    for (int q = 0; q < n; ++q) {
-      const double cells = std::fabs(to[q] - from[q]) * inverse;
-      way = std::max(way, cells);
-      sound &= cells == cells;
-    }
+    way = largest(0, static_cast<std::size_t>(n), way,
+                  [&](std::size_t q) { return std::fabs(to[q] - from[q]) * inverse; });
+    if (way != way) break;
   }
-  return sound ? way : std::numeric_limits<double>::infinity();
+  return way;
 }
 
 // What velocities and spins of each particle get, m dv . (v + v+)/2 + m (w+ - w) . I (w + w+)/2;
@@ -246,59 +229,6 @@ std::vector<KindRates> SolidStep::kick_all(const StageScope& scope, std::string&
     find_middle_nodes(w, report);
   });
   return take_first_reports(scope, reports, fault);
-}
-
-std::vector<KindRates> SolidStep::hold_start(const StageScope& scope, bool spins) {
-  std::vector<ThreadReport> reports = new_reports(scope);
-  scope.levels.front()->team()->for_each(work_.size(), [&](std::size_t i, int thread) {
-    BlockWork& w = work_[i];
-    const Body& body = bodies_[static_cast<std::size_t>(w.kind)];
-    const Columns& c = body.carried->columns;
-    if (body.material->rigid) return;
-    ThreadReport& report = reports[static_cast<std::size_t>(thread)];
-    report.up = report.down = KindRates::none();
-    const std::size_t count = w.run.end - w.run.begin;
-    for (int d = 0; d < 3; ++d) {
-      const auto keep = [&](const double* from, double* to) {
-        std::copy_n(from + w.run.begin, count, to + w.run.begin);
-      };
-      const auto velocity = static_cast<std::size_t>(c.velocity + d);
-      const auto spin = static_cast<std::size_t>(c.spin + d);
-      keep(w.set->column(velocity), w.next->column(velocity));
-      keep(w.set->column(spin), w.next->column(spin));
-      if (!spins) std::fill_n(w.next->column(spin) + w.run.begin, count, 0.0);
-    }
-    stay(w, w.run.begin, static_cast<int>(count));
-    find_nodes_of(w);
-    add_bounds(w, w.run.begin, static_cast<int>(count), report);
-    find_middle_nodes(w, report);
-  });
-  std::vector<KindRates> rates(bodies_.size());
-  for (const ThreadReport& r : reports)
-    for (std::size_t k = 0; k < rates.size(); ++k) rates[k].add(r.rates[k]);
-  return rates;
-}
-
-void SolidStep::take_spins(const StageScope& scope) {
-  std::vector<ThreadReport> reports = new_reports(scope);
-  scope.levels.front()->team()->for_each(work_.size(), [&](std::size_t i, int thread) {
-    const BlockWork& w = work_[i];
-    const Body& body = bodies_[static_cast<std::size_t>(w.kind)];
-    const Columns& c = body.carried->columns;
-    if (body.material->rigid) return;
-    ThreadReport& report = reports[static_cast<std::size_t>(thread)];
-    report.window.load(w.middle_lowest, w.middle_highest, body.table, body.mapped);
-    ParticleSet& set = scope.particles->store(w.kind).set(level_.index, w.box);
-    for (std::size_t at = w.run.begin; at < w.run.end; at += chunk_size) {
-      const int n = static_cast<int>(std::min<std::size_t>(chunk_size, w.run.end - at));
-      read_velocities(solids_->basis, body.grid, places_of_gradients(w), shape_of_gradients(w),
-                      static_cast<int>(at), n, report.window, report.read);
-      for (int k = 0; k < 3; ++k) {
-        double* spin = set.column(static_cast<std::size_t>(c.spin + k)) + at;
-        for (int q = 0; q < n; ++q) spin[q] = turns(level_, k) ? spin_of(report.read, k, q) : 0.0;
-      }
-    }
-  });
 }
 
 // How far corners may be from their particle then, cells.

@@ -56,10 +56,10 @@ void KindRates::add(const KindRates& o) {
   mass = std::max(mass, o.mass);
   up = {std::max(up.x, o.up.x), std::max(up.y, o.up.y), std::max(up.z, o.up.z)};
   down = {std::max(down.x, o.down.x), std::max(down.y, o.down.y), std::max(down.z, o.down.z)};
-  // NaN must survive: the step is then rejected.
-  tension = o.tension > tension || o.tension != o.tension ? o.tension : tension;
+  // What is no number must survive: the step is then rejected.
+  keep_larger(tension, o.tension);
   affine = std::max(affine, o.affine);
-  extent = o.extent > extent || o.extent != o.extent ? o.extent : extent;
+  keep_larger(extent, o.extent);
   slope = std::max(slope, o.slope);
   wave = std::max(wave, o.wave);
   energy = std::max(energy, o.energy);
@@ -175,8 +175,7 @@ double step_rate(const Level& level, const ParticleSet& set, const Columns& colu
                         return c[q] * std::sqrt(dot(row, row));
                       })
             : largest(0, count, 0, [&](std::size_t q) { return c[q] + std::fabs(v[q]); });
-    // What is no number must not be lost: the step is then rejected.
-    if (!(most <= rate * level.spacing[d])) rate = most / level.spacing[d];
+    keep_larger(rate, most / level.spacing[d]);
   }
   return rate;
 }
