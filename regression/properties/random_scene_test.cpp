@@ -25,6 +25,7 @@ constexpr double allowed_drift = 1e-13;  // of sum |q|, boundary fluxes and sour
 void expect_admissible(const std::filesystem::path& folder) {
   const Archive archive = Archive::open(folder);
   const ArchiveStep step = archive.read_output(archive.select_output("last"));
+  ASSERT_EQ(step.info().step, run_steps);
   for (const FieldInfo& field : step.fields()) {
     if (field.name != "rho_CC" && field.name != "temp_CC") continue;
     const DenseField values = step.read(field);

@@ -283,6 +283,7 @@ std::string skew_deck(const SkewCase& c, const Orientation& o, int step_count) {
   deck += fmt::format(
       "<DataArchiver><filebase>skew.uda</filebase>\n"
       "<outputTimestepInterval>{}</outputTimestepInterval>\n"
+      "<outputLastTimestep>true</outputLastTimestep>\n"
       "<save label=\"rho_CC\"/><save label=\"temp_CC\"/><save label=\"vel_CC\"/>{}\n"
       "</DataArchiver>\n",
       step_count, c.materials() > 1 ? "<save label=\"vol_frac_CC\"/>" : "");

@@ -80,7 +80,7 @@ inline std::ostream& operator<<(std::ostream& out, const SkewCase& c) {
   return out << c.name;
 }
 
-// The deck as XML; outputs and checkpoints at the end of `steps` steps.
+// The deck as XML; output after the first and after the last of the steps.
 std::string skew_deck(const SkewCase& c, const Orientation& o, int step_count);
 
 }  // namespace sluice::properties

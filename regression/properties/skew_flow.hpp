@@ -19,7 +19,8 @@ struct Flow {
 // Runs the deck some steps. A failure or an event on the way fails the test.
 Flow flow_of(const SkewCase& c, const Orientation& o);
 
-// Where they differ by more than `allowed` of the largest value; "" when nowhere.
+// Where they differ by more than `allowed` of the largest value, temperature and velocity times the
+// share of their material; "" when nowhere.
 std::string difference(const Flow& a, const Flow& b, double allowed);
 
 }  // namespace sluice::properties

@@ -135,8 +135,9 @@ class MixtureRestrictor {
       for (int i = 0; i < n; ++i) {
         const bool alone = mean_M[i * step] == mean_rho_[i] || !(mean_M[i * step] > 0.0);
         if (alone) sum[0][i] = 0.0;
-        lost[i] += rows_[0][i];
-        if (!alone) lost[i] -= 0.5 * (sum[0][i] * sum[0][i]) / mean_M[i * step];
+        // One term a component: the order of two components does not show.
+        const double left = alone ? 0.0 : 0.5 * (sum[0][i] * sum[0][i]) / mean_M[i * step];
+        lost[i] += rows_[0][i] - left;
       }
       write(layout_.slip(m, c), first, n, sum[0]);
     }
