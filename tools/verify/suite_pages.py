@@ -6,7 +6,7 @@ AMR_HEAD = f"""# Decks with levels
 
 Every deck of the format's public suite that has `<AMR>` or several `<Level>`s, and its state. This
 page is written by `tools/verify/suite_decks.py amr`, which finds the suite through the variable
-`SLUICE_DECKS`; `./dev verify decks` checks that it holds. The decks are taken as they stand, for at
+`SLUICE_DECKS`; `./dev verify pages` checks that it holds. The decks are taken as they stand, for at
 most {MOST_COARSE_STEPS} coarse steps. Of those that do not run the first thing that is missing is
 told, as `sluice check` or the start of the run says it.
 
@@ -16,7 +16,7 @@ ICE_HEAD = f"""# Decks of the fluid
 
 Every deck of the folder `inputs/ICE` of the format's public suite, and its state. This page is
 written by `tools/verify/suite_decks.py ice`, which finds the suite through the variable
-`SLUICE_DECKS`; `./dev verify decks` checks every row, the test `tools.ice_decks` runs some steps of
+`SLUICE_DECKS`; `./dev verify pages` checks every row, the test `tools.ice_decks` runs some steps of
 a deck of each kind. Decks run coarsened to seconds: at most {MOST_STEPS} steps, and a grid of one
 box of more than {MOST_CELLS:,} cells by a smaller `resolution`; the last step is saved. A deck runs
 when it ends in good order; all totals and all values of its last output are finite, densities,
@@ -33,7 +33,7 @@ MPM_HEAD = f"""# Decks of solids
 
 Every deck of the folders `inputs/MPM` and `inputs/UintahRelease/MPM` of the format's public suite,
 and its state. This page is written by `tools/verify/suite_decks.py mpm`, which finds the suite
-through the variable `SLUICE_DECKS`; `./dev verify decks` checks every row. Decks run for
+through the variable `SLUICE_DECKS`; `./dev verify pages` checks every row. Decks run for
 {FEW_STEPS} steps, a grid of one box of more than {MOST_CELLS_OF_SOLIDS:,} cells by a smaller
 `resolution`; the last step is saved. A deck runs when it ends in good order, all totals and all
 values of its last output are finite, volumes and masses of particles are positive, and the mass of
@@ -46,7 +46,7 @@ IMPM_HEAD = f"""# Decks of implicit steps
 
 Every deck of the folders `inputs/IMPM` and `inputs/UintahRelease/IMPM` of the format's public
 suite, and its state. This page is written by `tools/verify/suite_decks.py impm`, which finds the
-suite through the variable `SLUICE_DECKS`; `./dev verify decks` checks every row. Decks run for
+suite through the variable `SLUICE_DECKS`; `./dev verify pages` checks every row. Decks run for
 {FEW_STEPS} steps, a grid of one box of more than {MOST_CELLS_OF_SOLIDS:,} cells by a smaller
 `resolution`; the last step is saved. A deck runs when it ends in good order, all totals and all
 values of its last output are finite, volumes and masses of particles are positive, and the mass of
@@ -60,7 +60,7 @@ MPMICE_HEAD = f"""# Decks of fluid and solids
 
 Every deck of the format's public suite whose component is `mpmice` or one of its kin, and its
 state. This page is written by `tools/verify/suite_decks.py mpmice`, which finds the suite through
-the variable `SLUICE_DECKS`; `./dev verify decks` checks every row. Decks run for {FEW_STEPS} steps,
+the variable `SLUICE_DECKS`; `./dev verify pages` checks every row. Decks run for {FEW_STEPS} steps,
 a grid of one box of more than {MOST_CELLS_OF_SOLIDS:,} cells by a smaller `resolution`; the last
 step is saved. A deck runs when it ends in good order, all totals and all values of its last output
 are finite, volumes and masses of particles are positive, and the mass of each material is conserved
@@ -74,7 +74,7 @@ SUITE_HEAD = f"""# The public suite
 
 Every deck of the format's public suite, and its state: accepted by `sluice check` or not, and how
 far it runs. This page is written by `tools/verify/suite_decks.py suite`, which finds the suite
-through the variable `SLUICE_DECKS`; `./dev verify decks` checks every row. Decks that stand on
+through the variable `SLUICE_DECKS`; `./dev verify pages` checks every row. Decks that stand on
 the page of a kind (fluids, solids, both, implicit steps, levels) have the state told there; the
 others run for {QUICK_STEPS} steps. Of those that are not accepted the first fault is told.
 
@@ -85,7 +85,7 @@ VAANGO_HEAD = f"""# Decks of Vaango's suite
 Every deck of Vaango's suite (June 2025) that is not among those of the format's public suite, and
 its state: accepted by `sluice check` or not, and how far it runs. This page is written by
 `tools/verify/suite_decks.py vaango`, which finds the suite through the variable
-`SLUICE_VAANGO_DECKS`; `./dev verify decks` checks every row. Accepted decks run for {QUICK_STEPS}
+`SLUICE_VAANGO_DECKS`; `./dev verify pages` checks every row. Accepted decks run for {QUICK_STEPS}
 steps, a grid of one box of more than {MOST_CELLS_OF_SOLIDS:,} cells by a smaller `resolution`. That
 says nothing of accuracy. Of those that are not accepted the first fault is told; files that the
 suite itself lacks are such faults.
