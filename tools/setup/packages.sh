@@ -12,7 +12,10 @@ packages_of() {
     test) echo python3-paraview ;; # reads exports back, as users' ParaView will
     lint) echo clang-format-16 clang-tidy-16 ;;
     bench) echo libbenchmark-dev valgrind util-linux ;;
-    verify) echo clang-16 libclang-rt-16-dev xvfb xauth libgl1-mesa-dri graphviz ;;
+    verify)
+      echo clang-16 libclang-rt-16-dev libomp-16-dev # SUNDIALS asks for OpenMP of any compiler
+      echo xvfb xauth libgl1-mesa-dri graphviz
+      ;;
     all) for group in core test lint bench verify; do packages_of $group; done ;;
     *) fail 2 "setup: no package group '$1' (core, test, lint, bench, verify, all)" ;;
   esac

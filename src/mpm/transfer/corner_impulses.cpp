@@ -19,34 +19,45 @@ struct Impulse {
   Four velocity, change, moment[D];
 };
 
+template <int D>
+struct HatSums {
+  Four change[1 << D], velocity[1 << D], moment[D][1 << D];
+};
+
+// Hats along axis A at s: what is left are the nodes of the axes behind.
+template <int A, bool Velocities, int D>
+[[gnu::always_inline]] inline void fold(double s, HatSums<D>& sums) {
+  const double low = 0.5 - s, up = 0.5 + s, square = 0.25 - s * s;
+#pragma GCC unroll 4
+  for (int i = 0; i < 1 << (D - 1 - A); ++i) {
+    const auto along = [&](Four* of) { of[i] = low * of[2 * i] + up * of[2 * i + 1]; };
+    if constexpr (Velocities) along(sums.velocity);
+    sums.moment[A][i] = square * (sums.change[2 * i + 1] - sums.change[2 * i]);
+    if constexpr (A > 0) along(sums.moment[0]);
+    if constexpr (A > 1) along(sums.moment[1]);
+    along(sums.change);
+  }
+}
+
 // Hats, axis after axis: of changes alone, as moments are differences of these.
 template <int D, bool Velocities>
 [[gnu::always_inline]] inline void at_corner(const std::int64_t* node,
                                              const std::ptrdiff_t (&stride)[D],
                                              const double (&s)[D], Impulse<D>& to) {
-  Four change[1 << D], velocity[1 << D], moment[D][1 << D];
+  HatSums<D> sums;
 #pragma GCC unroll 8
   for (int i = 0; i < 1 << D; ++i) {
     const std::int64_t* from = node;
     for (int a = 0; a < D; ++a) from += (i >> a & 1) * stride[a];
-    if constexpr (Velocities) velocity[i] = *reinterpret_cast<const FourAtNode*>(from);
-    change[i] = *reinterpret_cast<const FourAtNode*>(from + 4);
+    if constexpr (Velocities) sums.velocity[i] = *reinterpret_cast<const FourAtNode*>(from);
+    sums.change[i] = *reinterpret_cast<const FourAtNode*>(from + 4);
   }
-#pragma GCC unroll 3
-  for (int a = 0; a < D; ++a) {
-    const double low = 0.5 - s[a], up = 0.5 + s[a], square = 0.25 - s[a] * s[a];
-#pragma GCC unroll 4
-    for (int i = 0; i < 1 << (D - 1 - a); ++i) {
-      if constexpr (Velocities) velocity[i] = low * velocity[2 * i] + up * velocity[2 * i + 1];
-      moment[a][i] = square * (change[2 * i + 1] - change[2 * i]);
-#pragma GCC unroll 2
-      for (int b = 0; b < a; ++b) moment[b][i] = low * moment[b][2 * i] + up * moment[b][2 * i + 1];
-      change[i] = low * change[2 * i] + up * change[2 * i + 1];
-    }
-  }
-  if constexpr (Velocities) to.velocity = velocity[0];
-  to.change = change[0];
-  for (int a = 0; a < D; ++a) to.moment[a] = moment[a][0];
+  fold<0, Velocities>(s[0], sums);
+  if constexpr (D > 1) fold<1, Velocities>(s[1], sums);
+  if constexpr (D > 2) fold<2, Velocities>(s[2], sums);
+  if constexpr (Velocities) to.velocity = sums.velocity[0];
+  to.change = sums.change[0];
+  for (int a = 0; a < D; ++a) to.moment[a] = sums.moment[a][0];
 }
 
 // sum S r_a^2 of each active direction, from which I is made.
