@@ -89,6 +89,18 @@ def test(sluice, suite):
     return checked > 0 and not broken
 
 
+def says_the_same(page, text):
+    """Decks that one of them did not finish within the limit may be done where a machine is faster:
+    their rows, and the line that counts rows, are not compared."""
+    slow = set(re.findall(r"^\| (\S+) \|.*not finished in", page + text, re.M))
+
+    def compared(lines):
+        return [line for line in lines.splitlines()
+                if not re.match(r"\d+ of \d+ decks ", line)
+                and not (line.startswith("| ") and line.split()[1] in slow)]
+    return sorted(compared(page)) == sorted(compared(text))
+
+
 def treat(sluice, suite, deck_list, given):
     """Whether all is well with a list; says what was found."""
     text, told, running = make_page(sluice, suite, deck_list, given.only)
@@ -98,7 +110,7 @@ def treat(sluice, suite, deck_list, given):
         return False
     if not given.check:
         deck_list.page.write_text(text)
-    elif not deck_list.page.exists() or deck_list.page.read_text() != text:
+    elif not deck_list.page.exists() or not says_the_same(deck_list.page.read_text(), text):
         print(f"RESULT: {deck_list.page.name} is out of date: write it anew without --check")
         return False
     print(f"RESULT: {told}")

@@ -17,6 +17,16 @@ std::int32_t points_in_cell(const std::vector<Vec3>& points, const CellLattice& 
 }
 
 // The box of all sub-points of the cells: its ends are sub-points themselves.
+Bounds points_of(const CellLattice& lattice, IntVec3 cell, IntVec3 first, IntVec3 end,
+                 IntVec3 res) {
+  Bounds b;
+  for (int d = 0; d < 3; ++d) {
+    b.lower[d] = lattice.sub_point(d, cell[d], first[d], res[d]);
+    b.upper[d] = lattice.sub_point(d, cell[d], end[d] - 1, res[d]);
+  }
+  return b;
+}
+
 Bounds sub_points(const CellLattice& lattice, IntVec3 lower, IntVec3 upper, IntVec3 res) {
   Bounds b;
   for (int d = 0; d < 3; ++d) {
@@ -37,6 +47,30 @@ Halves halves(IntVec3 lower, IntVec3 upper) {
   Halves h{upper, lower, n[d] == 1};
   h.middle_up[d] = h.middle_down[d] = lower[d] + n[d] / 2;
   return h;
+}
+
+// Of the points [first, end) of one cell; where they are many, by halves, so that only those near
+// the surface are asked one by one.
+std::int32_t count_in_cell(const GeometryPiece& piece, const CellLattice& lattice, IntVec3 cell,
+                           IntVec3 first, IntVec3 end, IntVec3 res) {
+  constexpr int few = 32;
+  const IntVec3 size = end - first;
+  const std::int32_t points = size.x * size.y * size.z;
+  if (points > few) {
+    const Cover c = piece.cover(points_of(lattice, cell, first, end, res));
+    if (c != Cover::some) return c == Cover::all ? points : 0;
+    const Halves h = halves(first, end);
+    return count_in_cell(piece, lattice, cell, first, h.middle_up, res) +
+           count_in_cell(piece, lattice, cell, h.middle_down, end, res);
+  }
+  std::int32_t n = 0;
+  for (int c = first.z; c < end.z; ++c)
+    for (int b = first.y; b < end.y; ++b)
+      for (int a = first.x; a < end.x; ++a)
+        n += piece.inside({lattice.sub_point(0, cell.x, a, res.x),
+                           lattice.sub_point(1, cell.y, b, res.y),
+                           lattice.sub_point(2, cell.z, c, res.z)});
+  return n;
 }
 
 // Counts over a range of cells by halving blocks until a block is settled or is one cell.
@@ -101,14 +135,7 @@ std::int32_t count_inside(const GeometryPiece& piece, const CellLattice& lattice
                           IntVec3 res) {
   if (const std::vector<Vec3>* points = piece.points())
     return points_in_cell(*points, lattice, cell);
-  std::int32_t n = 0;
-  for (int c = 0; c < res.z; ++c)
-    for (int b = 0; b < res.y; ++b)
-      for (int a = 0; a < res.x; ++a)
-        n += piece.inside({lattice.sub_point(0, cell.x, a, res.x),
-                           lattice.sub_point(1, cell.y, b, res.y),
-                           lattice.sub_point(2, cell.z, c, res.z)});
-  return n;
+  return count_in_cell(piece, lattice, cell, {0, 0, 0}, res, res);
 }
 
 std::vector<std::int32_t> count_inside(const GeometryPiece& piece, const CellLattice& lattice,

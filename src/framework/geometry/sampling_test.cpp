@@ -13,6 +13,7 @@
 #include "framework/geometry/point_file.hpp"
 #include "framework/geometry/round.hpp"
 #include "framework/geometry/shell.hpp"
+#include "framework/grid/index_box.hpp"
 
 namespace sluice::sampling_test {
 namespace {
@@ -97,6 +98,22 @@ TEST(Sampling, BlocksGiveTheSameBitsAsSubPoints) {
           ASSERT_EQ(counts[at], count_inside(*k.piece, cube(n), {a, b, c}, {2, 3, 1}))
               << k.name << ' ' << a << ' ' << b << ' ' << c;
     ASSERT_EQ(at, counts.size());
+  }
+}
+
+// The one cell of the whole cube has so many points that they are counted by halves.
+TEST(Sampling, ManyPointsOfACellAreCountedAsEachOfThemSays) {
+  const CellLattice lattice = cube(1);
+  const IntVec3 res{20, 17, 23};
+  for (const KnownVolume& k : known_volumes()) {
+    std::int32_t inside = 0;
+    for_each_cell({{0, 0, 0}, res}, [&](IntVec3 s) {
+      Vec3 p;
+      for (int d = 0; d < 3; ++d) p[d] = lattice.sub_point(d, 0, s[d], res[d]);
+      inside += k.piece->inside(p);
+    });
+    EXPECT_GT(inside, 0) << k.name;
+    EXPECT_EQ(count_inside(*k.piece, lattice, {0, 0, 0}, res), inside) << k.name;
   }
 }
 
@@ -260,6 +277,14 @@ TEST(Sampling, OfAMillionCellsAsksForAThirdOfThePoints) {
   EXPECT_EQ(counts.front(), 8);
   RecordProperty("asked", std::to_string(ball->asked));
   EXPECT_LT(static_cast<double>(ball->asked), share_of_points * 8e6);
+}
+
+// 60^3 points of one cell: those near the surface and between the ball and its bounds, which hold
+// half of the cell.
+TEST(Sampling, OfManyPointsOfACellFewAreAsked) {
+  CountingBall ball;
+  EXPECT_GT(count_inside(ball, cube(1), {0, 0, 0}, IntVec3::all(60)), 0);
+  EXPECT_LT(static_cast<double>(ball.asked), 0.5 * 60 * 60 * 60);
 }
 
 }  // namespace
