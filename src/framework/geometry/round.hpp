@@ -3,6 +3,7 @@
 // Cylinders and cones are measured from the middle of their axis, so that the piece with bottom and
 // top exchanged, and its mirror image, give the same answer to the bit.
 #pragma once
+#include <algorithm>
 #include <array>
 
 #include "framework/geometry/piece.hpp"
@@ -19,11 +20,21 @@ class SpherePiece final : public GeometryPiece {
   Bounds bounds() const override {
     return with_margin({origin_ - Vec3::all(radius_), origin_ + Vec3::all(radius_)});
   }
-  Cover cover(const Bounds& box) const override { return convex_cover(*this, box, true); }
+  // None where even the nearest point of the box is outside: all operations of inside() are
+  // monotone in |p - o| along each direction, round-off included.
+  Cover cover(const Bounds& box) const override {
+    if (!inside(nearest_of(box))) return Cover::none;
+    return convex_cover(*this, box, true);
+  }
   Vec3 origin() const { return origin_; }
   double radius() const { return radius_; }
 
  private:
+  Vec3 nearest_of(const Bounds& box) const {
+    Vec3 p;
+    for (int d = 0; d < 3; ++d) p[d] = std::clamp(origin_[d], box.lower[d], box.upper[d]);
+    return p;
+  }
   Vec3 origin_;
   double radius_;
 };
