@@ -90,9 +90,10 @@ void CompositeNodes::hang_block(const BlockTable& fine, NodeLanes& fine_nodes,
         std::int64_t* to = lanes_at(coarse, coarse_nodes, parent);
         if (to == nullptr) return;
         for (int l = 0; l < count_lane; ++l)
-          to[l] = wrapped_sum(
-              to[l],
-              static_cast<std::int64_t>(std::nearbyint(sum_in(from, l) * weight)) + rounding_bits);
+          if (from[l] != 0)  // velocities that are mapped back bring no forces
+            to[l] = wrapped_sum(
+                to[l], static_cast<std::int64_t>(std::nearbyint(sum_in(from, l) * weight)) +
+                           rounding_bits);
         to[count_lane] = wrapped_sum(to[count_lane], rounding_bits);
       });
     for (int l = 0; l < lanes; ++l) from[l] = 0;
