@@ -80,7 +80,7 @@ class PushedSolids final : public Mpm {
 
 SolidDeck block() {
   SolidDeck deck;
-  deck.flags = "<interpolator>carried_corners</interpolator>";
+  deck.flags = "<interpolator>carried_corners</interpolator><transfer>flip</transfer>";
   deck.upper = "[1,1,0.1]";
   deck.cells = "[10,10,1]";
   deck.objects =

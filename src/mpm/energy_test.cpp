@@ -43,9 +43,10 @@ SolidDeck deck_of(const Case& c) {
       deck.faces += fmt::format(
           "<Face side='{}'><BCType id='all' label='Symmetric' var='symmetry'/></Face>", side);
   deck.flags = fmt::format(
-      "<interpolator>{}</interpolator><transfer>{}</transfer>"
-      "<xpic_order>2</xpic_order>",
-      c.basis, c.transfer);
+      "<interpolator>{}</interpolator>{}", c.basis,
+      c.transfer == std::string_view("musl")
+          ? "<musl>true</musl>"
+          : fmt::format("<transfer>{}</transfer><xpic_order>2</xpic_order>", c.transfer));
   deck.objects = "";
   for (int half = 0; half < 2; ++half) {
     const double low = 4 + half * 0.5 * cells, high = low + 0.5 * cells;
@@ -86,7 +87,9 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"carried_corners", "flip", 3, 0.1, 2}, Case{"gimp", "midpoint", 2, 0.1, 1},
                     Case{"gimp", "midpoint", 1, 0.1, 2}, Case{"gimp", "midpoint", 2, 0.1, 2},
                     Case{"gimp", "midpoint", 3, 1, 2}, Case{"3rdorderBS", "midpoint", 2, 0.1, 2},
-                    Case{"4thorderBS", "midpoint", 2, 0.1, 2}));
+                    Case{"4thorderBS", "midpoint", 2, 0.1, 2}, Case{"gimp", "musl", 1, 0.1, 2},
+                    Case{"gimp", "musl", 2, 0.1, 2}, Case{"3rdorderBS", "musl", 3, 0, 2},
+                    Case{"4thorderBS", "musl", 2, 0.1, 1}, Case{"cpdi", "musl", 2, 0.1, 2}));
 
 // A step that the deck forces upon a basis that it makes unstable: the run tells, and ends or goes
 // on with shorter steps; its energy does not grow tenfold.
@@ -117,9 +120,11 @@ TEST(StableShare, KnowsBasisParticlesAndForm) {
     return stable_share(read.solids, {true, true, true}).share;
   };
   const std::string gimp = "<interpolator>gimp</interpolator>";
-  EXPECT_EQ(share(gimp, "[1,1,1]"), 0.55);
-  EXPECT_EQ(share(gimp, "[2,2,2]"), 0.52);
-  EXPECT_EQ(share(gimp, "[2,4,2]"), 0.5);
+  const std::string flip = gimp + "<transfer>flip</transfer>";
+  EXPECT_EQ(share(flip, "[1,1,1]"), 0.55);
+  EXPECT_EQ(share(flip, "[2,2,2]"), 0.52);
+  EXPECT_EQ(share(flip, "[2,4,2]"), 0.5);
+  for (const char* res : {"[1,1,1]", "[2,2,2]", "[2,4,2]"}) EXPECT_EQ(share(gimp, res), 0.9);
   EXPECT_EQ(share("", "[2,2,2]"), 0.9);
   EXPECT_EQ(share("<musl>false</musl>", "[2,2,2]"), 0.4);
   EXPECT_EQ(share(gimp + "<total_lagrangian>true</total_lagrangian>", "[2,2,2]"), 0.9);

@@ -45,6 +45,7 @@ class Mpm : public Component {
   std::vector<BodyEnergy> body_energies(const std::vector<double>& sums) const override;
   std::string place_of_gain(const ParticleCloud& cloud, int material,
                             Communicator& ranks) const override;
+  std::string better_for_energy() const override;
   std::vector<std::string> tally_names() const override;
   std::vector<double> tallies(const std::vector<double>& sums) const override;
   std::vector<ConservedTotal> tallied_totals(const Totals& totals) const override;

@@ -39,6 +39,17 @@ std::vector<BodyEnergy> Mpm::body_energies(const std::vector<double>& sums) cons
   return bodies;
 }
 
+// Beside a fluid all particles carry corners: there is no choice.
+std::string Mpm::better_for_energy() const {
+  if (solids_.midpoint() || solids_.total_lagrangian || solids_.implicit || solids_.any_water())
+    return "";
+  if (solids_.basis == Basis::linear)
+    return "<interpolator> gimp or cpdi: particles of the interpolator linear are points, which "
+           "turn spin into strain";
+  return "the transfer that a deck has without <transfer>, <musl> and their like: midpoint keeps "
+         "vibration and spin";
+}
+
 // The particle of a material whose energy has grown most in an attempted step, on all ranks.
 std::string Mpm::place_of_gain(const ParticleCloud& cloud, int material,
                                Communicator& ranks) const {

@@ -109,7 +109,7 @@ def fault_of(status, told):
 
 def cells_of(text):
     """As far as the text says it: those of levels that have a spacing are not counted here."""
-    most = MOST_CELLS if "<spacing>" in text else 1
+    most = MOST_CELLS + 1 if "<spacing>" in text else 1
     for found in re.findall(r"<resolution>\s*\[([^\]]*)\]", text):
         count = 1
         for part in found.split(","):

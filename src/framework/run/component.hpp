@@ -212,6 +212,8 @@ class Component {
                                     Communicator& /*ranks*/) const {
     return "";
   }
+  // What a deck would take for their energies to be kept better, "<...> ..."; "": it has it.
+  virtual std::string better_for_energy() const { return ""; }
   // New intervals of outputs that the scene may come to, and whether a step with these sums has
   // come to the n-th.
   virtual std::vector<OutputSwitch> output_switches() const { return {}; }

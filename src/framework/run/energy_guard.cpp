@@ -151,21 +151,22 @@ Json EnergyGuard::to_json() const {
   return json;
 }
 
-std::string EnergyGuard::summary() const {
+std::string EnergyGuard::summary(std::string_view better) const {
   std::string text;
   for (const Account& a : accounts_) {
     const double scale = scale_of(a);
     if (a.gained_since > 0)
       text += fmt::format(
           "warning: solid '{}' has gained energy by numerical error, more than {:g} % of its scale "
-          "since step {}; {:+.2g} % at the end. Take a smaller <timestep_multiplier> or another "
-          "<interpolator>\n",
-          a.name, 100 * run_gain, a.gained_since, 100 * run_gain_of(a) / scale);
+          "since step {}; {:+.2g} % at the end. Take {}\n",
+          a.name, 100 * run_gain, a.gained_since, 100 * run_gain_of(a) / scale,
+          better.empty() ? "a smaller <timestep_multiplier> or another <interpolator>" : better);
     if (a.lost_since > 0)
       text += fmt::format(
           "solid '{}' has lost more than {:g} % of its energy to transfer and integration since "
-          "step {}; {:+.3g} % of its scale at the end\n",
-          a.name, 100 * run_loss, a.lost_since, 100 * run_gain_of(a) / scale);
+          "step {}; {:+.3g} % of its scale at the end{}{}\n",
+          a.name, 100 * run_loss, a.lost_since, 100 * run_gain_of(a) / scale,
+          better.empty() ? "" : ". Take ", better);
   }
   return text;
 }

@@ -28,6 +28,7 @@
 #pragma once
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace sluice {
@@ -88,7 +89,7 @@ class EnergyGuard {
   // {name: {scale, gain, gain_share, largest_step_gain, first_step_of_gain, ...}}
   Json to_json() const;
   // One line for each body that has passed a limit.
-  std::string summary() const;
+  std::string summary(std::string_view better) const;
   bool any() const { return !accounts_.empty(); }
 
   // Exact state for a checkpoint.

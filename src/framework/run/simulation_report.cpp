@@ -61,7 +61,7 @@ RunReport Simulation::report() const {
   r.worst_drift = conservation_.worst_drift();
   r.account = component_->account(tallies_);
   r.solids_json = energies_.to_json().dump();
-  r.solids_text = energies_.summary() + parted_.summary();
+  r.solids_text = energies_.summary(component_->better_for_energy()) + parted_.summary();
   r.energy_scale = conservation_.scale(component_->material_count() + 3);
   return r;
 }

@@ -39,9 +39,11 @@ std::vector<TagSpec> scheme_tags() {
           "how velocities come back to particles: flip (changes of the grid are added), pic (the "
           "grid's velocity is taken), xpic (pic of a higher order), apic (affine; angular "
           "momentum exact), affine (affine, damped by a rate), midpoint (flip of velocity and "
-          "spin; velocity gradients are those of new velocities at the middle of the step)")
-          .words({"flip", "pic", "xpic", "apic", "affine", "midpoint"})
-          .by_default("flip"),
+          "spin; velocity gradients are those of new velocities at the middle of the step). "
+          "Where the deck has neither this nor <musl> or another choice of a transfer: midpoint, "
+          "and flip with the interpolator linear, in implicit and total Lagrangian steps, beside "
+          "a fluid, with water in pores and prescribed deformation")
+          .words({"flip", "pic", "xpic", "apic", "affine", "midpoint"}),
       tag("xpic_order", "order of the transfer xpic; 1 is pic")
           .integer()
           .at_least(1)
@@ -59,10 +61,10 @@ std::vector<TagSpec> scheme_tags() {
            "particles give the grid velocities that vary within them: transfer affine without "
            "damping",
            "false"),
-      flag("musl",
-           "interpolator linear: new particle velocities are mapped back before the velocity "
-           "gradient is taken",
-           "true"),
+      tag("musl",
+          "new particle velocities are mapped back before the velocity gradient is taken; absent: "
+          "true with the interpolator linear, and as <transfer> says with all others")
+          .boolean(),
       flag("total_lagrangian",
            "shape functions stay those of the start: for bodies that neither break nor touch",
            "false"),

@@ -189,14 +189,12 @@ struct MpmScene {
   Transfer transfer = Transfer::flip;
   int xpic_order = 2;
   double affine_damping = 1;  // kappa
-  bool musl = true;           // of the linear basis
+  bool musl = true;           // new velocities are mapped back at the places of the start (MUSL)
   // Particles carry a spin, gradients are those of the middle of a step (mpm_transfers.md).
   bool midpoint() const { return transfer == Transfer::midpoint; }
   // Velocity gradients are those of new velocities, which particles give to nodes once more. Where
   // the deformation is prescribed nodes have it, and velocities of particles do not.
-  bool maps_back() const {
-    return midpoint() || (basis == Basis::linear && musl && prescribed_file.empty());
-  }
+  bool maps_back() const { return midpoint() || (musl && prescribed_file.empty()); }
   bool carries_corners() const { return basis == Basis::carried; }
   // For those who need corners whatever the deck's basis is. Before the scene is used; what
   // corners have no form of gives way. Along directions of one cell a particle has no corners: it
@@ -206,6 +204,7 @@ struct MpmScene {
     total_lagrangian = false;
     if (transfer == Transfer::apic) transfer = Transfer::affine;
     if (transfer == Transfer::midpoint) transfer = Transfer::flip;
+    musl = false;
     for (SolidMaterial& m : materials)
       for (SeedObject& o : m.objects)
         for (int d = 0; d < 3; ++d)

@@ -9,7 +9,9 @@
 #include "framework/deck/nearest_name.hpp"
 #include "framework/scene/deck_values.hpp"
 #include "mpm/deck/implicit.hpp"
+#include "mpm/deck/pore_water.hpp"
 #include "mpm/deck/readers.hpp"
+#include "mpm/deck/schema.hpp"
 
 namespace sluice::mpm {
 namespace {
@@ -53,7 +55,7 @@ void read_scheme(const DeckNode& flags, MpmScene& s) {
     s.transfer = Transfer::affine;
     s.affine_damping = 0;
   }
-  s.musl = boolean_or(flags, "musl", s.musl);
+  s.musl = boolean_or(flags, "musl", s.basis == Basis::linear);
   s.total_lagrangian = boolean_or(flags, "total_lagrangian", false);
   s.cpdi_limit = real_or(flags, "cpdi_lcrit", s.cpdi_limit);
   s.axisymmetric = boolean_or(flags, "axisymmetric", false);
@@ -141,6 +143,19 @@ void read_splits(const DeckNode& root, MpmScene& s, std::vector<Fault>& faults) 
 
 }  // namespace
 
+// Decks that leave the scheme to Sluice have the midpoint transfer wherever it has a form.
+bool takes_midpoint_transfer(const DeckNode& root) {
+  const DeckNode* flags = root.child("MPM");
+  if (flags == nullptr || !runs_mpm(root) || runs_implicit(root) || runs_pore_water(root))
+    return false;
+  for (const char* name : {"transfer", "musl"})
+    if (flags->has(name)) return false;
+  for (const char* name : {"XPIC2", "UseGradientEnhancedVelocityProjection", "total_lagrangian",
+                           "UsePrescribedDeformation"})
+    if (boolean_or(*flags, name, false)) return false;
+  return text_or(*flags, "interpolator", "linear") != "linear";
+}
+
 void read_flags(const DeckNode& root, MpmScene& s, std::vector<Fault>& faults) {
   if (const DeckNode* flags = root.child("MPM")) {
     read_scheme(*flags, s);
@@ -148,6 +163,7 @@ void read_flags(const DeckNode& root, MpmScene& s, std::vector<Fault>& faults) {
     read_files(*flags, s, faults);
     read_traction_faces(*flags, s, faults);
   }
+  if (takes_midpoint_transfer(root)) s.transfer = Transfer::midpoint;
   if (runs_implicit(root)) {
     const DeckNode* flags = root.child("MPM");
     s.implicit = flags != nullptr ? read_implicit(*flags) : ImplicitSettings{};

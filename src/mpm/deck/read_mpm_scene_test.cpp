@@ -35,6 +35,28 @@ SolidDeck with_contact(const std::string& contact) {
   return deck;
 }
 
+// Where the deck leaves it to Sluice: midpoint for particles with a width and splines.
+TEST(Flags, ChooseTheTransferThatKeepsVibrationAndSpin) {
+  const auto read = [](const std::string& flags) { return read_solids(with_flags(flags)).solids; };
+  for (const char* basis : {"gimp", "cpgimp", "3rdorderBS", "4thorderBS", "cpdi", "fast_cpdi",
+                            "cpti", "carried_corners"}) {
+    const std::string flags = fmt::format("<interpolator>{}</interpolator>", basis);
+    EXPECT_EQ(read(flags).transfer, Transfer::midpoint) << basis;
+    EXPECT_EQ(read(flags + "<musl>false</musl>").transfer, Transfer::flip) << basis;
+    EXPECT_FALSE(read(flags + "<musl>false</musl>").maps_back()) << basis;
+    EXPECT_EQ(read(flags + "<transfer>flip</transfer>").transfer, Transfer::flip) << basis;
+    EXPECT_EQ(read(flags + "<XPIC2>true</XPIC2>").transfer, Transfer::xpic) << basis;
+    EXPECT_EQ(read(flags + "<total_lagrangian>true</total_lagrangian>").transfer, Transfer::flip);
+  }
+  const std::string gimp = "<interpolator>gimp</interpolator>";
+  const MpmScene plain = read(gimp + "<musl>true</musl>");
+  EXPECT_EQ(plain.transfer, Transfer::flip);
+  EXPECT_TRUE(plain.maps_back());
+  EXPECT_EQ(read("").transfer, Transfer::flip);
+  EXPECT_TRUE(read("").maps_back());
+  EXPECT_FALSE(read("<musl>false</musl>").maps_back());
+}
+
 TEST(Flags, HaveTheDefaultsOfTheFormat) {
   const ReadDeck read = read_solids({});
   ASSERT_EQ(read.text, "");

@@ -206,7 +206,7 @@ static void check_midpoint(const DeckNode& flags, const std::string& basis,
               "<transfer> midpoint needs particles that have a width, or splines; those of the "
               "interpolator linear are points",
               "write <interpolator>gimp</interpolator>, or remove <transfer>");
-  for (const char* name : {"total_lagrangian", "UsePrescribedDeformation"})
+  for (const char* name : {"total_lagrangian", "UsePrescribedDeformation", "musl"})
     if (is_true(&flags, name))
       add_error(faults, transfer.where,
                 fmt::format("<transfer> midpoint and <{}> exclude each other", name),
@@ -219,8 +219,6 @@ void check_transfer(const DeckNode& root, std::vector<Fault>& faults) {
   const std::string transfer = text_of(*flags, "transfer");
   if (transfer != "xpic") warn_of_idle(*flags, "xpic_order", "<transfer> xpic", faults);
   if (transfer != "affine") warn_of_idle(*flags, "affine_damping", "<transfer> affine", faults);
-  if (text_of(*flags, "interpolator") != "linear")
-    warn_of_idle(*flags, "musl", "<interpolator> linear", faults);
   const std::string basis = text_of(*flags, "interpolator");
   if (transfer == "apic" && basis != "3rdorderBS" && basis != "4thorderBS")
     add_error(faults, flags->child("transfer")->where,
@@ -231,6 +229,11 @@ void check_transfer(const DeckNode& root, std::vector<Fault>& faults) {
     add_not_built(faults, flags->child("transfer")->where, "<transfer> midpoint beside a fluid");
   else if (transfer == "midpoint")
     check_midpoint(*flags, basis, faults);
+  if (is_true(flags, "musl") && (basis == "carried_corners" || !runs_mpm(root)))
+    add_error(faults, flags->child("musl")->where,
+              "<musl> true has no form for corners that move with the grid, which particles have "
+              "beside a fluid and with the interpolator carried_corners",
+              "remove it");
   // Tags of the format that choose a transfer too.
   for (const char* name : {"XPIC2", "UseGradientEnhancedVelocityProjection"})
     if (is_true(flags, name) && says(*flags, "transfer"))

@@ -16,9 +16,10 @@ struct BasisLimit {
 BasisLimit limit_of(const MpmScene& solids) {
   if (solids.total_lagrangian) return {"total Lagrangian form", {0.9, 0.9, 0.9}};
   if (solids.midpoint()) return {"the midpoint transfer", {0.9, 0.9, 0.9}};
+  if (solids.maps_back())
+    return {solids.basis == Basis::linear ? "linear basis" : "<musl> true", {0.9, 0.9, 0.9}};
   switch (solids.basis) {
     case Basis::linear:
-      if (solids.maps_back()) return {"linear basis", {0.9, 0.9, 0.9}};
       return {"linear basis without <musl>", {0.4, 0.4, 0.4}};
     case Basis::gimp:
     case Basis::cpgimp:
