@@ -16,24 +16,21 @@ std::int32_t points_in_cell(const std::vector<Vec3>& points, const CellLattice& 
   return n;
 }
 
-// The box of all sub-points of the cells: its ends are sub-points themselves.
-Bounds points_of(const CellLattice& lattice, IntVec3 cell, IntVec3 first, IntVec3 end,
-                 IntVec3 res) {
+// The box from one sub-point to another.
+Bounds box_between(const CellLattice& lattice, IntVec3 low_cell, IntVec3 low, IntVec3 high_cell,
+                   IntVec3 high, IntVec3 res) {
   Bounds b;
   for (int d = 0; d < 3; ++d) {
-    b.lower[d] = lattice.sub_point(d, cell[d], first[d], res[d]);
-    b.upper[d] = lattice.sub_point(d, cell[d], end[d] - 1, res[d]);
+    b.lower[d] = lattice.sub_point(d, low_cell[d], low[d], res[d]);
+    b.upper[d] = lattice.sub_point(d, high_cell[d], high[d], res[d]);
   }
   return b;
 }
 
+// The box of all sub-points of the cells: its ends are sub-points themselves.
 Bounds sub_points(const CellLattice& lattice, IntVec3 lower, IntVec3 upper, IntVec3 res) {
-  Bounds b;
-  for (int d = 0; d < 3; ++d) {
-    b.lower[d] = lattice.sub_point(d, lower[d], 0, res[d]);
-    b.upper[d] = lattice.sub_point(d, upper[d] - 1, res[d] - 1, res[d]);
-  }
-  return b;
+  return box_between(lattice, lower, {0, 0, 0}, upper - IntVec3::all(1), res - IntVec3::all(1),
+                     res);
 }
 
 // A block halved along its longest direction: [lower, middle up) and [middle down, upper).
@@ -57,7 +54,8 @@ std::int32_t count_in_cell(const GeometryPiece& piece, const CellLattice& lattic
   const IntVec3 size = end - first;
   const std::int32_t points = size.x * size.y * size.z;
   if (points > few) {
-    const Cover c = piece.cover(points_of(lattice, cell, first, end, res));
+    const Cover c =
+        piece.cover(box_between(lattice, cell, first, cell, end - IntVec3::all(1), res));
     if (c != Cover::some) return c == Cover::all ? points : 0;
     const Halves h = halves(first, end);
     return count_in_cell(piece, lattice, cell, first, h.middle_up, res) +

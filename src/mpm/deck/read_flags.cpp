@@ -150,8 +150,9 @@ bool takes_midpoint_transfer(const DeckNode& root) {
     return false;
   for (const char* name : {"transfer", "musl"})
     if (flags->has(name)) return false;
-  for (const char* name : {"XPIC2", "UseGradientEnhancedVelocityProjection", "total_lagrangian",
-                           "UsePrescribedDeformation"})
+  for (const char* name : {"XPIC2", "UseGradientEnhancedVelocityProjection"})
+    if (boolean_or(*flags, name, false)) return false;
+  for (const char* name : without_midpoint)
     if (boolean_or(*flags, name, false)) return false;
   return text_or(*flags, "interpolator", "linear") != "linear";
 }

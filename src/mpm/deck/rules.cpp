@@ -206,11 +206,14 @@ static void check_midpoint(const DeckNode& flags, const std::string& basis,
               "<transfer> midpoint needs particles that have a width, or splines; those of the "
               "interpolator linear are points",
               "write <interpolator>gimp</interpolator>, or remove <transfer>");
-  for (const char* name : {"total_lagrangian", "UsePrescribedDeformation", "musl"})
+  const auto refuse = [&](const char* name) {
     if (is_true(&flags, name))
       add_error(faults, transfer.where,
                 fmt::format("<transfer> midpoint and <{}> exclude each other", name),
                 "remove one of them");
+  };
+  for (const char* name : without_midpoint) refuse(name);
+  refuse("musl");
 }
 
 void check_transfer(const DeckNode& root, std::vector<Fault>& faults) {

@@ -15,6 +15,8 @@ bool runs_mpm(const DeckNode& root);
 // The component sfmpm: all materials have one velocity at a node.
 bool runs_single_field(const DeckNode& root);
 bool runs_solids(const DeckNode& root);
+// Flags of <MPM> for which the midpoint transfer has no form.
+inline constexpr const char* without_midpoint[] = {"total_lagrangian", "UsePrescribedDeformation"};
 // The <material> nodes of MPM, in index order.
 std::vector<const DeckNode*> mpm_materials(const DeckNode& root);
 
