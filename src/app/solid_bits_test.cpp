@@ -29,6 +29,19 @@ TEST_F(SolidBits, CarriedCornersAreTheSameBitsOnRanksAndAfterARestart) {
   expect_same(whole, run("second", "--restart " + first.string() + " --set Time/maxTime=1.2"));
 }
 
+// What particles have lost, and heat of it: one share for all of a body.
+TEST_F(SolidBits, HeatOfLostEnergyIsTheSameBitsOnRanksAndAfterARestart) {
+  const std::string deck = std::string(SLUICE_SOURCE_DIR) +
+                           "/inputs/mpm/colliding_disks.ups --set MPM/lost_energy=heat "
+                           "--set MPM/artificial_viscosity=true --set MPM/transfer=flip "
+                           "--set DataArchiver/checkpoint/@timestepInterval=40 "
+                           "--set DataArchiver/checkpoint/@cycle=2 --set Time/maxTime=1.2";
+  const fs::path whole = run("whole", deck);
+  expect_same(whole, run("ranks", deck + " --boxes 3,2,1", 2));
+  const fs::path first = run("first", deck + " --max-steps 60");
+  expect_same(whole, run("second", "--restart " + first.string() + " --set Time/maxTime=1.2"));
+}
+
 // Every rank computes all of an implicit step, in one order.
 TEST_F(SolidBits, ImplicitStepsAreTheSameBitsOnRanksAndAfterARestart) {
   const std::string deck =

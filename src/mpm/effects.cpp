@@ -78,6 +78,22 @@ static std::string choices_of(const MpmScene& s) {
   return text;
 }
 
+// What transfer, integration and contact take from motion.
+static Effect lost_energy_of(const MpmScene& s) {
+  const auto heats = [](const SolidMaterial& m) { return m.lost_energy_heats; };
+  const auto count = std::count_if(s.materials.begin(), s.materials.end(), heats);
+  return {"heat of lost energy",
+          count > 0,
+          count > 0
+              ? fmt::format("what transfer, integration and contact take warms {} of {} materials: "
+                            "a specific heat, and a shock equation of state, "
+                            "artificial_viscosity or <lost_energy> heat",
+                            count, s.materials.size())
+              : "no material has a specific heat and a shock equation of state or "
+                "artificial_viscosity, or <lost_energy> is none",
+          {}};
+}
+
 EffectList effects_of(const Scene& scene, const MpmScene& s) {
   EffectList list;
   list.add({"solids",
@@ -126,6 +142,7 @@ EffectList effects_of(const Scene& scene, const MpmScene& s) {
   list.add({"gravity", g != Vec3{}, fmt::format("gravity is [{:g}, {:g}, {:g}]", g.x, g.y, g.z),
             scene.constants.gravity_where});
   if (!s.implicit) add_pressure_stabilisation(s, list);
+  if (!s.implicit) list.add(lost_energy_of(s));
   list.add(
       {"damping", s.damping > 0, fmt::format("artificial_damping_coeff is {:g}", s.damping), {}});
   const auto sleeps = [](const SolidMaterial& m) {

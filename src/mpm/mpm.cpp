@@ -112,7 +112,8 @@ StepBalance Mpm::balance(const std::vector<double>& sums, const StepStart* /*sta
 // mpm_scheme, section 9. What each follows: K_p with the nodes' K* - K, U with the work of the
 // forces within, what contact took, and what is left of the nodes' own balance.
 std::vector<std::string> Mpm::tally_names() const {
-  return {"kinetic energy of particles", "internal energy of particles", "contact", "nodes"};
+  return {"kinetic energy of particles", "internal energy of particles", "contact", "nodes",
+          "heat of losses"};
 }
 
 std::vector<double> Mpm::tallies(const std::vector<double>& sums) const {
@@ -121,27 +122,35 @@ std::vector<double> Mpm::tallies(const std::vector<double>& sums) const {
   const double within = sums[StepSums::node_work] - sums[StepSums::load_work] - fluid;  // W_int
   const double outside = sums[StepSums::force_work] + sums[StepSums::work] + fluid;
   const double beyond = sums[StepSums::beyond_nodes];
-  return {gain + beyond + sums[StepSums::exchange_gain] - sums[StepSums::left_kinetic],
-          -within - beyond - sums[StepSums::left_internal], loss, gain - (within + outside - loss)};
+  const double inner = sums[StepSums::inner_gain], heat = sums[StepSums::lost_heat];
+  return {gain + beyond - inner + sums[StepSums::exchange_gain] - sums[StepSums::left_kinetic],
+          heat - within - beyond - sums[StepSums::left_internal], loss,
+          gain - (within + outside - loss), heat};
 }
 
 std::vector<ConservedTotal> Mpm::tallied_totals(const Totals& totals) const {
-  return {totals.kinetic_energy, totals.internal_energy, {}, {}};
+  return {totals.kinetic_energy, totals.internal_energy, {}, {}, {}};
 }
 
 // T = K_p^n - K_p^(n+1) + (K* - K), R = -W_int - (U^(n+1) - U^n), D_c, summed over the run; all in
 // J. "nodes": round-off. Of the midpoint transfer what kicks give to particles takes the place of
-// K* - K, as nodes of little mass move further than what reads them: T is then what spins got.
+// K* - K, as nodes of little mass move further than what reads them: T is then what spins lost. What
+// spins and affine velocities hold is not lost. Of
+// all that, and of what contact took, a part becomes heat (step/lost_energy.cpp).
 std::vector<std::pair<std::string, double>> Mpm::account(const Conservation& tallies) const {
   return account_from(tallies, 0);
 }
 
 std::vector<std::pair<std::string, double>> Mpm::account_from(const Conservation& tallies,
                                                               int first) {
-  return {{"transfer loss", -tallies.defect(first)},
-          {"integration loss", -tallies.defect(first + 1)},
-          {"contact loss", tallies.sources(first + 2)},
-          {"nodes", tallies.sources(first + 3)}};
+  std::vector<std::pair<std::string, double>> all = {
+      {"transfer loss", -tallies.defect(first)},
+      {"integration loss", -tallies.defect(first + 1)},
+      {"contact loss", tallies.sources(first + 2)},
+      {"nodes", tallies.sources(first + 3)}};
+  const double heat = tallies.sources(first + 4);
+  if (heat != 0) all.emplace_back("of these heat", heat);
+  return all;
 }
 
 void Mpm::add_totals(const Warehouse& /*state*/, const LevelCoverage& /*coverage*/,
@@ -180,6 +189,8 @@ void Mpm::add_particle_totals(const ParticleCloud& cloud, Totals& totals) const 
         const ParticleSet& set = store.set(l, b);
         const double* m = set.column(static_cast<std::size_t>(c.mass));
         const double* energy = set.column(static_cast<std::size_t>(c.energy));
+        const double* heat =
+            c.losses >= 0 ? set.column(static_cast<std::size_t>(c.losses + 1)) : nullptr;
         const auto v = read_columns<3>(set, c.velocity);
         for (std::size_t p = 0; p < set.size(); ++p) {
           totals.mass[static_cast<std::size_t>(k)].add(m[p]);
@@ -191,6 +202,7 @@ void Mpm::add_particle_totals(const ParticleCloud& cloud, Totals& totals) const 
           }
           totals.kinetic_energy.add(0.5 * m[p] * v2);
           totals.internal_energy.add(energy[p]);
+          if (heat != nullptr) totals.internal_energy.add(heat[p]);
         }
         if (c.water_mass >= 0) add_water(set, c, totals.mass[static_cast<std::size_t>(k)], totals);
       }

@@ -32,6 +32,7 @@ std::vector<BodyEnergy> Mpm::body_energies(const std::vector<double>& sums) cons
     b.kick = of(Of::kick);
     b.contact_slack = of(Of::contact_slack);
     b.heat = of(Of::heat);
+    b.returned = of(Of::lost_heat);
     b.parted = of(Of::parted);
     b.particles = of(Of::particles);
     bodies.push_back(b);

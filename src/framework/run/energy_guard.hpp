@@ -48,7 +48,8 @@ struct BodyEnergy {
   // By what the work may be more: contact that holds a velocity works by that one, contact that
   // stops one by the middle of before and behind; which of both it is no node knows.
   double contact_slack = 0;
-  double heat = 0;  // that came in, where heat can move
+  double heat = 0;      // that came in, where heat can move
+  double returned = 0;  // of what the body had lost, what became heat of it
   // Numbers of particles: that lost their neighbours (parted_bodies.hpp), and all.
   double parted = 0, particles = 0;
 };

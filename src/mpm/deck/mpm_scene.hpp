@@ -67,11 +67,14 @@ struct SolidMaterial {
   std::optional<PoreWaterConstants> water;  // none: it is dry, or what it holds moves with it
   double activation_time = 0, deactivation_time = 1e300;
   bool active_at_start = true;
+  // Does what contact takes from motion become heat of it.
+  bool warms_by_contact(const struct MpmScene& solids) const;
   // Others rest as they are: no part of them reaches a node, no force reaches them.
   bool takes_part(double time) const {
     return (active_at_start || time >= activation_time) && time < deactivation_time;
   }
   bool burns = false;              // its particles lose mass in place
+  bool lost_energy_heats = false;  // what transfer and integration take becomes heat of it
   bool surface_remembers = false;  // at a rate that depends on what has burned before
   bool awaits_flames = false;      // that take time to come along
   // With DoGranularMPM: J beyond which grains have lost touch (0: without), and whether they then
@@ -253,6 +256,15 @@ struct MpmScene {
   bool colinear_normals = true;
   std::optional<ImplicitSettings> implicit;  // none: explicit steps
   bool xpic2_of_format = false;  // tag XPIC2: places move with the filtered velocity too
+  // Does what contact takes from motion become heat of any solid.
+  bool contact_heats() const {
+    return std::any_of(materials.begin(), materials.end(),
+                       [&](const SolidMaterial& m) { return m.warms_by_contact(*this); });
+  }
 };
+
+inline bool SolidMaterial::warms_by_contact(const MpmScene& solids) const {
+  return !rigid && (solids.friction_heats || (lost_energy_heats && !solids.contacts.empty()));
+}
 
 }  // namespace sluice::mpm

@@ -94,6 +94,7 @@ MpmScene read_mpm_scene(const Deck& deck, const Scene& scene, std::vector<Fault>
   }
   read_loads(root, geometry, s, faults);
   read_boundaries(scene, s, faults);
+  read_lost_energy(root, s, faults);
   return s;
 }
 

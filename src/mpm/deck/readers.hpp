@@ -23,6 +23,8 @@ void read_grains(const DeckNode& root, MpmScene& s, std::vector<Fault>& faults);
 void read_cohesive_zones(const DeckNode& block, MpmScene& s, std::vector<Fault>& faults);
 void read_loads(const DeckNode& root, const GeometryReader& geometry, MpmScene& s,
                 std::vector<Fault>& faults);
+// All else is there already.
+void read_lost_energy(const DeckNode& root, MpmScene& s, std::vector<Fault>& faults);
 void read_boundaries(const Scene& scene, MpmScene& s, std::vector<Fault>& faults);
 // Rows of numbers of a motion: time, velocity and, where it rotates, origin and angular velocity.
 std::vector<std::array<double, 10>> read_profile(const std::string& file, bool rotates);

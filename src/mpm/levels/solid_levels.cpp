@@ -132,7 +132,7 @@ Verdict SolidLevels::move_nodes(const StageScope& scope) {
   push_transmitting(scope);
   if (count() == 1) return Verdict::good;
   spread_velocities(&Body::nodes);
-  if (solids_->friction_heats && solids_->prescribed_file.empty()) {
+  if (solids_->contact_heats() && solids_->prescribed_file.empty()) {
     spread(&Body::friction);
     for (const auto& step : steps_) step->unfold_friction();
   }
@@ -176,7 +176,27 @@ void SolidLevels::spread(NodeLanes Body::*group) {
 }
 
 Verdict SolidLevels::from_grid(const StageScope& scope) {
-  return on_levels(scope, &SolidStep::from_grid);
+  if (on_levels(scope, &SolidStep::from_grid) == Verdict::reject) return Verdict::reject;
+  heat_by_losses(scope);
+  return Verdict::good;
+}
+
+// The heat of a body is what all its particles have lost, on all levels and ranks, and no more:
+// phi sum of g > 0 + sum of g < 0 = sum of losses (step/lost_energy.cpp).
+void SolidLevels::heat_by_losses(const StageScope& scope) {
+  std::vector<double>& sums = *scope.sums;
+  for (std::size_t m = 0; m < solids_->materials.size(); ++m) {
+    if (!solids_->materials[m].lost_energy_heats) continue;
+    using Of = BodyEnergySums;
+    const std::size_t first = StepSums::of_body(solids_->materials.size(), m);
+    const double wanted = sums[first + Of::heat_wanted], taken = sums[first + Of::heat_taken];
+    const double share =
+        wanted > 0 ? std::clamp((sums[first + Of::lost] - taken) / wanted, 0.0, 1.0) : 0.0;
+    for (const auto& step : steps_) step->give_heat(static_cast<int>(m), share, scope.step.dt);
+    const double given = taken + share * wanted - sums[first + Of::heat_before];
+    sums[first + Of::lost_heat] += given;
+    sums[StepSums::lost_heat] += given;
+  }
 }
 
 Verdict SolidLevels::take_over(const StageScope& scope) {

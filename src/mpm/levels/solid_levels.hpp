@@ -57,6 +57,7 @@ class SolidLevels {
   void spread(NodeLanes Body::*group);
   static Verdict agree_on(const StageScope& scope, std::vector<KindRates>& bounds,
                           const std::string& fault);
+  void heat_by_losses(const StageScope& scope);
   void map_all_back(const StageScope& scope, std::span<const KindRates> bounds);
   // Clusters of grains into materials of their own; whether any particle has changed.
   bool regroup(ParticleCloud& cloud, Communicator& ranks, const StepEnd& end);

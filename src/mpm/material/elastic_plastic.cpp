@@ -82,6 +82,9 @@ class Metal final : public Material {
 
   std::span<const HistoryColumn> history() const override { return history_; }
   double bulk_modulus() const override { return c_.bulk; }
+  bool has_shock_equation() const override {
+    return c_.pressure.form == MetalPressure::Form::mie_gruneisen;
+  }
   double shear_modulus() const override { return c_.shear.mu_0; }
   int failed_column() const override { return failed_at_; }
 
@@ -223,7 +226,9 @@ class Metal final : public Material {
     const double work = 0.5 * (J_0 * double_dot(S_0, strain) + J_1 * double_dot(S, strain));
     const double E_0 = b.old_energy[i] / b.volume_0[i];
     const double rest = temperature_at_ >= 0 ? b.old_history[temperature_at_][i] : c_.room;
-    const MetalPressure::Result pressure = c_.pressure({J_0, J_1, p_0, E_0, work, rest, T});
+    const double heat = b.heat != nullptr ? b.heat[i] / b.volume_0[i] : 0;
+    const MetalPressure::Result pressure =
+        c_.pressure({J_0, J_1, p_0, E_0 + heat, work, rest, T});
     if (!pressure.good) return false;
     b.energy[i] = b.volume_0[i] * (E_0 + work - 0.5 * (p_0 + pressure.p) * (J_1 - J_0));
     b.wave_speed[i] = wave_speed(pressure.modulus, state.shear, J_1);

@@ -50,6 +50,7 @@ class MaterialWithFailure final : public Material {
   bool failed_keep_their_shape() const override { return c_.erosion == Erosion::zero_stress; }
   bool rigid() const override { return law_->rigid(); }
   double bulk_modulus() const override { return law_->bulk_modulus(); }
+  bool has_shock_equation() const override { return law_->has_shock_equation(); }
   double shear_modulus() const override { return law_->shear_modulus(); }
 
   void start(const Batch& b) const override {

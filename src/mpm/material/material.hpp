@@ -59,6 +59,8 @@ struct Batch {
   // What deforming the particle has stored and turned into heat until now, J: work of the stress.
   const double* old_energy = nullptr;
   double* energy = nullptr;
+  // Heat beside that, which lost energy of motion has become, J; null: none.
+  const double* heat = nullptr;
   double* wave_speed =
       nullptr;                // c_p of the new state, longitudinal, with F and stress as they are
   double* heating = nullptr;  // dT/dt by the law itself, K/s; zero when the law is called
@@ -88,6 +90,8 @@ class Material {
   virtual bool stress_of_state() const { return false; }
   // Moves with prescribed velocity, has no stress and no equation of its own.
   virtual bool rigid() const { return false; }
+  // Whether its pressure is that of a shock equation of state, which heat changes.
+  virtual bool has_shock_equation() const { return false; }
   // Bulk modulus at rest, Pa: for the artificial viscosity, and as the scale of stresses.
   virtual double bulk_modulus() const = 0;
   // Shear modulus at rest, Pa.

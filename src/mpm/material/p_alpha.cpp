@@ -60,6 +60,7 @@ class PorousSolid final : public Material {
   }
   std::span<const HistoryColumn> history() const override { return history_; }
   double bulk_modulus() const override { return c_.K_0; }
+  bool has_shock_equation() const override { return true; }
   double shear_modulus() const override { return c_.shear; }
 
   void start(const Batch& b) const override {
@@ -81,7 +82,8 @@ class PorousSolid final : public Material {
       const double p_0 = -(b.old_stress[0][i] + b.old_stress[1][i] + b.old_stress[2][i]) / 3;
       const Shear shear = sheared(b, i);
       const double E_0 = b.old_energy[i] / b.volume_0[i] - shear.stored_before + shear.heat;
-      const Step s = {J_0, J, p_0, E_0, b.old_history[2][i], b.old_history[1][i]};
+      const double heat = b.heat != nullptr ? b.heat[i] / b.volume_0[i] : 0;
+      const Step s = {J_0, J, p_0, E_0 + heat, b.old_history[2][i], b.old_history[1][i]};
       const State now = solved(s);
       if (!now.good) return BatchFault{i, "past the pole of Mie-Grueneisen", J};
       const double mean_p = 0.5 * (p_0 + now.p);

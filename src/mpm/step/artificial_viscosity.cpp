@@ -28,6 +28,8 @@ void add_viscosity(const MpmScene& solids, const Body& body, const BlockWork& w,
   const double h = (spacing.x + spacing.y + spacing.z) / 3;
   const double K = body.material->law->bulk_modulus();
   const double specific_heat = body.material->constants.specific_heat;
+  double* heat_so_far = columns.losses >= 0 ? made(columns.losses + 2) : nullptr;
+  const double* heat_before = columns.losses >= 0 ? old(columns.losses + 2) : nullptr;
   const bool heats = solids.viscosity_heats && specific_heat > 0 && flows(*body.material->law);
   for (int p = 0; p < n; ++p) {
     const double rate = read.L[0][p] + read.L[4][p] + read.L[8][p];
@@ -42,6 +44,7 @@ void add_viscosity(const MpmScene& solids, const Body& body, const BlockWork& w,
     const double power = -old_q[p] * old_volume[p] * rate;
     energy[p] += dt * power;
     if (heats) heating[p] += power / (m[p] * specific_heat);
+    if (heat_so_far != nullptr) heat_so_far[p] = heat_before[p] + (heats ? dt * power : 0.0);
   }
 }
 

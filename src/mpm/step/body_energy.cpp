@@ -51,6 +51,7 @@ void add_energies(const ParticleSet& set, const ParticleSet& next, const Columns
       after[q] += w[q] * w[q];
     }
   }
+  alignas(64) double inner[chunk_size] = {};
   for (int e = 0; e < 9 && c.affine >= 0; ++e) {
     const double moment = unit.moment[e % 3];
     const double* v = set.column(static_cast<std::size_t>(c.affine + e)) + at;
@@ -59,6 +60,7 @@ void add_energies(const ParticleSet& set, const ParticleSet& next, const Columns
       before[q] += moment * (v[q] * v[q]);
       middle[q] += moment * ((v[q] + w[q]) * (v[q] + w[q]));
       after[q] += moment * (w[q] * w[q]);
+      inner[q] += moment * (w[q] * w[q] - v[q] * v[q]);
     }
   }
   for (int q = 0; q < n; ++q) {
@@ -67,6 +69,10 @@ void add_energies(const ParticleSet& set, const ParticleSet& next, const Columns
     after[q] *= 0.5 * m[q];
   }
   using Of = BodyEnergySums;
+  if (c.affine >= 0) {
+    for (int q = 0; q < n; ++q) inner[q] *= 0.5 * m[q];
+    add_rounded(inner, n, unit.energy, to[Of::inner_gain]);
+  }
   if (unit.capacity > 0) {
     const auto temperature = static_cast<std::size_t>(c.temperature);
     const double *T = set.column(temperature) + at, *warmed = next.column(temperature) + at;

@@ -25,9 +25,18 @@ struct BodyEnergySums {
     corner_work,
     // Work of contact by velocities behind it, beyond that by the middle of before and behind.
     contact_slack,
-    kick_gain,  // what kicks of the midpoint transfer gave to velocities and spins of particles
-    kick,       // sum J . dv of impulses J of everything but these forces
-    heat,       // sum m c_v dT, where heat can move
+    kick_gain,   // what kicks of the midpoint transfer gave to velocities and spins of particles
+    kick,        // sum J . dv of impulses J of everything but these forces
+    inner_gain,  // what spins and affine velocities within particles got
+    // Of energy lost (step/lost_energy.cpp): what became heat of particles in this step; since the
+    // start what those want that have lost and what those give back that have won, all of it; heat
+    // until this step.
+    lost_heat,
+    heat_wanted,
+    heat_taken,
+    lost,
+    heat_before,
+    heat,  // sum m c_v dT, where heat can move
     // Numbers of particles: those that parted from neighbours (step/parted_neighbours.hpp), all.
     parted,
     particles,

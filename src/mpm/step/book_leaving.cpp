@@ -19,6 +19,8 @@ void add(const ParticleSet& set, const Columns& c, double reference_pressure,
   const double *mass = set.column(static_cast<std::size_t>(c.mass)),
                *energy = set.column(static_cast<std::size_t>(c.energy)),
                *volume = set.column(static_cast<std::size_t>(c.volume));
+  const double* heat =
+      c.losses >= 0 ? set.column(static_cast<std::size_t>(c.losses + 1)) : nullptr;
   const auto v = read_columns<3>(set, c.velocity);
   const auto to = [&](std::size_t index) -> ExactSum& { return sums[index - StepSums::left_x]; };
   for (const std::uint32_t p : leaving) {
@@ -29,6 +31,7 @@ void add(const ParticleSet& set, const Columns& c, double reference_pressure,
     }
     to(StepSums::left_kinetic).add(0.5 * mass[p] * v2);
     to(StepSums::left_internal).add(energy[p]);
+    if (heat != nullptr) to(StepSums::left_internal).add(heat[p]);
     to(StepSums::left_reference).add(-reference_pressure * volume[p]);
     to(StepSums::count + material).add(mass[p]);
   }

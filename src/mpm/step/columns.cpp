@@ -132,6 +132,11 @@ Carried carried_by(const Scene& scene, const MpmScene& solids, const SolidMateri
   if (is_wanted(scene, "p.dTdt") || is_wanted(scene, "p.dTdt+") || is_wanted(scene, "g.dTdt"))
     c.columns.heating = add(l.heating, true);
   if (solids.artificial_viscosity) c.columns.viscous = add(l.viscous, true);
+  if (material.lost_energy_heats) {
+    c.columns.losses = add(l.lost_energy, true);
+    add(l.lost_heat, true);
+    if (solids.artificial_viscosity) add(l.viscous_heat, true);
+  }
   if (material.water) {
     c.columns.water_mass = add(l.water_mass, false);
     c.columns.water_velocity = add(l.water_velocity, true);

@@ -37,8 +37,11 @@ struct Columns {
   int normal = -1;         // 3, of the surface, from a point file
   int outside_force = -1;  // 3, of the last step, where it is saved, N
   int viscous = -1;        // artificial pressure, Pa
-  int heat_source = -1;    // of the last step, where it is saved, W
-  int heating = -1;        // of the last step, where it is saved, K/s
+  // 2: energy lost, heat that it became (step/lost_energy.cpp); with artificial viscosity a third,
+  // its heat. J
+  int losses = -1;
+  int heat_source = -1;  // of the last step, where it is saved, W
+  int heating = -1;      // of the last step, where it is saved, K/s
   // Of water in pores; mass of it, velocity (3), pressure, and the filtered one, where it is saved.
   int water_mass = -1, water_velocity = -1, pore_pressure = -1, filtered_pressure = -1;
   int history = -1;  // of the constitutive model

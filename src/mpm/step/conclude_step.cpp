@@ -36,6 +36,7 @@ void SolidStep::book_bodies() {
       books_.sums[StepSums::beyond_nodes].merge(body[Of::kick_gain]);
       books_.sums[StepSums::beyond_nodes].subtract(body[Of::node_gain]);
     }
+    books_.sums[StepSums::inner_gain].merge(body[Of::inner_gain]);
     books_.sums[StepSums::node_work].merge(body[Of::node_work]);
     books_.sums[StepSums::load_work].merge(body[Of::load_work]);
     books_.sums[StepSums::corner_work].merge(body[Of::corner_work]);

@@ -1,7 +1,7 @@
 // Heat of friction: what contact takes at a node from the kinetic energy of bodies (mpm_scheme,
 // section 6), shared by mass, goes to the particles around, dT_p = sum D_i/(c_v sum_m M_m) S_ip.
 #include "mpm/nodes/node_sums.hpp"
-#include "mpm/step/solid_step.hpp"
+#include "mpm/step/thread_report.hpp"
 
 namespace sluice::mpm {
 
@@ -24,7 +24,7 @@ void SolidStep::keep_friction_heat(std::span<const BlockMember> members,
     for (const BlockMember& of : members) {
       Body& body = bodies_[static_cast<std::size_t>(of.body)];
       const std::int64_t* node = body.nodes.sums(of.block) + n * lanes;
-      if (body.material->rigid || node[count_lane] == 0) continue;
+      if (!warms_by_friction(body) || node[count_lane] == 0) continue;
       body.friction.sums(of.block)[n * lanes] =
           as_bits(loss / (mass * body.material->constants.specific_heat));
     }
@@ -37,12 +37,21 @@ void SolidStep::unfold_friction() {
 }
 
 // The rise of temperature of particles at, ..., at + n - 1; nodes of the window hold it in lane 0.
-void SolidStep::warm_by_friction(const BlockWork& w, std::size_t at, int n, const Window& window,
-                                 GridAtParticles& read) const {
+// Where lost energy heats it is part of that.
+void SolidStep::warm_by_friction(const BlockWork& w, std::size_t at, int n,
+                                 ThreadReport& report) const {
   const Body& body = bodies_[static_cast<std::size_t>(w.kind)];
   const Columns& c = body.carried->columns;
+  GridAtParticles& read = report.read;
   read_window(solids_->basis, body.grid, places_of(*w.set, c), shape_of(*w.set, c),
-              static_cast<int>(at), n, false, window, read);
+              static_cast<int>(at), n, false, report.friction, read);
+  if (c.losses >= 0) {
+    const double* mass = w.set->column(static_cast<std::size_t>(c.mass)) + at;
+    double* loss = w.next->column(static_cast<std::size_t>(c.losses)) + at;
+    for (int q = 0; q < n; ++q)
+      loss[q] += mass[q] * body.material->constants.specific_heat * read.u[0][q];
+    return;
+  }
   double* T = w.next->column(static_cast<std::size_t>(c.temperature)) + at;
   for (int q = 0; q < n; ++q) T[q] += read.u[0][q];
 }

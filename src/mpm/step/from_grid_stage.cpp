@@ -182,6 +182,7 @@ void SolidStep::move_particles(const BlockWork& w, const StageScope& scope, std:
   if (!body.material->rigid) {
     take_outside_forces(w, at, n, report.read, report.books);
     damp(*solids_, body, w, at, n, dt, report.read);
+    begin_losses(w, at, n, report.impulses);
   }
   report.travel = std::max(report.travel, farthest_way(*w.set, *w.next, at, n, level_.spacing));
   report.left |= any_outside(level_, *w.next, at, n);
@@ -238,7 +239,8 @@ void SolidStep::advance(const BlockWork& w, const StageScope& scope, ThreadRepor
   else if (!body.material->rigid)
     report.window.load(w.lowest, w.highest, body.table,
                        solids_->maps_back() ? body.mapped : body.nodes);
-  const bool warms = solids_->friction_heats && !body.material->rigid && prescribed_ == nullptr;
+  if (c.losses >= 0) load_losses(w, report);
+  const bool warms = warms_by_friction(body);
   if (warms) report.friction.load(w.lowest, w.highest, body.table, body.friction);
   const bool wet = c.pore_pressure >= 0;
   if (wet && report.water == nullptr) report.water = std::make_unique<PoreWater::Reads>(shape_);
@@ -313,7 +315,8 @@ void SolidStep::advance(const BlockWork& w, const StageScope& scope, ThreadRepor
     if (const double* rate = heat_ != nullptr ? heat_->rates(w.kind, w.box) : nullptr)
       for (int q = 0; q < n; ++q) T[q] += dt * rate[at + static_cast<std::size_t>(q)];
     if (concentration_ != nullptr) diffuse(w, at, n, dt);
-    if (warms) warm_by_friction(w, at, n, report.friction, report.read);
+    if (c.losses >= 0) settle_losses(w, scope, at, n, report);
+    if (warms) warm_by_friction(w, at, n, report);
     if (c.heating >= 0) {
       double* rate = w.next->column(static_cast<std::size_t>(c.heating)) + at;
       for (int q = 0; q < n; ++q) rate[q] = (T[q] - b.temperature[q]) / dt;

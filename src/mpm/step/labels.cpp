@@ -56,6 +56,11 @@ SolidLabels declare_all() {
               "Of implicit steps: place of a particle, as p.x, under another name of the format.");
   l.rate_of_format = declare("p.dTdt+", real, "K/s", "p.dTdt, under another name of the format.");
   l.viscous = declare("p.q", real, "Pa", "Artificial pressure of a particle under compression.");
+  l.lost_energy = declare("p.lostEnergy", real, "J",
+                          "Energy that transfer and integration have taken from a particle.");
+  l.lost_heat = declare("p.heatOfLosses", real, "J", "What of that has become heat of it.");
+  l.viscous_heat = declare("p.viscousHeat", real, "J",
+                           "Heat that the artificial viscosity has given to a particle.");
   l.reference = declare("p.referencePlace", vector, "m",
                         "Place of a particle at the start, at which a total Lagrangian run takes "
                         "shape functions.");

@@ -7,13 +7,16 @@
 namespace sluice::mpm {
 namespace {
 
-// Lanes become v - v_ref, . | ., .
+// Lanes become v - v_ref, 1 where there is mass | ., .
 void to_velocities(std::int64_t* node, const SumUnits& units) {
   const double mass = sum_in(node, 0);
-  double v[3] = {};
-  if (node[count_lane] != 0 && mass > 0)
-    for (int d = 0; d < 3; ++d) v[d] = sum_in(node, 1 + d) / units.momentum / (mass / units.mass);
-  for (int l = 0; l < lanes; ++l) node[l] = as_bits(l < 3 ? v[l] : 0.0);
+  double real[lanes] = {};
+  if (node[count_lane] != 0 && mass > 0) {
+    for (int d = 0; d < 3; ++d)
+      real[d] = sum_in(node, 1 + d) / units.momentum / (mass / units.mass);
+    real[3] = 1;
+  }
+  for (int l = 0; l < lanes; ++l) node[l] = as_bits(real[l]);
 }
 
 // Where contact acts the velocity along its impulse is that which it gave: with the nodes at which

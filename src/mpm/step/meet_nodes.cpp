@@ -86,7 +86,7 @@ void SolidStep::move_group(const NodeStep& step, std::span<const BlockMember> me
   for (std::size_t k = 0; k < members.size(); ++k)
     if (!rigid(members[k]))
       finish_block(step, members[k].body, members[k].block, scratch.impulses[k], books);
-  if (solids_->friction_heats) keep_friction_heat(members, scratch);
+  if (solids_->contact_heats()) keep_friction_heat(members, scratch);
 }
 
 // The bodies with mass at node n of a block; false: no rule can act.

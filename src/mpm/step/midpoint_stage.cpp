@@ -84,6 +84,7 @@ void SolidStep::kick_particles(const BlockWork& w, const StageScope& scope, std:
       to_spin[q] = spin[q] + got.turn[d][q] / std::max(got.inertia[d][q], least);
   }
   book_kick(w, at, n, report);
+  begin_losses(w, at, n, got);
   if (corners) keep_larger(way, halve_corners(w, 0.5 * scope.step.dt, at, n, got.corner));
   if (!(way <= farthest_middle)) {
     stay(w, at, n);
@@ -134,7 +135,7 @@ void SolidStep::book_kick(const BlockWork& w, std::size_t at, int n, ThreadRepor
   const Body& body = bodies_[static_cast<std::size_t>(w.kind)];
   const Columns& c = body.carried->columns;
   alignas(64) double gain[chunk_size] = {}, before[chunk_size] = {}, middle[chunk_size] = {},
-                     after[chunk_size] = {};
+                     after[chunk_size] = {}, spins[chunk_size];
   for (int d = 0; d < 3; ++d) {
     const double* v = w.set->column(static_cast<std::size_t>(c.velocity + d)) + at;
     const double* to_v = w.next->column(static_cast<std::size_t>(c.velocity + d)) + at;
@@ -152,6 +153,7 @@ void SolidStep::book_kick(const BlockWork& w, std::size_t at, int n, ThreadRepor
   const double* mass = w.set->column(static_cast<std::size_t>(c.mass)) + at;
   for (int q = 0; q < n; ++q) {
     gain[q] = 0.5 * mass[q] * (gain[q] + (after[q] - before[q]));
+    spins[q] = 0.5 * mass[q] * (after[q] - before[q]);
     before[q] *= 0.5 * mass[q];
     middle[q] *= 0.125 * mass[q];
     after[q] *= 0.5 * mass[q];
@@ -160,6 +162,7 @@ void SolidStep::book_kick(const BlockWork& w, std::size_t at, int n, ThreadRepor
   BodyEnergySums& to = report.books.bodies[static_cast<std::size_t>(w.kind)];
   const double unit = body.energy_units.energy;
   add_rounded(gain, n, unit, to[Of::kick_gain]);
+  add_rounded(spins, n, unit, to[Of::inner_gain]);
   add_rounded(before, n, unit, to[Of::kinetic_before]);
   add_rounded(middle, n, unit, to[Of::kinetic_middle]);
   add_rounded(after, n, unit, to[Of::kinetic_after]);
@@ -187,8 +190,12 @@ void SolidStep::relax_spins(const BlockWork& w, double dt, std::size_t at, int n
   const double* mass = w.set->column(static_cast<std::size_t>(c.mass)) + at;
   for (int q = 0; q < n; ++q) gain[q] *= 0.5 * mass[q];
   using Of = BodyEnergySums;
-  add_rounded(gain, n, body.energy_units.energy,
-              report.books.bodies[static_cast<std::size_t>(w.kind)][Of::kinetic_after]);
+  BodyEnergySums& to = report.books.bodies[static_cast<std::size_t>(w.kind)];
+  add_rounded(gain, n, body.energy_units.energy, to[Of::kinetic_after]);
+  add_rounded(gain, n, body.energy_units.energy, to[Of::inner_gain]);
+  if (c.losses < 0) return;
+  double* losses = w.next->column(static_cast<std::size_t>(c.losses + 1)) + at;
+  for (int q = 0; q < n; ++q) losses[q] -= gain[q];
 }
 
 // Of new velocities and spins, and of places of the middle of the step.

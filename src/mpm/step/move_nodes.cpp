@@ -209,7 +209,7 @@ Verdict SolidStep::move_nodes(const StageScope& scope) {
       body.friction.clear();
       body.met.clear();
       if (contact_ != nullptr && solids_->midpoint()) body.met.fit(body.table);
-      if (solids_->friction_heats) body.friction.fit(body.table);
+      if (solids_->contact_heats()) body.friction.fit(body.table);
     }
     std::vector<MeetingScratch> scratch(static_cast<std::size_t>(team.size()));
     team.for_each(groups_.size(), [&](std::size_t g, int thread) {
@@ -227,7 +227,7 @@ Verdict SolidStep::move_nodes(const StageScope& scope) {
     unfold();
     for (int m = 0; m < static_cast<int>(bodies_.size()) && water_ != nullptr; ++m)
       if (water_->in(m)) boundary_->unfold(m, body(m).table, water_->lanes_of(m));
-    if (solids_->friction_heats) unfold_friction();
+    if (solids_->contact_heats()) unfold_friction();
   }
   if (cohesive_ != nullptr) cohesive_->advance(*boundary_, bodies_, step.dt);
   books_ = std::move(books[0]);

@@ -29,6 +29,7 @@
 #include "mpm/step/pore_water.hpp"
 #include "mpm/step/rates.hpp"
 #include "mpm/transfer/from_grid.hpp"
+#include "mpm/transfer/impulses_from_grid.hpp"
 #include "mpm/transfer/to_grid.hpp"
 
 namespace sluice::mpm {
@@ -90,7 +91,9 @@ struct StepSums {
     node_work,
     // Of the midpoint transfer: what kicks gave to particles beyond that gain of nodes.
     beyond_nodes,
-    load_work,  // of forces from outside on particles, within node_work and force_work
+    inner_gain,  // what spins and affine velocities within particles got
+    lost_heat,   // what of the energy lost became heat
+    load_work,   // of forces from outside on particles, within node_work and force_work
     reaction_x,
     reaction_y,
     reaction_z,
@@ -223,6 +226,8 @@ class SolidStep {
 
   Body& body(int m) { return bodies_[static_cast<std::size_t>(m)]; }
   const NodeExchange& exchange() const { return *exchange_; }
+  // After from_grid() on all levels: the share of what particles of a body have lost becomes heat.
+  void give_heat(int body, double share, double dt);
   // After from_grid(): velocities were changed further; bounds of those of a body (all ranks').
   void include_velocities(int body, Vec3 up, Vec3 down);
   // After from_grid(): what the next step rests on, and how far particles went.
@@ -280,13 +285,15 @@ class SolidStep {
   // Heat of friction (step/friction_heat.cpp).
   void keep_friction_heat(std::span<const BlockMember> members, const MeetingScratch& scratch);
   void diffuse(const BlockWork& work, std::size_t at, int n, double dt) const;
-  void warm_by_friction(const BlockWork& work, std::size_t at, int n, const Window& window,
-                        GridAtParticles& read) const;
+  bool warms_by_friction(const Body& body) const {
+    return prescribed_ == nullptr && body.material->warms_by_contact(*solids_);
+  }
   // Rigid bodies that transmit forces (step/transmitted_forces.cpp).
   void sum_body(int kind, double kick, MassAndImpulse& sums) const;
   void sum_transmitted(const NodeStep& step, NodeBooks& books);
   void jump(const BlockWork& work, std::size_t at, int n, bool& left) const;
   struct ThreadReport;
+  void warm_by_friction(const BlockWork& work, std::size_t at, int n, ThreadReport& report) const;
   void read_rigid(const BlockWork& work, std::size_t at, int n, bool booked,
                   ThreadReport& report) const;
   void take_outside_forces(const BlockWork& work, std::size_t at, int n,
@@ -299,6 +306,13 @@ class SolidStep {
                        std::span<const double> dilatation, GridAtParticles& read) const;
   void move_particles(const BlockWork& work, const StageScope& scope, std::size_t at, int n,
                       ThreadReport& report);
+  // Heat of lost energy (step/lost_energy.cpp).
+  void begin_losses(const BlockWork& work, std::size_t at, int n,
+                    const ImpulsesAtParticles& got) const;
+  void load_losses(const BlockWork& work, ThreadReport& report) const;
+  void add_works(const BlockWork& work, std::size_t at, int n, ThreadReport& report) const;
+  void settle_losses(const BlockWork& work, const StageScope& scope, std::size_t at, int n,
+                     ThreadReport& report) const;
   void advance(const BlockWork& work, const StageScope& scope, ThreadReport& report);
   std::vector<KindRates> take_first_reports(const StageScope& scope,
                                             const std::vector<ThreadReport>& reports,

@@ -9,13 +9,20 @@ namespace sluice::mpm {
 // Its window, buffers of a chunk of particles, and what these came to.
 struct SolidStep::ThreadReport {
   ThreadReport(const BlockShape& shape, std::size_t kinds)
-      : window(shape, 1), friction(shape, 1), rates(kinds) {
+      : window(shape, 1),
+        friction(shape, 1),
+        loss_nodes(shape, 1),
+        loss_mapped(shape, 1),
+        loss_before(shape, 1),
+        loss_after(shape, 1),
+        rates(kinds) {
     books.bodies.resize(kinds);
   }
 
   Window window, friction;
-  std::unique_ptr<PoreWater::Reads> water;  // null until a material has some
-  GridAtParticles read;
+  Window loss_nodes, loss_mapped, loss_before, loss_after;  // step/lost_energy.cpp
+  std::unique_ptr<PoreWater::Reads> water;                  // null until a material has some
+  GridAtParticles read, loss_read;
   ImpulsesAtParticles impulses;
   alignas(64) double wave_speed[chunk_size], heating[chunk_size];
   double rate = 0;    // of the time step, 1/s
