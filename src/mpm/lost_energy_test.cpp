@@ -76,7 +76,7 @@ TEST_P(LostEnergy, OfParticlesIsThatOfTheAccount) {
   EXPECT_NEAR(sum(run.particles("p.lostEnergy")[0]), account, 1e-12 * scale);
   const std::vector<double> heat = run.particles("p.heatOfLosses")[0],
                             T = run.particles("p.temperature")[0], m = run.particles("p.mass")[0];
-  EXPECT_NEAR(of_account(run, "of these heat"), sum(heat), 5e-12 * scale);
+  EXPECT_NEAR(-of_account(run, "back as heat"), sum(heat), 5e-12 * scale);
   constexpr double specific_heat = 5;
   for (std::size_t p = 0; p < heat.size(); ++p) {
     ASSERT_GE(heat[p], 0);
@@ -101,7 +101,7 @@ TEST(LostEnergyOfContact, WarmsBothSides) {
     EXPECT_GT(own, 0.3 * contact);
     heat += own;
   }
-  EXPECT_NEAR(of_account(run, "of these heat"), heat, 1e-9 * contact);
+  EXPECT_NEAR(-of_account(run, "back as heat"), heat, 1e-9 * contact);
 }
 
 struct Bar {

@@ -112,8 +112,12 @@ StepBalance Mpm::balance(const std::vector<double>& sums, const StepStart* /*sta
 // mpm_scheme, section 9. What each follows: K_p with the nodes' K* - K, U with the work of the
 // forces within, what contact took, and what is left of the nodes' own balance.
 std::vector<std::string> Mpm::tally_names() const {
-  return {"kinetic energy of particles", "internal energy of particles", "contact", "nodes",
-          "heat of losses"};
+  return {"kinetic energy of particles",
+          "internal energy of particles",
+          "contact",
+          "nodes",
+          "heat of losses",
+          "energy within particles"};
 }
 
 std::vector<double> Mpm::tallies(const std::vector<double>& sums) const {
@@ -124,19 +128,22 @@ std::vector<double> Mpm::tallies(const std::vector<double>& sums) const {
   const double beyond = sums[StepSums::beyond_nodes];
   const double inner = sums[StepSums::inner_gain], heat = sums[StepSums::lost_heat];
   return {gain + beyond - inner + sums[StepSums::exchange_gain] - sums[StepSums::left_kinetic],
-          heat - within - beyond - sums[StepSums::left_internal], loss,
-          gain - (within + outside - loss), heat};
+          heat - within - beyond - sums[StepSums::left_internal],
+          loss,
+          gain - (within + outside - loss),
+          heat,
+          inner};
 }
 
 std::vector<ConservedTotal> Mpm::tallied_totals(const Totals& totals) const {
-  return {totals.kinetic_energy, totals.internal_energy, {}, {}, {}};
+  return {totals.kinetic_energy, totals.internal_energy, {}, {}, {}, {}};
 }
 
 // T = K_p^n - K_p^(n+1) + (K* - K), R = -W_int - (U^(n+1) - U^n), D_c, summed over the run; all in
 // J. "nodes": round-off. Of the midpoint transfer what kicks give to particles takes the place of
-// K* - K, as nodes of little mass move further than what reads them: T is then what spins lost. What
-// spins and affine velocities hold is not lost. Of
-// all that, and of what contact took, a part becomes heat (step/lost_energy.cpp).
+// K* - K, as nodes of little mass move further than what reads them: T is then what spins lost.
+// "back as heat": what of all that became heat (step/lost_energy.cpp), less than 0; "within
+// particles": what spins and affine velocities hold. All of them are what the total energy lost.
 std::vector<std::pair<std::string, double>> Mpm::account(const Conservation& tallies) const {
   return account_from(tallies, 0);
 }
@@ -148,8 +155,9 @@ std::vector<std::pair<std::string, double>> Mpm::account_from(const Conservation
       {"integration loss", -tallies.defect(first + 1)},
       {"contact loss", tallies.sources(first + 2)},
       {"nodes", tallies.sources(first + 3)}};
-  const double heat = tallies.sources(first + 4);
-  if (heat != 0) all.emplace_back("of these heat", heat);
+  const double heat = tallies.sources(first + 4), inner = tallies.sources(first + 5);
+  if (heat != 0) all.emplace_back("back as heat", -heat);
+  if (inner != 0) all.emplace_back("within particles", inner);
   return all;
 }
 

@@ -65,7 +65,7 @@ std::vector<ConservedTotal> MpmIce::tallied_totals(const Totals& totals) const {
   if (!has_account()) return {};
   std::vector<ConservedTotal> all(fluid_.tally_names().size());
   all.insert(all.end(), totals.amounts.end() - 2, totals.amounts.end());
-  all.resize(all.size() + 4);
+  all.resize(all.size() + 5);
   return all;
 }
 
@@ -75,7 +75,7 @@ std::vector<std::pair<std::string, double>> MpmIce::account(const Conservation& 
   if (!has_account()) return {};
   const auto first = static_cast<int>(fluid_.tally_names().size());
   auto all = mpm::Mpm::account_from(tallies, first);
-  all.emplace_back("surfaces", -tallies.sources(first + 5));
+  all.emplace_back("surfaces", -tallies.sources(first + 6));
   return all;
 }
 

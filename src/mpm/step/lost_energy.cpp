@@ -19,8 +19,8 @@
 //   G = max(-D, g) for g < 0, phi g for g > 0,   g = loss of all intervals - E
 //
 // with E = m sum_ed (L - W)_ed^2 <r_d^2>/2, kinetic energy within a cell, which nodes have and
-// particles do not. G is heat; D is that of the artificial viscosity. A gain takes heat back, but no
-// more than what these two have given: no particle is cooled below the temperature that its
+// particles do not. G is heat; D is that of the artificial viscosity. A gain takes heat back, but
+// no more than what these two have given: no particle is cooled below the temperature that its
 // deformation gives it. What a particle where it crosses kinks of shape functions loses others win:
 // phi <= 1, one for each body, is such that all its heat is what the body has lost, and no more.
 #include <algorithm>
