@@ -146,7 +146,7 @@ std::string resolution_override(const Study& study, IntVec3 n) {
 
 void read_variable(Study& study, const std::string& text) {
   study.variable = text;
-  if (text.starts_with("p.")) return;  // a label of particles, whole
+  if (text.starts_with("p.") || is_of_energy(study)) return;  // a label of particles, whole
   const std::size_t dot = text.find('.');
   if (dot == std::string::npos) return;
   const std::string component = text.substr(dot + 1);

@@ -4,7 +4,9 @@
 //   {
 //     "title": "Sod's shock tube",
 //     "deck": "../../inputs/ice/riemann_sod.ups",       from the study's folder, else from here
-//     "variable": "rho_CC",                             also "vel_CC.x"
+//     "variable": "rho_CC",                             also "vel_CC.x"; "lost energy": of solids,
+//                                                       what a run's energy account says is lost,
+//                                                       over the scale of its energy
 //     "material": 0,                                    number in the archive
 //     "reference": {"resolution": [800,1,1], "set": []} a run of the deck in place of the exact
 //                                                       solution that it names
@@ -69,6 +71,11 @@ Study read_study(const std::string& file);
 
 // The run that stands for the exact solution; of a study that has one.
 StudyPoint reference_point(const Study& study);
+
+// Is what the energy account of each run says the error.
+inline bool is_of_energy(const Study& study) {
+  return study.variable == "lost energy";
+}
 
 // All runs, setting by setting, coarse to fine.
 std::vector<StudyPoint> points_of(const Study& study);

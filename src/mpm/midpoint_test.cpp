@@ -271,6 +271,23 @@ TEST_P(Midpoint, BlockKeepsItsVibration) {
   EXPECT_LE(left / count, 1.02);
 }
 
+// A disk hits a ring whose wall is half a cell: what is elastic keeps its energy but for friction.
+class ThinRing : public testing::TestWithParam<const char*> {};
+
+TEST_P(ThinRing, KeepsMostOfItsEnergy) {
+  const SolidRun run("disk_in_ring", {fmt::format("MPM/interpolator={}", GetParam())});
+  double lost = 0;
+  for (const auto& [name, value] : run.report().account)
+    if (name != "within particles") lost += value;
+  constexpr double speed = 1000;  // m^2/s^2
+  const double start = 0.5 * 8000 * std::numbers::pi * 0.1 * 0.1 * 0.025 * speed;
+  EXPECT_LE(lost / start, 0.3);
+  EXPECT_GE(lost / start, 0.05);
+  EXPECT_THAT(run.report().solids_text, testing::Not(testing::HasSubstr("has gained")));
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, ThinRing, testing::Values("gimp", "cpdi"));
+
 INSTANTIATE_TEST_SUITE_P(Of, Midpoint,
                          testing::Values(Case{"gimp", 1, 0.8}, Case{"gimp", 2, 0.3},
                                          Case{"gimp", 2, 0.8}, Case{"gimp", 3, 0.8},

@@ -68,6 +68,7 @@ Contact::Contact(const MpmScene& scene, const Level& level)
   const std::size_t count = scene.materials.size();
   taken_.assign(count, false);
   leads_.assign(count, false);
+  joins_.assign(count, false);
   motion_.resize(count);
   for (const SolidMaterial& m : scene.materials) {
     halves_.push_back(half_widths(m));
@@ -80,6 +81,7 @@ Contact::Contact(const MpmScene& scene, const Level& level)
     for (std::size_t m = 0; m < count; ++m) {
       const int material = static_cast<int>(m);
       if (full || listed(rule, material) || rule.exclude == material) taken_[m] = true;
+      if (rule.kind == ContactKind::single_velocity && listed(rule, material)) joins_[m] = true;
     }
     if (!by_master(rule)) continue;
     const auto master = static_cast<std::size_t>(rule.master);

@@ -29,6 +29,8 @@ class Contact {
   bool needs_surfaces() const { return needs_surfaces_; }
   // Does a rule act where this body is alone: a master that deforms.
   bool leads(int material) const { return leads_[static_cast<std::size_t>(material)]; }
+  // Does a rule give this body and others one velocity for good: single_velocity.
+  bool joins(int material) const { return joins_[static_cast<std::size_t>(material)]; }
   // Half widths of a material's particles in cells.
   const std::array<double, 3>& half(int material) const {
     return halves_[static_cast<std::size_t>(material)];
@@ -50,7 +52,7 @@ class Contact {
   const MpmScene* scene_;
   Vec3 spacing_;
   bool needs_surfaces_ = false;
-  std::vector<bool> taken_, leads_;                  // by material
+  std::vector<bool> taken_, leads_, joins_;          // by material
   std::vector<std::array<double, 3>> halves_;        // by material
   std::vector<SurfaceTable> tables_;                 // by material
   std::vector<std::optional<MasterMotion>> motion_;  // by material, of this step

@@ -148,6 +148,10 @@ void SolidStep::meet(const NodeStep& step, std::span<const BlockMember> members,
     OutsideBooks& outside = meeting.outside;
     Vec3 given{};
     const AtNode* giver = nullptr;  // that transmits forces
+    const bool held =
+        std::any_of(meeting.bodies.begin(), meeting.bodies.end(), [&](const AtNode& b) {
+          return b.rigid || contact_->leads(b.body) || contact_->joins(b.body);
+        });
     for (const AtNode& b : meeting.bodies) {
       if (b.rigid) {
         if (giver == nullptr && transmits(b.body)) giver = &b;
@@ -163,6 +167,7 @@ void SolidStep::meet(const NodeStep& step, std::span<const BlockMember> members,
       }
       const Vec3 kicked{as_real(node[4]), as_real(node[5]), as_real(node[6])};
       of.met = b.mass * (of.change + (b.v - kicked));
+      of.held = held;
       given += of.met;
       for (int d = 0; d < 3; ++d) node[4 + d] = as_bits(b.v[d]);
     }

@@ -22,7 +22,7 @@
 namespace sluice::mpm {
 namespace {
 
-constexpr double spin_relaxation = 0.003;  // kappa: spins follow the grid in h/(kappa c)
+constexpr double spin_relaxation = 0.001;  // kappa: spins follow the grid in h/(kappa c)
 constexpr double least_inertia = 1e-3;     // of I, h^2 for each direction
 
 }  // namespace

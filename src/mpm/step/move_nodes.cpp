@@ -133,7 +133,7 @@ void SolidStep::finish_block(const NodeStep& step, int m, int block, const Block
     if (booked && !image)
       book_energy(of, mass, v, after, held || forced, books.bodies[static_cast<std::size_t>(m)],
                   books);
-    if (solids_->midpoint() && of.met != Vec3{}) keep_met(body, block, n, of.met, after);
+    if (solids_->midpoint() && of.held && of.met != Vec3{}) keep_met(body, block, n, of.met, after);
     for (int d = 0; d < 3; ++d) {
       node[d] = as_bits(after[d] - body.units.reference[d]);
       node[4 + d] = as_bits(after[d] - v[d]);

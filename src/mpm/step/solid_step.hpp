@@ -67,7 +67,7 @@ struct Body {
   std::vector<CornerForce> corners;  // loads on corners of this rank's particles, then the fluid's
   std::size_t corner_loads = 0;      // how many are loads
   NodeLanes cohesive;                // sums of cohesive points: stiffness, -, -, - | force
-  NodeLanes met;       // midpoint transfer, where contact acts: its direction, v* along it
+  NodeLanes met;       // midpoint transfer, where contact holds: its direction, v* along it
   NodeLanes friction;  // rise of temperature by friction, where it heats
   Vec3 pushed{};       // change of velocity of a body that transmits forces
 };
@@ -150,6 +150,7 @@ struct BlockMember {
 // both hooks of contact.
 struct NodeImpulses {
   Vec3 change{}, push{}, met{};
+  bool held = false;  // by a master, or as one with another body
 };
 using BlockImpulses = std::array<NodeImpulses, block_nodes>;
 // What one thread keeps of such a block from hook to hook; work: of contact, from outside.
