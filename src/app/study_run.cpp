@@ -57,9 +57,10 @@ ArchiveStep last_output(const Study& study, const Archive& archive) {
 static exact::ErrorNorms lost_energy(const Study& study, const Json& told) {
   const Json& account = told.at("energy_account");
   if (account.empty())
-    throw InputError(fmt::format("{}: the run of {} has no account of energy: it has no solids that "
-                                 "deform in explicit steps",
-                                 study.file, study.deck));
+    throw InputError(
+        fmt::format("{}: the run of {} has no account of energy: no solids in it deform "
+                    "in explicit steps",
+                    study.file, study.deck));
   double lost = 0;
   for (const auto& [name, value] : account.members())
     if (name != "within particles") lost += value.get<double>();

@@ -89,7 +89,7 @@ void read(const TransferGrid& grid, const std::array<const double*, 3>& x,
           ImpulsesAtParticles& to) {
   using Corner = Corners<D, Tetrahedron>;
   static thread_local Corner corners;
-  find_corners(grid, x, shape, at, n, corners);
+  find_corners(grid, x, shape, at, n, Slopes::unused, corners);
   add_inertia(grid, corners, n, to);
   std::ptrdiff_t stride[D];
   int low[D];

@@ -92,31 +92,43 @@ void invert(const Edges<D>& E, int n, Edges<D>& to) {
   }
 }
 
-// way, slope and later s: combinations of edges for each corner.
+// Ways to the corners: combinations of edges.
 template <int D, bool Tetrahedron>
-void spread(const TransferGrid& grid, const Edges<D>& E, const Edges<D>& inverse, int n,
-            Corners<D, Tetrahedron>& to) {
+void spread_ways(const Edges<D>& E, int n, Corners<D, Tetrahedron>& to) {
+  for (int a = 0; a < D; ++a)
+    for (int c = 0; c < to.count; ++c) {
+      double* way = to.way[c][a];
+      for (int q = 0; q < n; ++q) {
+        if constexpr (Tetrahedron) {
+          const double to_first = -0.25 * (E[a][0][q] + E[a][1][q] + E[a][2][q]);
+          way[q] = c == 0 ? to_first : to_first + E[a][c - 1][q];
+        } else {
+          double edge = c & 1 ? E[a][0][q] : -E[a][0][q];
+          for (int e = 1; e < D; ++e) edge += c >> e & 1 ? E[a][e][q] : -E[a][e][q];
+          way[q] = 0.5 * edge;
+        }
+      }
+    }
+}
+
+// Slopes of the corners: combinations of rows of the inverse.
+template <int D, bool Tetrahedron>
+void spread_slopes(const TransferGrid& grid, const Edges<D>& inverse, int n,
+                   Corners<D, Tetrahedron>& to) {
   constexpr double factor = Tetrahedron ? 1.0 : D == 3 ? 0.25 : D == 2 ? 0.5 : 1.0;
   for (int a = 0; a < D; ++a) {
     const double scale =
         factor *
         grid.axes[static_cast<std::size_t>(grid.active[static_cast<std::size_t>(a)])].inverse;
     for (int c = 0; c < to.count; ++c) {
-      double *way = to.way[c][a], *slope = to.slope[c][a];
+      double* slope = to.slope[c][a];
       for (int q = 0; q < n; ++q) {
         if constexpr (Tetrahedron) {
-          const double to_first = -0.25 * (E[a][0][q] + E[a][1][q] + E[a][2][q]);
-          way[q] = c == 0 ? to_first : to_first + E[a][c - 1][q];
           slope[q] = c == 0 ? -(inverse[0][a][q] + inverse[1][a][q] + inverse[2][a][q]) * scale
                             : inverse[c - 1][a][q] * scale;
         } else {
-          double edge = c & 1 ? E[a][0][q] : -E[a][0][q];
           double row = c & 1 ? inverse[0][a][q] : -inverse[0][a][q];
-          for (int e = 1; e < D; ++e) {
-            edge += c >> e & 1 ? E[a][e][q] : -E[a][e][q];
-            row += c >> e & 1 ? inverse[e][a][q] : -inverse[e][a][q];
-          }
-          way[q] = 0.5 * edge;
+          for (int e = 1; e < D; ++e) row += c >> e & 1 ? inverse[e][a][q] : -inverse[e][a][q];
           slope[q] = row * scale;
         }
       }
@@ -127,7 +139,7 @@ void spread(const TransferGrid& grid, const Edges<D>& E, const Edges<D>& inverse
 // Of corners that particles carry: from their middle, which is the place of the particle.
 template <int D>
 void carried_ways(const TransferGrid& grid, const ParticleShape& shape, int at, int n,
-                  Corners<D, false>& to) {
+                  Slopes slopes, Corners<D, false>& to) {
   double inverse[D];
   for (int a = 0; a < D; ++a)
     inverse[a] =
@@ -135,27 +147,32 @@ void carried_ways(const TransferGrid& grid, const ParticleShape& shape, int at, 
   for (int q = 0; q < n; ++q) {
     CornerVolume<D> v;
     read_carried<D>(shape.corners, grid.active, static_cast<std::size_t>(at + q), v.x);
-    v.find();
+    if (slopes == Slopes::wanted)
+      v.find();
+    else
+      v.find_middle();
+    for (int c = 0; c < to.count; ++c)
+      for (int a = 0; a < D; ++a) to.way[c][a][q] = v.x[c][a] * inverse[a];
+    if (slopes == Slopes::unused) continue;
     const double share = 1 / v.volume;
     for (int c = 0; c < to.count; ++c)
-      for (int a = 0; a < D; ++a) {
-        to.way[c][a][q] = v.x[c][a] * inverse[a];
-        to.slope[c][a][q] = v.b[c][a] * share;
-      }
+      for (int a = 0; a < D; ++a) to.slope[c][a][q] = v.b[c][a] * share;
   }
 }
 
 template <int D, bool Tetrahedron>
-void find_ways(const TransferGrid& grid, const ParticleShape& shape, int at, int n,
+void find_ways(const TransferGrid& grid, const ParticleShape& shape, int at, int n, Slopes slopes,
                Corners<D, Tetrahedron>& to) {
   if constexpr (!Tetrahedron)
-    if (shape.corners[0] != nullptr) return carried_ways(grid, shape, at, n, to);
+    if (shape.corners[0] != nullptr) return carried_ways(grid, shape, at, n, slopes, to);
   alignas(64) Edges<D> edges, inverse;
   find_edges<D>(grid, shape, at, n, edges);
   if (!Tetrahedron && grid.corner_limit < 1e300)
     for (int q = 0; q < n; ++q) cut_edges<D>(edges, q, grid.corner_limit);
+  spread_ways(edges, n, to);
+  if (slopes == Slopes::unused) return;
   invert<D>(edges, n, inverse);
-  spread(grid, edges, inverse, n, to);
+  spread_slopes(grid, inverse, n, to);
 }
 
 template <int D, bool Tetrahedron>
@@ -166,7 +183,7 @@ CornerReach reach_of_corners(const TransferGrid& grid, const ParticleShape& shap
   bool sound = true;
   for (int at = begin; at < end; at += chunk_size) {
     const int n = std::min(chunk_size, end - at);
-    find_ways(grid, shape, at, n, corners);
+    find_ways(grid, shape, at, n, Slopes::wanted, corners);
     for (int c = 0; c < corners.count; ++c)
       for (int q = 0; q < n; ++q) {
         double slopes = 0;
@@ -189,8 +206,9 @@ CornerReach reach_of_corners(const TransferGrid& grid, const ParticleShape& shap
 
 template <int D, bool Tetrahedron>
 void find_corners(const TransferGrid& grid, const std::array<const double*, 3>& x,
-                  const ParticleShape& shape, int at, int n, Corners<D, Tetrahedron>& to) {
-  find_ways(grid, shape, at, n, to);
+                  const ParticleShape& shape, int at, int n, Slopes slopes,
+                  Corners<D, Tetrahedron>& to) {
+  find_ways(grid, shape, at, n, slopes, to);
   for (int a = 0; a < D; ++a) {
     const auto d = static_cast<std::size_t>(grid.active[static_cast<std::size_t>(a)]);
     const Axis& axis = grid.axes[d];
@@ -213,13 +231,13 @@ void find_corners(const TransferGrid& grid, const std::array<const double*, 3>& 
 }
 
 template void find_corners(const TransferGrid&, const std::array<const double*, 3>&,
-                           const ParticleShape&, int, int, Corners<1, false>&);
+                           const ParticleShape&, int, int, Slopes, Corners<1, false>&);
 template void find_corners(const TransferGrid&, const std::array<const double*, 3>&,
-                           const ParticleShape&, int, int, Corners<2, false>&);
+                           const ParticleShape&, int, int, Slopes, Corners<2, false>&);
 template void find_corners(const TransferGrid&, const std::array<const double*, 3>&,
-                           const ParticleShape&, int, int, Corners<3, false>&);
+                           const ParticleShape&, int, int, Slopes, Corners<3, false>&);
 template void find_corners(const TransferGrid&, const std::array<const double*, 3>&,
-                           const ParticleShape&, int, int, Corners<3, true>&);
+                           const ParticleShape&, int, int, Slopes, Corners<3, true>&);
 
 CornerReach corner_reach(Basis basis, const TransferGrid& grid, const ParticleShape& shape,
                          int begin, int end) {

@@ -6,13 +6,13 @@
 namespace sluice::mpm {
 namespace {
 
-// v* and its change.
+// v*, and its change where that is asked for.
 struct Values {
   Four velocity, change;
 };
 
 // Values at a corner: hats, axis after axis.
-template <int D>
+template <int D, bool Changes>
 inline Values at_corner(const std::int64_t* node, const std::ptrdiff_t (&stride)[D],
                         const double (&s)[D]) {
   Values v[1 << D];
@@ -20,25 +20,25 @@ inline Values at_corner(const std::int64_t* node, const std::ptrdiff_t (&stride)
     const std::int64_t* from = node;
     for (int a = 0; a < D; ++a) from += (i >> a & 1) * stride[a];
     v[i].velocity = *reinterpret_cast<const FourAtNode*>(from);
-    v[i].change = *reinterpret_cast<const FourAtNode*>(from + 4);
+    if constexpr (Changes) v[i].change = *reinterpret_cast<const FourAtNode*>(from + 4);
   }
   for (int a = 0; a < D; ++a) {
     const double low = 0.5 - s[a], up = 0.5 + s[a];
     for (int i = 0; i < 1 << (D - 1 - a); ++i) {
       v[i].velocity = low * v[2 * i].velocity + up * v[2 * i + 1].velocity;
-      v[i].change = low * v[2 * i].change + up * v[2 * i + 1].change;
+      if constexpr (Changes) v[i].change = low * v[2 * i].change + up * v[2 * i + 1].change;
     }
   }
   return v[0];
 }
 
-template <int D, bool Tetrahedron>
+template <int D, bool Tetrahedron, bool Changes>
 void read_block(const TransferGrid& grid, const std::array<const double*, 3>& x,
                 const ParticleShape& shape, int at, int n, const Window& window,
                 GridAtParticles& to) {
   using Corner = Corners<D, Tetrahedron>;
   static thread_local Corner corners;
-  find_corners(grid, x, shape, at, n, corners);
+  find_corners(grid, x, shape, at, n, Slopes::wanted, corners);
   std::ptrdiff_t stride[D];
   int low[D];
   for (int a = 0; a < D; ++a) {
@@ -57,15 +57,16 @@ void read_block(const TransferGrid& grid, const std::array<const double*, 3>& x,
         s[a] = corners.s[c][a][q];
         node += (corners.first[c][a][q] - low[a]) * stride[a];
       }
-      const Values v = at_corner<D>(node, stride, s);
+      const Values v = at_corner<D, Changes>(node, stride, s);
       velocity[c] = v.velocity;
       for (int e = 0; e < 3 && carried; ++e) to.corner[c][e][q] = v.velocity[e];
-      change[c] = v.change;
+      if constexpr (Changes) change[c] = v.change;
     }
-    const Four u = corner_sum(velocity) * Corner::share, dv = corner_sum(change) * Corner::share;
-    for (int e = 0; e < 3; ++e) {
-      to.u[e][q] = u[e];
-      to.dv[e][q] = dv[e];
+    const Four u = corner_sum(velocity) * Corner::share;
+    for (int e = 0; e < 3; ++e) to.u[e][q] = u[e];
+    if constexpr (Changes) {
+      const Four dv = corner_sum(change) * Corner::share;
+      for (int e = 0; e < 3; ++e) to.dv[e][q] = dv[e];
     }
     for (int a = 0; a < D; ++a) {
       Four part[Corner::count];
@@ -81,12 +82,16 @@ void read_block(const TransferGrid& grid, const std::array<const double*, 3>& x,
 }  // namespace
 
 void read_corners(Basis basis, const TransferGrid& grid, const std::array<const double*, 3>& x,
-                  const ParticleShape& shape, int at, int n, const Window& window,
+                  const ParticleShape& shape, int at, int n, bool changes, const Window& window,
                   GridAtParticles& to) {
-  if (basis == Basis::cpti) return read_block<3, true>(grid, x, shape, at, n, window, to);
-  if (grid.count == 3) return read_block<3, false>(grid, x, shape, at, n, window, to);
-  if (grid.count == 2) return read_block<2, false>(grid, x, shape, at, n, window, to);
-  read_block<1, false>(grid, x, shape, at, n, window, to);
+  const auto go = [&]<int D, bool Tetrahedron>() {
+    changes ? read_block<D, Tetrahedron, true>(grid, x, shape, at, n, window, to)
+            : read_block<D, Tetrahedron, false>(grid, x, shape, at, n, window, to);
+  };
+  if (basis == Basis::cpti) return go.template operator()<3, true>();
+  if (grid.count == 3) return go.template operator()<3, false>();
+  if (grid.count == 2) return go.template operator()<2, false>();
+  go.template operator()<1, false>();
 }
 
 }  // namespace sluice::mpm

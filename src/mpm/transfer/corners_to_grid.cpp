@@ -1,6 +1,7 @@
 // Particles with corners to the grid.
 #include <algorithm>
 
+#include "mpm/nodes/node_sums.hpp"
 #include "mpm/transfer/corner_transfer.hpp"
 #include "mpm/transfer/corners.hpp"
 #include "mpm/transfer/gifts.hpp"
@@ -8,7 +9,7 @@
 namespace sluice::mpm {
 namespace {
 
-template <int D, bool Tetrahedron, bool Affine>
+template <int D, bool Tetrahedron, bool Affine, bool Forces>
 void add_particle(const Gift& g, const Corners<D, Tetrahedron>& corners, int q,
                   const TransferGrid& grid, const std::ptrdiff_t (&stride)[D], std::int64_t* nodes,
                   const int (&low)[D]) {
@@ -28,7 +29,7 @@ void add_particle(const Gift& g, const Corners<D, Tetrahedron>& corners, int q,
       const double s = corners.s[c][a][q];
       w[a][0] = 0.5 - s;
       w[a][1] = 0.5 + s;
-      force += g.traction[a] * corners.slope[c][a][q];
+      if constexpr (Forces) force += g.traction[a] * corners.slope[c][a][q];
       // x_i - x_p = (x_c - x_p) - s -+ 1/2, in cells.
       if constexpr (Affine) momentum += affine[a] * (corners.way[c][a][q] - s);
       node += (corners.first[c][a][q] - low[a]) * stride[a];
@@ -44,12 +45,15 @@ void add_particle(const Gift& g, const Corners<D, Tetrahedron>& corners, int q,
         if constexpr (Affine) given += affine[a] * (i >> a & 1 ? 0.5 : -0.5);
       }
       add_rounded(to, given * weight);
-      add_rounded(to + 4, force * weight);
+      if constexpr (Forces)
+        add_rounded(to + 4, force * weight);
+      else
+        to[count_lane] = wrapped_sum(to[count_lane], rounding_bits);
     }
   }
 }
 
-template <int D, bool Tetrahedron, bool Affine>
+template <int D, bool Tetrahedron, bool Affine, bool Forces>
 void add_block(const TransferGrid& grid, const ParticlesToGrid& p, int begin, int end,
                const SumUnits& units, Window& window) {
   static thread_local Corners<D, Tetrahedron> corners;
@@ -64,10 +68,10 @@ void add_block(const TransferGrid& grid, const ParticlesToGrid& p, int begin, in
   std::int64_t* nodes = window.at(0, 0, 0);
   for (int at = begin; at < end; at += chunk_size) {
     const int n = std::min(chunk_size, end - at);
-    find_corners(grid, p.x, p.shape, at, n, corners);
+    find_corners(grid, p.x, p.shape, at, n, Forces ? Slopes::wanted : Slopes::unused, corners);
     make_gifts(grid, p, at, n, units, gifts);
     for (int q = 0; q < n; ++q)
-      add_particle<D, Tetrahedron, Affine>(gifts[q], corners, q, grid, stride, nodes, low);
+      add_particle<D, Tetrahedron, Affine, Forces>(gifts[q], corners, q, grid, stride, nodes, low);
   }
 }
 
@@ -78,7 +82,7 @@ void add_values(const TransferGrid& grid, const std::array<const double*, 3>& x,
   static thread_local Corners<D, Tetrahedron> corners;
   for (int at = begin; at < end; at += chunk_size) {
     const int n = std::min(chunk_size, end - at);
-    find_corners(grid, x, shape, at, n, corners);
+    find_corners(grid, x, shape, at, n, Slopes::unused, corners);
     for (int q = 0; q < n; ++q) {
       double values[lanes] = {};
       for (std::size_t l = 0; l < lanes_of.size(); ++l)
@@ -108,8 +112,12 @@ void add_values(const TransferGrid& grid, const std::array<const double*, 3>& x,
 void add_corners(Basis basis, const TransferGrid& grid, const ParticlesToGrid& p, int begin,
                  int end, const SumUnits& units, Window& window) {
   const auto add = [&]<int D, bool Tetrahedron>() {
-    p.varies() ? add_block<D, Tetrahedron, true>(grid, p, begin, end, units, window)
-               : add_block<D, Tetrahedron, false>(grid, p, begin, end, units, window);
+    const auto with = [&]<bool Affine>() {
+      p.volume != nullptr || p.load[0] != nullptr
+          ? add_block<D, Tetrahedron, Affine, true>(grid, p, begin, end, units, window)
+          : add_block<D, Tetrahedron, Affine, false>(grid, p, begin, end, units, window);
+    };
+    p.varies() ? with.template operator()<true>() : with.template operator()<false>();
   };
   if (basis == Basis::cpti) return add.template operator()<3, true>();
   if (grid.count == 3) return add.template operator()<3, false>();

@@ -169,7 +169,7 @@ void clear_inactive(const TransferGrid& grid, int n, bool moments, GridAtParticl
 void read_window(Basis basis, const TransferGrid& grid, const std::array<const double*, 3>& x,
                  const ParticleShape& shape, int at, int n, bool moments, const Window& window,
                  GridAtParticles& to) {
-  if (by_corners(basis)) return read_corners(basis, grid, x, shape, at, n, window, to);
+  if (by_corners(basis)) return read_corners(basis, grid, x, shape, at, n, true, window, to);
   for_basis(basis, has_own_widths(basis, shape), grid.count, [&]<int D, class B>() {
     moments ? read<D, B, true, true>(basis, grid, x, shape, at, n, window, to)
             : read<D, B, false, true>(basis, grid, x, shape, at, n, window, to);
@@ -179,7 +179,7 @@ void read_window(Basis basis, const TransferGrid& grid, const std::array<const d
 void read_velocities(Basis basis, const TransferGrid& grid, const std::array<const double*, 3>& x,
                      const ParticleShape& shape, int at, int n, const Window& window,
                      GridAtParticles& to) {
-  if (by_corners(basis)) return read_corners(basis, grid, x, shape, at, n, window, to);
+  if (by_corners(basis)) return read_corners(basis, grid, x, shape, at, n, false, window, to);
   for_basis(basis, has_own_widths(basis, shape), grid.count, [&]<int D, class B>() {
     read<D, B, false, false>(basis, grid, x, shape, at, n, window, to);
   });

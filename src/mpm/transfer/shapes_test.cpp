@@ -190,7 +190,7 @@ TEST(Corners, AreWhereEdgesEnd) {
     scene.columns[12 + e][0] = e % 4 == 0 ? 0.5 : 0.0;
   }
   static Corners<2, false> corners;
-  find_corners(scene.grid, scene.x(), scene.shape(false), 0, 1, corners);
+  find_corners(scene.grid, scene.x(), scene.shape(false), 0, 1, Slopes::wanted, corners);
   const double far = 0.25 * std::sqrt(2.0);
   const double wanted[4][2] = {{0, -far}, {far, 0}, {-far, 0}, {0, far}};
   for (int k = 0; k < 4; ++k)
