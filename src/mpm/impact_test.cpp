@@ -8,6 +8,7 @@
 
 #include "framework/base/json.hpp"
 #include "mpm/test_support/solid_run.hpp"
+#include "mpm/test_support/text_run.hpp"
 
 namespace sluice::mpm::impact_test {
 namespace {
@@ -151,6 +152,48 @@ TEST(PlasticPiston, HasPrecursorAndPlasticShock) {
   const double rise = isentropic + plastic + shock;
   EXPECT_NEAR(rise, 11.43, 0.02);
   EXPECT_NEAR(behind.temperature - start, rise, 0.05 * rise);
+}
+
+// Particles of a gas of 300 K that fly at a wall at 1 km/s: Rankine and Hugoniot's state is at rest there.
+TEST(GasOnAWall, IsHeatedByItsShock) {
+  SolidDeck deck;
+  deck.upper = "[1.2,0.01,0.01]";
+  deck.cells = "[120,1,1]";
+  deck.flags =
+      "<interpolator>4thorderBS</interpolator><transfer>affine</transfer>"
+      "<DoExplicitHeatConduction>false</DoExplicitHeatConduction>";
+  deck.objects =
+      "<geom_object><box><min>[0,-1,-1]</min><max>[1,1,1]</max></box><res>[2,1,1]</res>"
+      "<velocity>[-1000,0,0]</velocity><temperature>300</temperature></geom_object>";
+  constexpr double rho = 1.2, c_v = 717.5, gamma = 1.4, u = 1000, time = 6e-4;
+  const double p = (gamma - 1) * rho * c_v * 300, c = std::sqrt(gamma * p / rho);
+  const double x = (gamma + 1) * u / (4 * c), M = x + std::sqrt(x * x + 1);
+  const double density = rho * (gamma + 1) * M * M / ((gamma - 1) * M * M + 2);
+  const double behind = p * (1 + 2 * gamma / (gamma + 1) * (M * M - 1));
+  const TextRun run(deck,
+                    {{"<density>1000<", "<density>1.2<"},
+                     {"comp_neo_hook", "ideal_gas"},
+                     {"<bulk_modulus>1e6</bulk_modulus><shear_modulus>5e5</shear_modulus>",
+                      fmt::format("<gamma>1.4</gamma><Pref>{}</Pref>", p)},
+                     {"<specific_heat>5<", "<specific_heat>717.5<"},
+                     {"<maxTime>1<", fmt::format("<maxTime>{}<", time)},
+                     {"<outputInterval>0</outputInterval>",
+                      saves({"p.x", "p.mass", "p.volume", "p.temperature"})}},
+                    "gas_on_wall");
+  const auto place = run.particles("p.x")[0], m = run.particles("p.mass")[0],
+             V = run.particles("p.volume")[0], T = run.particles("p.temperature")[0];
+  const double shock = (M * c - u) * time;
+  double count = 0, mean_T = 0, mean_density = 0;
+  for (std::size_t n = 0; n < place.size(); ++n) {
+    if (place[n] < 0.2 * shock || place[n] > 0.8 * shock) continue;
+    mean_T += T[n];
+    mean_density += m[n] / V[n];
+    ++count;
+  }
+  ASSERT_GT(count, 20);
+  const double right = behind / ((gamma - 1) * density * c_v);
+  EXPECT_NEAR(mean_density / count, density, 0.02 * density);
+  EXPECT_NEAR(mean_T / count - 300, right - 300, 0.05 * (right - 300));
 }
 
 }  // namespace

@@ -44,6 +44,8 @@ TEST(IdealGas, CompressesAlongItsIsentrope) {
   MaterialSample q(law("ideal_gas", tags + "true</UseArtificialViscosity>", air), air, 1, 300);
   ASSERT_EQ(q.step({0.99, 0, 0, 0, 1, 0, 0, 0, 1}, 0.001), std::nullopt);
   EXPECT_GT(q.pressure(), p_0 * std::pow(0.99, -1.4) * 1.001);
+  // Of a shock in one step: what the pressure and the viscosity work is heat, c_v dT per mass.
+  EXPECT_NEAR(q.energy() / (1.2 * 717.5 * (q.temperature() - 300)), 1, 1e-2);
 }
 
 const std::string explosive =

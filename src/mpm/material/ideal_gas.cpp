@@ -28,13 +28,18 @@ class GasParticles final : public Material {
     if (const auto fault = fault_of_volume(b)) return fault;
     for (int i = 0; i < b.count; ++i) {
       const double J_0 = determinant(at(b.old_F, i)), J = determinant(at(b.F, i));
-      const double T = b.temperature[i] * std::pow(J / J_0, 1 - gamma_);
-      if (!(T > 0)) return BatchFault{i, "temperature of a gas <= 0", T};
       const double rate = (J - J_0) / (0.5 * (J + J_0) * b.dt);  // tr D
       // q = rho (2.5 h tr D)^2 = rho Q h |tr D|
       const double squeeze = viscous_ && rate < 0 ? -rate * b.spacing : 0;
       const double Q = 2.5 * 2.5 * squeeze;
-      set_stress(b, i, J, T, density_ / J * Q * squeeze);
+      const double q = density_ / J * Q * squeeze;
+      // Along the isentrope, and by the work of q, which is all heat: a shock is no isentrope.
+      const double q_0 =
+          viscous_ ? p_ref_ - b.old_stress[0][i] - pressure(J_0, b.temperature[i]) : 0;
+      const double T = b.temperature[i] * std::pow(J / J_0, 1 - gamma_) +
+                       0.5 * (q_0 + q) * (J_0 - J) / (density_ * c_v_);
+      if (!(T > 0)) return BatchFault{i, "temperature of a gas <= 0", T};
+      set_stress(b, i, J, T, q);
       // What acts a step later is stable to h/(Q + sqrt(Q^2 + c^2)), as artificial viscosity.
       const double c = b.wave_speed[i];
       if (squeeze > 0) b.wave_speed[i] = Q + std::sqrt(Q * Q + c * c);
@@ -47,8 +52,9 @@ class GasParticles final : public Material {
   double bulk_modulus() const override { return gamma_ * p_ref_; }
 
  private:
+  double pressure(double J, double T) const { return (gamma_ - 1) * density_ / J * c_v_ * T; }
   void set_stress(const Batch& b, int i, double J, double T, double q) const {
-    const double p = (gamma_ - 1) * density_ / J * c_v_ * T;
+    const double p = pressure(J, T);
     for (int k = 0; k < 6; ++k) b.stress[k][i] = k < 3 ? p_ref_ - p - q : 0;
     b.wave_speed[i] = std::sqrt(gamma_ * p * J / density_);
   }
