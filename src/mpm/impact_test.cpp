@@ -154,7 +154,8 @@ TEST(PlasticPiston, HasPrecursorAndPlasticShock) {
   EXPECT_NEAR(behind.temperature - start, rise, 0.05 * rise);
 }
 
-// Particles of a gas of 300 K that fly at a wall at 1 km/s: Rankine and Hugoniot's state is at rest there.
+// Particles of a gas of 300 K that fly at a wall at 1 km/s: behind the shock that comes back they are
+// at rest, in Rankine and Hugoniot's state.
 TEST(GasOnAWall, IsHeatedByItsShock) {
   SolidDeck deck;
   deck.upper = "[1.2,0.01,0.01]";

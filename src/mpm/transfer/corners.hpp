@@ -33,8 +33,8 @@ struct Corners {
   alignas(64) int first[count][D][chunk_size];     // lower node of its cell
 };
 
-// Particles at, ..., at + n - 1 of columns; without slopes where values alone pass. Instantiated for
-// D = 1 to 3, tetrahedra for D = 3.
+// Particles at, ..., at + n - 1 of columns; without slopes where values alone pass. Instantiated
+// for D = 1 to 3, tetrahedra for D = 3.
 enum class Slopes { wanted, unused };
 template <int D, bool Tetrahedron>
 void find_corners(const TransferGrid& grid, const std::array<const double*, 3>& x,
