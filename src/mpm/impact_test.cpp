@@ -154,7 +154,7 @@ TEST(PlasticPiston, HasPrecursorAndPlasticShock) {
   EXPECT_NEAR(behind.temperature - start, rise, 0.05 * rise);
 }
 
-// Particles of a gas of 300 K that fly at a wall at 1 km/s: behind the shock that comes back they are
+// Particles of a gas of 300 K that fly at a wall at 1 km/s: behind the shock that returns they are
 // at rest, in Rankine and Hugoniot's state.
 TEST(GasOnAWall, IsHeatedByItsShock) {
   SolidDeck deck;
