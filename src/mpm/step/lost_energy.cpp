@@ -139,6 +139,35 @@ void SolidStep::add_works(const BlockWork& w, std::size_t at, int n, ThreadRepor
   }
 }
 
+// E of particles, J; of affine velocities, which hold it, what it gained instead.
+void SolidStep::find_inner(const BlockWork& w, std::size_t at, int n, const GridAtParticles& read,
+                           double* within, double* gained) const {
+  const Body& body = bodies_[static_cast<std::size_t>(w.kind)];
+  const Columns& c = body.carried->columns;
+  std::fill_n(within, n, 0.0);
+  std::fill_n(gained, n, 0.0);
+  for (int e = 0; e < 9; ++e) {
+    const double moment = body.energy_units.moment[e % 3];
+    if (c.affine >= 0) {
+      const double* C = w.set->column(static_cast<std::size_t>(c.affine + e)) + at;
+      const double* to_C = w.next->column(static_cast<std::size_t>(c.affine + e)) + at;
+      for (int p = 0; p < n; ++p) gained[p] += moment * (to_C[p] * to_C[p] - C[p] * C[p]);
+      continue;
+    }
+    const double *L = read.L[e], *turned = read.L[3 * (e % 3) + e / 3];
+    const bool spins = c.spin >= 0;
+    for (int p = 0; p < n; ++p) {
+      const double rate = spins ? 0.5 * (L[p] + turned[p]) : L[p];
+      within[p] += moment * (rate * rate);
+    }
+  }
+  const double* mass = w.set->column(static_cast<std::size_t>(c.mass)) + at;
+  for (int p = 0; p < n; ++p) {
+    within[p] *= 0.5 * mass[p];
+    gained[p] *= 0.5 * mass[p];
+  }
+}
+
 // Losses of particles that have their new state; where their heat will stand, g or -D.
 void SolidStep::settle_losses(const BlockWork& w, const StageScope& scope, std::size_t at, int n,
                               ThreadReport& report) const {
@@ -147,35 +176,21 @@ void SolidStep::settle_losses(const BlockWork& w, const StageScope& scope, std::
   add_works(w, at, n, report);
   const auto old = [&](int of) { return w.set->column(static_cast<std::size_t>(of)) + at; };
   const auto made = [&](int of) { return w.next->column(static_cast<std::size_t>(of)) + at; };
-  const double *mass = old(c.mass), *energy = old(c.energy), *new_energy = made(c.energy);
+  const double *energy = old(c.energy), *new_energy = made(c.energy);
   const double *before = old(c.losses), *heat = old(c.losses + 1);
   const double* viscous = c.viscous >= 0 ? made(c.losses + 2) : nullptr;
   double *to = made(c.losses), *to_heat = made(c.losses + 1);
-  alignas(64) double within[chunk_size] = {}, gained[chunk_size] = {};
+  alignas(64) double within[chunk_size], gained[chunk_size];
+  find_inner(w, at, n, report.read, within, gained);
   alignas(64) double wanted[chunk_size], taken[chunk_size], all[chunk_size];
-  for (int e = 0; e < 9; ++e) {
-    const double moment = body.energy_units.moment[e % 3];
-    if (c.affine >= 0) {
-      const double *C = old(c.affine + e), *to_C = made(c.affine + e);
-      for (int p = 0; p < n; ++p) gained[p] += moment * (to_C[p] * to_C[p] - C[p] * C[p]);
-      continue;
-    }
-    const double *L = report.read.L[e], *turned = report.read.L[3 * (e % 3) + e / 3];
-    const bool spins = c.spin >= 0;
-    for (int p = 0; p < n; ++p) {
-      const double rate = spins ? 0.5 * (L[p] + turned[p]) : L[p];
-      within[p] += moment * (rate * rate);
-    }
-  }
   const bool first = scope.dt_before == 0;
   for (int p = 0; p < n; ++p) {
-    const double affine = 0.25 * mass[p] * gained[p];
-    const double closing = to[p] - affine, opening = to_heat[p] - affine;
+    const double closing = to[p] - 0.5 * gained[p], opening = to_heat[p] - 0.5 * gained[p];
     const double loss = first ? 0.0 : before[p] + closing;
     const double open = (first ? closing + opening : opening) - (new_energy[p] - energy[p]);
     to[p] = loss + open;
     const double least = viscous != nullptr ? -std::max(0.0, viscous[p]) : 0.0;
-    all[p] = loss - 0.5 * mass[p] * within[p];
+    all[p] = loss - within[p];
     to_heat[p] = std::max(least, all[p]);
     wanted[p] = std::max(0.0, to_heat[p]);
     taken[p] = std::min(0.0, to_heat[p]);

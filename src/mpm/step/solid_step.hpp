@@ -312,6 +312,8 @@ class SolidStep {
                     const ImpulsesAtParticles& got) const;
   void load_losses(const BlockWork& work, ThreadReport& report) const;
   void add_works(const BlockWork& work, std::size_t at, int n, ThreadReport& report) const;
+  void find_inner(const BlockWork& work, std::size_t at, int n, const GridAtParticles& read,
+                  double* within, double* gained) const;
   void settle_losses(const BlockWork& work, const StageScope& scope, std::size_t at, int n,
                      ThreadReport& report) const;
   void advance(const BlockWork& work, const StageScope& scope, ThreadReport& report);
