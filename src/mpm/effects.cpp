@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "mpm/deck/readers.hpp"
+
 namespace sluice::mpm {
 namespace {
 
@@ -80,18 +82,23 @@ static std::string choices_of(const MpmScene& s) {
 
 // What transfer, integration and contact take from motion.
 static Effect lost_energy_of(const MpmScene& s) {
-  const auto heats = [](const SolidMaterial& m) { return m.lost_energy_heats; };
-  const auto count = std::count_if(s.materials.begin(), s.materials.end(), heats);
-  return {"heat of lost energy",
-          count > 0,
-          count > 0
-              ? fmt::format("what transfer, integration and contact take warms {} of {} materials: "
-                            "a specific heat, and a shock equation of state, "
-                            "artificial_viscosity or <lost_energy> heat",
-                            count, s.materials.size())
-              : "no material has a specific heat and a shock equation of state or "
-                "artificial_viscosity, or <lost_energy> is none",
-          {}};
+  const auto count = std::count_if(s.materials.begin(), s.materials.end(),
+                                   [](const SolidMaterial& m) { return m.lost_energy_heats; });
+  const std::string hindrance = without_losses(s);
+  std::string reason;
+  if (count > 0)
+    reason = fmt::format(
+        "what transfer, integration and contact take warms {} of {} materials: a specific heat, "
+        "and "
+        "a shock equation of state, artificial_viscosity or <lost_energy> heat",
+        count, s.materials.size());
+  else if (!hindrance.empty())
+    reason = "not built with " + hindrance;
+  else
+    reason =
+        "no material has a specific heat and a shock equation of state or artificial_viscosity, or "
+        "<lost_energy> is none";
+  return {"heat of lost energy", count > 0, reason, {}};
 }
 
 EffectList effects_of(const Scene& scene, const MpmScene& s) {

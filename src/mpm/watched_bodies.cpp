@@ -32,7 +32,8 @@ std::vector<BodyEnergy> Mpm::body_energies(const std::vector<double>& sums) cons
     b.kick = of(Of::kick);
     b.contact_slack = of(Of::contact_slack);
     b.heat = of(Of::heat);
-    b.returned = of(Of::lost_heat);
+    b.returned = of(Of::lost_heat) - of(Of::contact_heat);
+    b.lost = of(Of::lost);
     b.parted = of(Of::parted);
     b.particles = of(Of::particles);
     bodies.push_back(b);

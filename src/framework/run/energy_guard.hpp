@@ -48,8 +48,10 @@ struct BodyEnergy {
   // By what the work may be more: contact that holds a velocity works by that one, contact that
   // stops one by the middle of before and behind; which of both it is no node knows.
   double contact_slack = 0;
-  double heat = 0;      // that came in, where heat can move
-  double returned = 0;  // of what the body had lost, what became heat of it
+  double heat = 0;  // that came in, where heat can move
+  // Of what the body had lost but to contact, what became heat of it; all that its particles have
+  // lost since the start.
+  double returned = 0, lost = 0;
   // Numbers of particles: that lost their neighbours (parted_bodies.hpp), and all.
   double parted = 0, particles = 0;
 };

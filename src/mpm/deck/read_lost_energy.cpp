@@ -6,9 +6,7 @@
 #include "mpm/deck/readers.hpp"
 
 namespace sluice::mpm {
-namespace {
 
-// Why no step of this deck knows what a particle has lost; empty: it does.
 std::string without_losses(const MpmScene& s) {
   if (s.implicit) return "implicit steps";
   if (s.total_lagrangian) return "total Lagrangian steps";
@@ -17,8 +15,6 @@ std::string without_losses(const MpmScene& s) {
   if (s.any_water()) return "water in pores";
   return "";
 }
-
-}  // namespace
 
 void read_lost_energy(const DeckNode& root, MpmScene& s, std::vector<Fault>& faults) {
   const DeckNode* flags = root.child("MPM");

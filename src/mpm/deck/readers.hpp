@@ -1,5 +1,6 @@
 // The parts of read_mpm_scene, one file each.
 #pragma once
+#include <string>
 #include <vector>
 
 #include "framework/deck/deck.hpp"
@@ -23,6 +24,8 @@ void read_grains(const DeckNode& root, MpmScene& s, std::vector<Fault>& faults);
 void read_cohesive_zones(const DeckNode& block, MpmScene& s, std::vector<Fault>& faults);
 void read_loads(const DeckNode& root, const GeometryReader& geometry, MpmScene& s,
                 std::vector<Fault>& faults);
+// Why no step of a deck knows what a particle has lost; empty: it does.
+std::string without_losses(const MpmScene& s);
 // All else is there already.
 void read_lost_energy(const DeckNode& root, MpmScene& s, std::vector<Fault>& faults);
 void read_boundaries(const Scene& scene, MpmScene& s, std::vector<Fault>& faults);

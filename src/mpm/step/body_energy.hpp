@@ -36,6 +36,7 @@ struct BodyEnergySums {
     heat_taken,
     lost,
     heat_before,
+    contact_heat,  // what contact took and joined the energy lost
     heat,  // sum m c_v dT, where heat can move
     // Numbers of particles: those that parted from neighbours (step/parted_neighbours.hpp), all.
     parted,

@@ -40,6 +40,7 @@ struct Columns {
   // 2: energy lost, heat that it became (step/lost_energy.cpp); with artificial viscosity a third,
   // its heat. J
   int losses = -1;
+  int loss_columns() const { return losses < 0 ? 0 : viscous < 0 ? 2 : 3; }
   int heat_source = -1;  // of the last step, where it is saved, W
   int heating = -1;      // of the last step, where it is saved, K/s
   // Of water in pores; mass of it, velocity (3), pressure, and the filtered one, where it is saved.

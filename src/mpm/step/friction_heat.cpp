@@ -5,7 +5,7 @@
 
 namespace sluice::mpm {
 
-// Of the blocks of a group, which are finished; what would cool stays in the account of contact.
+// Of the blocks of a group, which are finished.
 void SolidStep::keep_friction_heat(std::span<const BlockMember> members,
                                    const MeetingScratch& scratch) {
   for (std::size_t n = 0; n < block_nodes; ++n) {
@@ -20,11 +20,13 @@ void SolidStep::keep_friction_heat(std::span<const BlockMember> members,
         loss -= scratch.impulses[k][n].met[d] *
                 (as_real(node[d]) + body.units.reference[d] - 0.5 * as_real(node[4 + d]));
     }
-    if (!(loss > 0) || !(mass > 0)) continue;
+    if (loss == 0 || !(mass > 0)) continue;
     for (const BlockMember& of : members) {
       Body& body = bodies_[static_cast<std::size_t>(of.body)];
       const std::int64_t* node = body.nodes.sums(of.block) + n * lanes;
       if (!warms_by_friction(body) || node[count_lane] == 0) continue;
+      // What would cool stays in the account of contact, or lessens what the body has lost.
+      if (loss < 0 && !body.material->lost_energy_heats) continue;
       body.friction.sums(of.block)[n * lanes] =
           as_bits(loss / (mass * body.material->constants.specific_heat));
     }
@@ -48,8 +50,14 @@ void SolidStep::warm_by_friction(const BlockWork& w, std::size_t at, int n,
   if (c.losses >= 0) {
     const double* mass = w.set->column(static_cast<std::size_t>(c.mass)) + at;
     double* loss = w.next->column(static_cast<std::size_t>(c.losses)) + at;
-    for (int q = 0; q < n; ++q)
-      loss[q] += mass[q] * body.material->constants.specific_heat * read.u[0][q];
+    alignas(64) double taken[chunk_size];
+    for (int q = 0; q < n; ++q) {
+      taken[q] = mass[q] * body.material->constants.specific_heat * read.u[0][q];
+      loss[q] += taken[q];
+    }
+    add_rounded(
+        taken, n, body.energy_units.energy,
+        report.books.bodies[static_cast<std::size_t>(w.kind)][BodyEnergySums::contact_heat]);
     return;
   }
   double* T = w.next->column(static_cast<std::size_t>(c.temperature)) + at;

@@ -108,14 +108,15 @@ KindRates rates_of(Basis basis, const TransferGrid& grid, const ParticleSet& set
     r.down[d] = largest(begin, end, r.down[d], [&](std::size_t i) { return -v[i]; });
   }
   const double* volume = column(c.volume, 0);
+  const double* q = c.viscous >= 0 ? column(c.viscous, 0) : nullptr;
   for (int n = 0; n < 6; ++n) {
     const double* s = column(c.stress, n);
-    r.tension =
-        largest(begin, end, r.tension, [&](std::size_t i) { return std::fabs(volume[i] * s[i]); });
-  }
-  if (c.viscous >= 0) {
-    const double* q = column(c.viscous, 0);
-    r.tension += largest(begin, end, 0, [&](std::size_t i) { return volume[i] * q[i]; });
+    // Of each particle: sums of maxima would depend on which particles go together.
+    r.tension = q == nullptr ? largest(begin, end, r.tension,
+                                       [&](std::size_t i) { return std::fabs(volume[i] * s[i]); })
+                             : largest(begin, end, r.tension, [&](std::size_t i) {
+                                 return std::fabs(volume[i] * s[i]) + volume[i] * q[i];
+                               });
   }
   const double* energy = column(c.energy, 0);
   r.energy = largest(begin, end, 0, [&](std::size_t i) { return std::fabs(energy[i]); });

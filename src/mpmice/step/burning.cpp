@@ -106,8 +106,9 @@ std::vector<typename LevelCoupling<D>::Given> LevelCoupling<D>::take_from_partic
   for (std::size_t n = 0; n < sets_.size(); ++n) {
     SolidSet<D>& s = sets_[n];
     if (s.kind != solid) continue;
-    const auto next = [&](int c) { return s.next->column(static_cast<std::size_t>(c)); };
-    const double* m = s.set->column(static_cast<std::size_t>(s.columns->mass));
+    const mpm::Columns& c = *s.columns;
+    const auto next = [&](int of) { return s.next->column(static_cast<std::size_t>(of)); };
+    const double* m = s.set->column(static_cast<std::size_t>(c.mass));
     const double* T = next(s.columns->temperature);
     double *W = next(s.columns->energy), *volume = next(s.columns->volume);
     for (std::size_t p = 0; p < s.set->size(); ++p) {
@@ -121,8 +122,12 @@ std::vector<typename LevelCoupling<D>::Given> LevelCoupling<D>::take_from_partic
         g.velocity[d] = next(s.columns->velocity + d)[p];
         g.kinetic += 0.5 * g.velocity[d] * g.velocity[d];
       }
-      burned_.add(solid, solids_->material_count() + product, g.mass, Q * g.mass,
-                  (c_s * T[p] + Q) * g.mass + constants.reference_pressure * (volume[p] * f));
+      // Of its heat, that of lost energy is among the energies of solids already.
+      const double lost_heat = c.losses >= 0 ? next(c.losses + 1)[p] * f : 0;
+      burned_.add(
+          solid, solids_->material_count() + product, g.mass, Q * g.mass,
+          (c_s * T[p] + Q) * g.mass - lost_heat + constants.reference_pressure * (volume[p] * f));
+      for (int k = 0; k < c.loss_columns(); ++k) next(c.losses + k)[p] *= rest;
       s.stays[p] *= rest;
       s.filled[p] *= rest;
       W[p] *= rest;
