@@ -93,7 +93,7 @@ static Effect lost_energy_of(const MpmScene& s) {
         "a shock equation of state, artificial_viscosity or <lost_energy> heat",
         count, s.materials.size());
   else if (!hindrance.empty())
-    reason = "not built with " + hindrance;
+    reason = "not supported with " + hindrance;
   else
     reason =
         "no material has a specific heat and a shock equation of state or artificial_viscosity, or "

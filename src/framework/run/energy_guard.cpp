@@ -90,7 +90,7 @@ void EnergyGuard::accept(const std::vector<BodyEnergy>& step, int number, double
     a.material = step[n].material;
     a.most = std::max(a.most, step[n].kinetic_before + std::fabs(step[n].stored_before));
     a.work_in += taken_in(step[n]);
-    // After the first step H is known for the first time: what it has lost until then particles tell.
+    // After the first step H is known for the first time: of its loss until then particles tell.
     a.gain += step[n].returned + (a.steps == 1 ? -step[n].lost : c.gain);
     if (a.steps > 1) a.most_swing = std::max(a.most_swing, c.swing);
     a.slack += step[n].contact_slack;
