@@ -42,10 +42,17 @@ TEST_F(SolidBits, HeatOfLostEnergyIsTheSameBitsOnRanksAndAfterARestart) {
   expect_same(whole, run("second", "--restart " + first.string() + " --set Time/maxTime=1.2"));
 }
 
+// Bounds of sums are those of particles, whichever go together in a box.
+TEST_F(SolidBits, ArtificialViscosityInContactIsTheSameBitsOnBoxes) {
+  const std::string deck = std::string(SLUICE_SOURCE_DIR) +
+                           "/inputs/mpm/disk_in_ring.ups --set MPM/artificial_viscosity=true "
+                           "--set Time/maxTime=0.01";
+  expect_same(run("whole", deck), run("boxes", deck + " --boxes 2,2,1"));
+}
+
 // Every rank computes all of an implicit step, in one order.
 TEST_F(SolidBits, ImplicitStepsAreTheSameBitsOnRanksAndAfterARestart) {
-  const std::string deck =
-      SLUICE_SOURCE_DIR "/inputs/mpm/implicit_bar.ups --set Time/maxTime=1";
+  const std::string deck = SLUICE_SOURCE_DIR "/inputs/mpm/implicit_bar.ups --set Time/maxTime=1";
   const fs::path whole = run("whole", deck);
   expect_same(whole, run("ranks", deck + " --boxes 3,1,1", 2));
   const fs::path first = run("first", deck + " --max-steps 9");

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "framework/base/json.hpp"
+#include "mpm/test_support/solid_run.hpp"
 #include "mpm/test_support/text_run.hpp"
 
 namespace sluice::mpm::lost_energy_test {
@@ -102,6 +103,25 @@ TEST(LostEnergyOfContact, WarmsBothSides) {
     heat += own;
   }
   EXPECT_NEAR(-of_account(run, "back as heat"), heat, 1e-9 * contact);
+  // Not more than what was lost, and no gain by error.
+  const double scale = run.history("KineticEnergy").front()[1];
+  const double lost =
+      of_account(run, "transfer loss") + of_account(run, "integration loss") + contact;
+  EXPECT_LE(heat, lost + 0.005 * scale);
+  EXPECT_EQ(run.report().solids_text.find("has gained"), std::string::npos);
+}
+
+// Nodes at which a wall gives energy back count against those at which it takes some.
+TEST(LostEnergyOfContact, OfABounceIsNotMoreThanItsLoss) {
+  const SolidRun run("bouncing_bar", {"MPM/lost_energy=heat"});
+  double left = 0, contact = 0;
+  for (const auto& [name, value] : run.report().account) {
+    left += value;
+    if (name == "contact loss") contact = value;
+  }
+  EXPECT_GT(contact, 0);
+  EXPECT_NEAR(left, 0, 0.02 * contact);
+  EXPECT_EQ(run.report().solids_text.find("has gained"), std::string::npos);
 }
 
 struct Bar {
