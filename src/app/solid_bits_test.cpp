@@ -15,31 +15,29 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class SolidBits : public ArchiveRuns {};
+class SolidBits : public ArchiveRuns {
+ protected:
+  // Two disks that collide, with these flags of <MPM>; what particles keep is saved in checkpoints.
+  void expect_same_disks(const std::string& flags) const {
+    const std::string deck = std::string(SLUICE_SOURCE_DIR) + "/inputs/mpm/colliding_disks.ups " +
+                             flags +
+                             " --set DataArchiver/checkpoint/@timestepInterval=40 "
+                             "--set DataArchiver/checkpoint/@cycle=2 --set Time/maxTime=1.2";
+    const fs::path whole = run("whole", deck);
+    expect_same(whole, run("ranks", deck + " --boxes 3,2,1", 2));
+    const fs::path first = run("first", deck + " --max-steps 60");
+    expect_same(whole, run("second", "--restart " + first.string() + " --set Time/maxTime=1.2"));
+  }
+};
 
-// Two disks that collide; corners are saved in checkpoints.
 TEST_F(SolidBits, CarriedCornersAreTheSameBitsOnRanksAndAfterARestart) {
-  const std::string deck = std::string(SLUICE_SOURCE_DIR) +
-                           "/inputs/mpm/colliding_disks.ups --set MPM/interpolator=carried_corners "
-                           "--set DataArchiver/checkpoint/@timestepInterval=40 "
-                           "--set DataArchiver/checkpoint/@cycle=2 --set Time/maxTime=1.2";
-  const fs::path whole = run("whole", deck);
-  expect_same(whole, run("ranks", deck + " --boxes 3,2,1", 2));
-  const fs::path first = run("first", deck + " --max-steps 60");
-  expect_same(whole, run("second", "--restart " + first.string() + " --set Time/maxTime=1.2"));
+  expect_same_disks("--set MPM/interpolator=carried_corners");
 }
 
 // What particles have lost, and heat of it: one share for all of a body.
 TEST_F(SolidBits, HeatOfLostEnergyIsTheSameBitsOnRanksAndAfterARestart) {
-  const std::string deck = std::string(SLUICE_SOURCE_DIR) +
-                           "/inputs/mpm/colliding_disks.ups --set MPM/lost_energy=heat "
-                           "--set MPM/artificial_viscosity=true --set MPM/transfer=flip "
-                           "--set DataArchiver/checkpoint/@timestepInterval=40 "
-                           "--set DataArchiver/checkpoint/@cycle=2 --set Time/maxTime=1.2";
-  const fs::path whole = run("whole", deck);
-  expect_same(whole, run("ranks", deck + " --boxes 3,2,1", 2));
-  const fs::path first = run("first", deck + " --max-steps 60");
-  expect_same(whole, run("second", "--restart " + first.string() + " --set Time/maxTime=1.2"));
+  expect_same_disks(
+      "--set MPM/lost_energy=heat --set MPM/artificial_viscosity=true --set MPM/transfer=flip");
 }
 
 // Bounds of sums are those of particles, whichever go together in a box.

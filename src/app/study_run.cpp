@@ -51,10 +51,8 @@ ArchiveStep last_output(const Study& study, const Archive& archive) {
   return archive.read_output(archive.select_output("last"));
 }
 
-}  // namespace
-
 // What transfer, integration and contact took (or gave) and did not become heat, over the scale.
-static exact::ErrorNorms lost_energy(const Study& study, const Json& told) {
+exact::ErrorNorms lost_energy(const Study& study, const Json& told) {
   const Json& account = told.at("energy_account");
   if (account.empty())
     throw InputError(
@@ -68,6 +66,8 @@ static exact::ErrorNorms lost_energy(const Study& study, const Json& told) {
   const double share = scale > 0 ? std::fabs(lost) / scale : 0;
   return {share, share, share, share};
 }
+
+}  // namespace
 
 // What one process gave.
 struct StudyRunner::Once {

@@ -111,11 +111,9 @@ std::vector<TagSpec> physics_tags() {
       flag("DoExplicitHeatConduction", "heat is conducted on the grid", "true"),
       tag("lost_energy",
           "heat: what transfer, integration and contact take from the energy of motion becomes "
-          "heat "
-          "where it is lost; none: it is counted and gone; absent: heat in materials with a "
-          "specific "
-          "heat and a shock equation of state, and in all with one where artificial_viscosity is "
-          "true")
+          "heat where it is lost; none: it is counted and gone; absent: heat in materials with a "
+          "specific heat and a shock equation of state, and in all with one where "
+          "artificial_viscosity is true")
           .words({"heat", "none"}),
       flag("do_contact_friction_heating", "the work of friction becomes heat", "false"),
       flag("computeColinearNormals", "contact: both materials take one normal", "true"),

@@ -2,7 +2,6 @@
 #include <string>
 
 #include "framework/deck/faults.hpp"
-#include "framework/scene/deck_values.hpp"
 #include "mpm/deck/readers.hpp"
 
 namespace sluice::mpm {

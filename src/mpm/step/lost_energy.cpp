@@ -27,7 +27,6 @@
 #include <cmath>
 
 #include "mpm/nodes/node_sums.hpp"
-#include "mpm/step/midpoint_stage.hpp"
 #include "mpm/step/thread_report.hpp"
 
 namespace sluice::mpm {
