@@ -198,7 +198,7 @@ void Mpm::add_particle_totals(const ParticleCloud& cloud, Totals& totals) const 
         const double* m = set.column(static_cast<std::size_t>(c.mass));
         const double* energy = set.column(static_cast<std::size_t>(c.energy));
         const double* heat =
-            c.losses >= 0 ? set.column(static_cast<std::size_t>(c.losses + 1)) : nullptr;
+            c.lost_heat >= 0 ? set.column(static_cast<std::size_t>(c.lost_heat)) : nullptr;
         const auto v = read_columns<3>(set, c.velocity);
         for (std::size_t p = 0; p < set.size(); ++p) {
           totals.mass[static_cast<std::size_t>(k)].add(m[p]);

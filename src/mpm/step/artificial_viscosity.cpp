@@ -28,8 +28,8 @@ void add_viscosity(const MpmScene& solids, const Body& body, const BlockWork& w,
   const double h = (spacing.x + spacing.y + spacing.z) / 3;
   const double K = body.material->law->bulk_modulus();
   const double specific_heat = body.material->constants.specific_heat;
-  double* heat_so_far = columns.losses >= 0 ? made(columns.losses + 2) : nullptr;
-  const double* heat_before = columns.losses >= 0 ? old(columns.losses + 2) : nullptr;
+  double* heat_so_far = columns.viscous_heat >= 0 ? made(columns.viscous_heat) : nullptr;
+  const double* heat_before = columns.viscous_heat >= 0 ? old(columns.viscous_heat) : nullptr;
   const bool heats = solids.viscosity_heats && specific_heat > 0 && flows(*body.material->law);
   for (int p = 0; p < n; ++p) {
     const double rate = read.L[0][p] + read.L[4][p] + read.L[8][p];

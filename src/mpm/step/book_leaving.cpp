@@ -20,7 +20,7 @@ void add(const ParticleSet& set, const Columns& c, double reference_pressure,
                *energy = set.column(static_cast<std::size_t>(c.energy)),
                *volume = set.column(static_cast<std::size_t>(c.volume));
   const double* heat =
-      c.losses >= 0 ? set.column(static_cast<std::size_t>(c.losses + 1)) : nullptr;
+      c.lost_heat >= 0 ? set.column(static_cast<std::size_t>(c.lost_heat)) : nullptr;
   const auto v = read_columns<3>(set, c.velocity);
   const auto to = [&](std::size_t index) -> ExactSum& { return sums[index - StepSums::left_x]; };
   for (const std::uint32_t p : leaving) {

@@ -133,9 +133,9 @@ Carried carried_by(const Scene& scene, const MpmScene& solids, const SolidMateri
     c.columns.heating = add(l.heating, true);
   if (solids.artificial_viscosity) c.columns.viscous = add(l.viscous, true);
   if (material.lost_energy_heats) {
-    c.columns.losses = add(l.lost_energy, true);
-    add(l.lost_heat, true);
-    if (solids.artificial_viscosity) add(l.viscous_heat, true);
+    c.columns.lost_energy = add(l.lost_energy, true);
+    c.columns.lost_heat = add(l.lost_heat, true);
+    if (solids.artificial_viscosity) c.columns.viscous_heat = add(l.viscous_heat, true);
   }
   if (material.water) {
     c.columns.water_mass = add(l.water_mass, false);

@@ -37,10 +37,10 @@ struct Columns {
   int normal = -1;         // 3, of the surface, from a point file
   int outside_force = -1;  // 3, of the last step, where it is saved, N
   int viscous = -1;        // artificial pressure, Pa
-  // 2: energy lost, heat that it became (step/lost_energy.cpp); with artificial viscosity a third,
-  // its heat. J
-  int losses = -1;
-  int loss_columns() const { return losses < 0 ? 0 : viscous < 0 ? 2 : 3; }
+  // Of materials that lost energy heats (step/lost_energy.cpp), J: what is lost, heat that it
+  // became, heat of the artificial viscosity where there is one.
+  int lost_energy = -1, lost_heat = -1, viscous_heat = -1;
+  std::array<int, 3> of_losses() const { return {lost_energy, lost_heat, viscous_heat}; }
   int heat_source = -1;  // of the last step, where it is saved, W
   int heating = -1;      // of the last step, where it is saved, K/s
   // Of water in pores; mass of it, velocity (3), pressure, and the filtered one, where it is saved.

@@ -47,9 +47,9 @@ void SolidStep::warm_by_friction(const BlockWork& w, std::size_t at, int n,
   GridAtParticles& read = report.read;
   read_window(solids_->basis, body.grid, places_of(*w.set, c), shape_of(*w.set, c),
               static_cast<int>(at), n, false, report.friction, read);
-  if (c.losses >= 0) {
+  if (c.lost_energy >= 0) {
     const double* mass = w.set->column(static_cast<std::size_t>(c.mass)) + at;
-    double* loss = w.next->column(static_cast<std::size_t>(c.losses)) + at;
+    double* loss = w.next->column(static_cast<std::size_t>(c.lost_energy)) + at;
     alignas(64) double taken[chunk_size];
     for (int q = 0; q < n; ++q) {
       taken[q] = mass[q] * body.material->constants.specific_heat * read.u[0][q];

@@ -239,7 +239,7 @@ void SolidStep::advance(const BlockWork& w, const StageScope& scope, ThreadRepor
   else if (!body.material->rigid)
     report.window.load(w.lowest, w.highest, body.table,
                        solids_->maps_back() ? body.mapped : body.nodes);
-  if (c.losses >= 0) load_losses(w, report);
+  if (c.lost_energy >= 0) load_losses(w, report);
   const bool warms = warms_by_friction(body);
   if (warms) report.friction.load(w.lowest, w.highest, body.table, body.friction);
   const bool wet = c.pore_pressure >= 0;
@@ -315,7 +315,7 @@ void SolidStep::advance(const BlockWork& w, const StageScope& scope, ThreadRepor
     if (const double* rate = heat_ != nullptr ? heat_->rates(w.kind, w.box) : nullptr)
       for (int q = 0; q < n; ++q) T[q] += dt * rate[at + static_cast<std::size_t>(q)];
     if (concentration_ != nullptr) diffuse(w, at, n, dt);
-    if (c.losses >= 0) settle_losses(w, scope, at, n, report);
+    if (c.lost_energy >= 0) settle_losses(w, scope, at, n, report);
     if (warms) warm_by_friction(w, at, n, report);
     if (c.heating >= 0) {
       double* rate = w.next->column(static_cast<std::size_t>(c.heating)) + at;

@@ -24,7 +24,7 @@ Batch& LawBatch::between(const ParticleSet& from, std::size_t at, ParticleSet& t
   b.id = from.ids().data() + at;
   b.old_energy = old(c.energy);
   b.energy = made(c.energy);
-  if (c.losses >= 0) b.heat = old(c.losses + 1);
+  if (c.lost_heat >= 0) b.heat = old(c.lost_heat);
   old_history_.clear();
   history_.clear();
   for (int h = 0; h < carried.history_columns; ++h) {

@@ -69,10 +69,10 @@ void SolidStep::begin_losses(const BlockWork& w, std::size_t at, int n,
                              const ImpulsesAtParticles& got) const {
   const Body& body = bodies_[static_cast<std::size_t>(w.kind)];
   const Columns& c = body.carried->columns;
-  if (c.losses < 0) return;
+  if (c.lost_energy < 0) return;
   const auto old = [&](int of) { return w.set->column(static_cast<std::size_t>(of)) + at; };
   const auto made = [&](int of) { return w.next->column(static_cast<std::size_t>(of)) + at; };
-  double *first = made(c.losses), *second = made(c.losses + 1);
+  double *first = made(c.lost_energy), *second = made(c.lost_heat);
   const double* mass = old(c.mass);
   std::fill_n(first, n, 0.0);
   std::fill_n(second, n, 0.0);
@@ -118,7 +118,7 @@ void SolidStep::add_works(const BlockWork& w, std::size_t at, int n, ThreadRepor
   const double* q = c.viscous >= 0 ? old(c.viscous) : nullptr;
   GridAtParticles& read = report.loss_read;
   for (const bool after : {false, true}) {
-    double* to = w.next->column(static_cast<std::size_t>(c.losses + (after ? 1 : 0))) + at;
+    double* to = w.next->column(static_cast<std::size_t>(after ? c.lost_heat : c.lost_energy)) + at;
     read_window(solids_->basis, body.grid, places_of(*w.set, c), shape_of(*w.set, c),
                 static_cast<int>(at), n, false, after ? report.loss_after : report.loss_before,
                 read);
@@ -176,9 +176,9 @@ void SolidStep::settle_losses(const BlockWork& w, const StageScope& scope, std::
   const auto old = [&](int of) { return w.set->column(static_cast<std::size_t>(of)) + at; };
   const auto made = [&](int of) { return w.next->column(static_cast<std::size_t>(of)) + at; };
   const double *energy = old(c.energy), *new_energy = made(c.energy);
-  const double *before = old(c.losses), *heat = old(c.losses + 1);
-  const double* viscous = c.viscous >= 0 ? made(c.losses + 2) : nullptr;
-  double *to = made(c.losses), *to_heat = made(c.losses + 1);
+  const double *before = old(c.lost_energy), *heat = old(c.lost_heat);
+  const double* viscous = c.viscous_heat >= 0 ? made(c.viscous_heat) : nullptr;
+  double *to = made(c.lost_energy), *to_heat = made(c.lost_heat);
   alignas(64) double within[chunk_size], gained[chunk_size];
   find_inner(w, at, n, report.read, within, gained);
   alignas(64) double wanted[chunk_size], taken[chunk_size], all[chunk_size];
@@ -212,8 +212,8 @@ void SolidStep::give_heat(int kind, double share, double dt) {
     if (w.kind != kind) continue;
     const auto made = [&](int of) { return w.next->column(static_cast<std::size_t>(of)); };
     const double* mass = w.set->column(static_cast<std::size_t>(c.mass));
-    const double* before = w.set->column(static_cast<std::size_t>(c.losses + 1));
-    double *heat = made(c.losses + 1), *T = made(c.temperature);
+    const double* before = w.set->column(static_cast<std::size_t>(c.lost_heat));
+    double *heat = made(c.lost_heat), *T = made(c.temperature);
     double* rate = c.heating >= 0 ? made(c.heating) : nullptr;
     for (std::size_t p = w.run.begin; p < w.run.end; ++p) {
       if (heat[p] > 0) heat[p] *= share;

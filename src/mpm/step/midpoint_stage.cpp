@@ -193,8 +193,8 @@ void SolidStep::relax_spins(const BlockWork& w, double dt, std::size_t at, int n
   BodyEnergySums& to = report.books.bodies[static_cast<std::size_t>(w.kind)];
   add_rounded(gain, n, body.energy_units.energy, to[Of::kinetic_after]);
   add_rounded(gain, n, body.energy_units.energy, to[Of::inner_gain]);
-  if (c.losses < 0) return;
-  double* losses = w.next->column(static_cast<std::size_t>(c.losses + 1)) + at;
+  if (c.lost_heat < 0) return;
+  double* losses = w.next->column(static_cast<std::size_t>(c.lost_heat)) + at;
   for (int q = 0; q < n; ++q) losses[q] -= gain[q];
 }
 

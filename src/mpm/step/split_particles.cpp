@@ -112,7 +112,7 @@ void shrink(ParticleSet& set, const Columns& c, std::size_t p, const Parts& part
   const auto scale = [&](int column, double factor) {
     if (column >= 0) set.column(static_cast<std::size_t>(column))[p] *= factor;
   };
-  for (int k = 0; k < c.loss_columns(); ++k) scale(c.losses + k, share);
+  for (const int column : c.of_losses()) scale(column, share);
   for (const int column : {c.mass, c.volume_0, c.volume, c.energy, c.heat_source})
     scale(column, share);
   for (int d = 0; d < 3; ++d) {

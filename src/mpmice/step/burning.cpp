@@ -123,11 +123,12 @@ std::vector<typename LevelCoupling<D>::Given> LevelCoupling<D>::take_from_partic
         g.kinetic += 0.5 * g.velocity[d] * g.velocity[d];
       }
       // Of its heat, that of lost energy is among the energies of solids already.
-      const double lost_heat = c.losses >= 0 ? next(c.losses + 1)[p] * f : 0;
+      const double lost_heat = c.lost_heat >= 0 ? next(c.lost_heat)[p] * f : 0;
       burned_.add(
           solid, solids_->material_count() + product, g.mass, Q * g.mass,
           (c_s * T[p] + Q) * g.mass - lost_heat + constants.reference_pressure * (volume[p] * f));
-      for (int k = 0; k < c.loss_columns(); ++k) next(c.losses + k)[p] *= rest;
+      for (const int column : c.of_losses())
+        if (column >= 0) next(column)[p] *= rest;
       s.stays[p] *= rest;
       s.filled[p] *= rest;
       W[p] *= rest;
