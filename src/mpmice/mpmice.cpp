@@ -118,10 +118,14 @@ void MpmIce::shape_step(StepShape& shape) const {
     of_solids(to, "nodes: contact, forces, contact, boundary", &SolidLevels::move_nodes);
     if (solids_.scene().transfer == mpm::Transfer::xpic)
       of_solids(to, "filtered velocities (XPIC)", &SolidLevels::filter_velocities);
+    if (solids_.scene().midpoint())
+      of_solids(to, "new velocities; to grid at the middle of the step", &SolidLevels::map_back);
     of_solids(to, "grid to particles, deformation, stress", &SolidLevels::from_grid);
     of_both(to, "volumes that solids sweep", &CouplingOnLevels::find_swept_volumes);
   };
   of_solids(shape, "bounds of the sums", &SolidLevels::begin);
+  if (solids_.scene().midpoint() && mpm::files_give_velocities(solids_.scene()))
+    of_solids(shape, "spins of the start", &SolidLevels::start_spins);
   of_both(shape, "surfaces of solids, pressure on them", &CouplingOnLevels::find_surfaces);
   const auto& kinds = solids_.scene().materials;
   const bool rigid = std::all_of(kinds.begin(), kinds.end(), [](const auto& m) { return m.rigid; });

@@ -206,7 +206,6 @@ struct MpmScene {
     basis = Basis::carried;
     total_lagrangian = false;
     if (transfer == Transfer::apic) transfer = Transfer::affine;
-    if (transfer == Transfer::midpoint) transfer = Transfer::flip;
     musl = false;
     for (SolidMaterial& m : materials)
       for (SeedObject& o : m.objects)

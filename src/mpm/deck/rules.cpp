@@ -228,10 +228,7 @@ void check_transfer(const DeckNode& root, std::vector<Fault>& faults) {
               fmt::format("<transfer> apic needs a basis with one second moment, and {} has none",
                           basis.empty() ? "linear" : basis),
               "write <interpolator>3rdorderBS</interpolator>, or <transfer>affine</transfer>");
-  if (transfer == "midpoint" && !runs_mpm(root))
-    add_not_built(faults, flags->child("transfer")->where, "<transfer> midpoint beside a fluid");
-  else if (transfer == "midpoint")
-    check_midpoint(*flags, basis, faults);
+  if (transfer == "midpoint" && runs_mpm(root)) check_midpoint(*flags, basis, faults);
   if (is_true(flags, "musl") && (basis == "carried_corners" || !runs_mpm(root)))
     add_error(faults, flags->child("musl")->where,
               "<musl> true has no form for corners that move with the grid, which particles have "

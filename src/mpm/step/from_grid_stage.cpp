@@ -363,6 +363,7 @@ Verdict SolidStep::from_grid(const StageScope& scope) {
     if (spreads != nullptr)
       spreads->conduct(
           {&scope, &bodies_, &work_, exchange_.get(), boundary_.get(), outside_.get()});
+  if (solids_->midpoint()) book_corner_work(scope.step.dt, books_);
   std::vector<ThreadReport> reports = new_reports(scope);
   if (solids_->maps_back()) {
     reports.front().travel = travel_;

@@ -231,7 +231,7 @@ Verdict SolidStep::move_nodes(const StageScope& scope) {
   }
   if (cohesive_ != nullptr) cohesive_->advance(*boundary_, bodies_, step.dt);
   books_ = std::move(books[0]);
-  book_corner_work(books_);
+  if (!solids_->midpoint()) book_corner_work(step.dt, books_);
   return Verdict::good;
 }
 

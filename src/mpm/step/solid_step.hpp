@@ -267,7 +267,8 @@ class SolidStep {
   double find_corners(int kind);
   void share_cohesive();
   void corners_to_grid();
-  void book_corner_work(NodeBooks& books) const;
+  void book_corner_work(double dt, NodeBooks& books) const;
+  Vec3 mean_velocity_of_corner(const Body& body, Vec3 place, double dt) const;
   void move_block(const NodeStep& step, int body, int block, MeetingScratch& scratch,
                   NodeBooks& books);
   // What mirrors give (step/mirror_books.cpp): from forces, and from changes of velocity.

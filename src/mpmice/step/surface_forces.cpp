@@ -63,16 +63,16 @@ double LevelCoupling<D>::area_of(const Piece<D>& piece) const {
   return std::sqrt(squares);
 }
 
-// That of its particle, or, where a rule prescribes it, at the middle of the piece.
+// That of its particle, which may turn, or, where a rule prescribes it, at the middle of the piece.
 template <int D>
 Vec3 LevelCoupling<D>::velocity_of(const SolidSet<D>& s, std::size_t face,
                                    const FacetNodes<D>& nodes, const Piece<D>& piece) const {
   const mpm::MasterMotion* motion = step_->level(step_->count() - 1).motion_of(s.kind);
   const std::size_t p = s.faces.particle[face];
-  if (motion == nullptr || !(piece.s > 0)) {
-    const auto v = mpm::read_columns<3>(*s.set, s.columns->velocity);
-    return {v[0][p], v[1][p], v[2][p]};
-  }
+  const auto v = mpm::read_columns<3>(*s.set, s.columns->velocity);
+  const Vec3 middle{v[0][p], v[1][p], v[2][p]};
+  const bool turns = s.columns->spin >= 0;
+  if (!(piece.s > 0) || (motion == nullptr && !turns)) return middle;
   Vec3 place = s.set->position(p);
   for (std::size_t a = 0; a < D; ++a) {
     double moment = 0;
@@ -80,7 +80,9 @@ Vec3 LevelCoupling<D>::velocity_of(const SolidSet<D>& s, std::size_t face,
     const int d = frame_.direction[a];
     place[d] = frame_.anchor[d] + moment / piece.s * frame_.spacing[d];
   }
-  return motion->at(place);
+  if (motion != nullptr) return motion->at(place);
+  const auto w = mpm::read_columns<3>(*s.set, s.columns->spin);
+  return middle + cross({w[0][p], w[1][p], w[2][p]}, place - s.set->position(p));
 }
 
 template <int D>
