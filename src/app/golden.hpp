@@ -1,12 +1,21 @@
-// Golden results: the values of a few variables in every cell at the end of a short run.
+// Golden results: the values of a few variables at the end of a short run.
 //
 //   # sluice golden: steps 40, time 0.20000000000000001
-//   level,i,j,k,rho_CC,vel_CC.x,...
+//   # vel_CC, material 0, level 0
+//   i,j,k,x,y,z
+//   0,0,0,0.10000000000000001,0,0
+//   ...
+//   # p.mass, material 1
+//   id,value
+//   ...
 //
-// as CSV with 17 digits, small enough for the repository. Two values differ when they are further
-// apart than the tolerance times the largest |value| of their column, so that round-off around zero
-// does not count; steps must be equal, times equal within the tolerance.
+// as CSV with 17 digits, small enough for the repository: one table for each variable, material and
+// level. Two values differ when they are further apart than the tolerance times the largest
+// magnitude of their column, so that round-off around zero does not count; steps must be equal,
+// times equal within the tolerance.
 #pragma once
+#include <array>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -15,19 +24,26 @@
 
 namespace sluice {
 
-struct Golden {
-  int steps = 0;
-  double time = 0;
-  std::vector<std::string> columns;  // after level, i, j, k
+struct GoldenTable {
+  std::string title;                 // variable, material and level
+  std::vector<std::string> columns;  // of the places (i, j, k or id), then of the values
   struct Row {
-    int level = 0;
-    IntVec3 cell;
+    std::array<std::int64_t, 3> place{};  // of a cell, face or node; or the id of a particle
     std::vector<double> values;
   };
   std::vector<Row> rows;
+
+  std::size_t place_columns() const;  // 3 or 1
 };
 
-// The last output. InputError when the archive lacks a variable.
+struct Golden {
+  int steps = 0;
+  double time = 0;
+  std::vector<GoldenTable> tables;
+};
+
+// The last output. Particles are in the order of their ids. InputError when the archive lacks a
+// variable.
 Golden golden_of(const Archive& archive, const std::vector<std::string>& variables);
 
 // InputError with file and line when it is not such a file.

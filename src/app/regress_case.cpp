@@ -127,6 +127,14 @@ struct RegressRunner::Run {
 RegressRunner::Run RegressRunner::run_deck(const RegressCase& c, const std::string& name,
                                            const std::vector<std::string>& options,
                                            int ranks) const {
+  return run_with(executable, c, name, options, ranks);
+}
+
+// The end of every run is an output.
+RegressRunner::Run RegressRunner::run_with(const fs::path& program, const RegressCase& c,
+                                           const std::string& name,
+                                           const std::vector<std::string>& options,
+                                           int ranks) const {
   const fs::path here = folder / c.name / name;
   fs::create_directories(here);
   ProcessRequest request;
@@ -134,9 +142,10 @@ RegressRunner::Run RegressRunner::run_deck(const RegressCase& c, const std::stri
     request.words = {"/usr/bin/env",    mpiexec, "--allow-run-as-root",
                      "--oversubscribe", "-np",   std::to_string(ranks)};
   for (const std::string& word :
-       {executable.string(), std::string("run"), c.deck.string(), std::string("-o"), here.string(),
+       {program.string(), std::string("run"), c.deck.string(), std::string("-o"), here.string(),
         std::string("--json"), (here / "run.json").string(), std::string("--progress"),
-        std::string("none"), std::string("--quiet")})
+        std::string("none"), std::string("--quiet"), std::string("--set"),
+        std::string("DataArchiver/outputLastTimestep=true")})
     request.words.push_back(word);
   for (const std::string& o : c.overrides) {
     request.words.emplace_back("--set");
@@ -194,6 +203,13 @@ RegressCheck RegressRunner::check_split(const RegressCase& c, const Run& plain, 
   return judged(name, difference(Archive::open(plain.archive), Archive::open(other.archive)));
 }
 
+RegressCheck RegressRunner::check_against(const RegressCase& c, const Run& plain) const {
+  if (against.empty()) return {"against", CaseVerdict::skipped, ""};
+  const Run other = run_with(against, c, "against", {}, 1);
+  if (!other.problem.empty()) return judged("against", other.problem);
+  return judged("against", difference(Archive::open(plain.archive), Archive::open(other.archive)));
+}
+
 RegressResult RegressRunner::run(const RegressCase& c) const {
   const auto start = std::chrono::steady_clock::now();
   RegressResult result;
@@ -201,7 +217,7 @@ RegressResult RegressRunner::run(const RegressCase& c) const {
   const Run plain = run_deck(c, "plain", {}, 1);
   if (plain.problem.empty())
     result.checks = {check_golden(c, plain), check_restart(c, plain), check_split(c, plain, 1),
-                     check_split(c, plain, c.ranks)};
+                     check_split(c, plain, c.ranks), check_against(c, plain)};
   else
     result.checks = {judged("golden", plain.problem)};
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

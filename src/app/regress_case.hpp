@@ -3,7 +3,7 @@
 // cases.json, JSON with // comments:
 //   {"cases": [{"name": "sod", "deck": "../../inputs/ice/riemann_sod.ups",   from the file's folder
 //               "set": ["Time/maxTime=0.1"],
-//               "variables": ["rho_CC", "vel_CC"], "tolerance": 1e-9,        against NAME.csv
+//               "variables": ["rho_CC", "p.x"], "tolerance": 1e-9,           against NAME.csv
 //               "restart": 10,       stop after this step, restart from it: the same bits
 //               "boxes": "3,1,1",    another split: the same bits
 //               "ranks": 2}]}        more ranks, on that split: the same bits
@@ -30,7 +30,7 @@ enum class CaseVerdict { same, different, blessed, skipped };
 const char* to_string(CaseVerdict);
 
 struct RegressCheck {
-  std::string name;  // golden, restart, boxes, ranks
+  std::string name;  // golden, restart, boxes, ranks, against
   CaseVerdict verdict = CaseVerdict::skipped;
   std::string message;  // what differs
 };
@@ -44,6 +44,7 @@ struct RegressResult {
 
 struct RegressRunner {
   std::filesystem::path executable;  // sluice
+  std::filesystem::path against;     // another sluice that must give the same bits; empty: none
   std::filesystem::path folder;      // for archives
   std::string mpiexec = "mpiexec";   // a path, or found on the PATH
   bool bless = false;                // writes golden files
@@ -54,9 +55,12 @@ struct RegressRunner {
   struct Run;
   Run run_deck(const RegressCase& c, const std::string& name,
                const std::vector<std::string>& options, int ranks) const;
+  Run run_with(const std::filesystem::path& program, const RegressCase& c, const std::string& name,
+               const std::vector<std::string>& options, int ranks) const;
   RegressCheck check_golden(const RegressCase& c, const Run& plain) const;
   RegressCheck check_restart(const RegressCase& c, const Run& plain) const;
   RegressCheck check_split(const RegressCase& c, const Run& plain, int ranks) const;
+  RegressCheck check_against(const RegressCase& c, const Run& plain) const;
 };
 
 }  // namespace sluice

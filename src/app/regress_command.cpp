@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 struct RegressRequest {
-  std::string file, mpiexec = "mpiexec", folder;
+  std::string file, mpiexec = "mpiexec", folder, against;
   std::vector<std::string> names;
   bool bless = false, json = false, list = false;
 };
@@ -45,8 +45,13 @@ std::vector<RegressCase> select(std::vector<RegressCase> all,
 }
 
 void print_table(const std::vector<RegressResult>& results) {
-  TextTable table(
-      {{"case"}, {"golden"}, {"restart"}, {"boxes"}, {"ranks"}, {"time", TextTable::Align::right}});
+  TextTable table({{"case"},
+                   {"golden"},
+                   {"restart"},
+                   {"boxes"},
+                   {"ranks"},
+                   {"against"},
+                   {"time", TextTable::Align::right}});
   std::string messages;
   for (const RegressResult& r : results) {
     std::vector<std::string> row = {r.name};
@@ -54,7 +59,7 @@ void print_table(const std::vector<RegressResult>& results) {
       row.emplace_back(to_string(c.verdict));
       if (!c.message.empty()) messages += fmt::format("{}, {}: {}\n", r.name, c.name, c.message);
     }
-    row.resize(5, "-");
+    row.resize(6, "-");
     row.push_back(human_duration(r.seconds));
     table.row(std::move(row));
   }
@@ -85,6 +90,9 @@ int regress(const RegressRequest& o) {
   if (o.folder.empty()) temporary.emplace(TemporaryFolder::Place::disk);
   RegressRunner runner;
   runner.executable = own_executable();
+  runner.against = o.against;
+  if (!o.against.empty() && !fs::exists(o.against))
+    throw InputError(fmt::format("--against {}: there is no such file", o.against));
   runner.folder = temporary ? temporary->path() : fs::path(o.folder);
   runner.mpiexec = o.mpiexec;
   runner.bless = o.bless;
@@ -108,6 +116,8 @@ void add_regress_command(CommandLine& line) {
   command.option("CASES", o->names, "Names of cases; all when none is given");
   command.option("--cases", o->file,
                  "List of cases (JSON); those that come with sluice by default");
+  command.option("--against", o->against,
+                 "Another build of sluice: all outputs must hold the same bits as its");
   command.option("--folder", o->folder, "Keep the archives of the runs in this folder");
   command.option("--mpiexec", o->mpiexec, "Launcher for runs on ranks");
   command.flag("--bless", o->bless, "Make what came out the golden results");

@@ -1,4 +1,5 @@
 // sluice regress fails when it should: changed, missing and spoilt golden files, bad lists.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -58,12 +59,13 @@ TEST_F(RegressCommand, OneChangedValueOrStepFails) {
   ASSERT_EQ(regress({"--bless"}), 0) << said_;
   const Golden good = read_golden(golden());
   Golden changed = good;
-  changed.rows[7].values[0] *= 1 + 1e-8;
+  changed.tables[0].rows[7].values[0] *= 1 + 1e-8;
   write_golden(changed, golden());
   EXPECT_EQ(regress(), 1);
-  EXPECT_THAT(said_, HasSubstr("rho_CC differs in 1 of 20 cells, most in [7,0,0]"));
+  EXPECT_THAT(said_, HasSubstr("rho_CC, material 0, level 0: value differs in 1 of 20 places, most "
+                               "in [7,0,0]"));
   changed = good;
-  changed.rows[7].values[0] *= 1 + 1e-11;  // round-off of another processor
+  changed.tables[0].rows[7].values[0] *= 1 + 1e-11;  // round-off of another processor
   write_golden(changed, golden());
   EXPECT_EQ(regress(), 0) << said_;
   changed = good;
@@ -127,23 +129,52 @@ TEST_F(RegressCommand, SpoiltGoldenFilesAreRefused) {
     }
     return std::string("it was read");
   };
-  const std::string head = "# sluice golden: steps 3, time 0.5\nlevel,i,j,k,rho_CC\n";
-  EXPECT_EQ(message(head + "0,0,0,0,1\n"), "it was read");
+  const std::string start = "# sluice golden: steps 3, time 0.5\n",
+                    head = start + "# rho_CC, material 0, level 0\ni,j,k,value\n";
+  EXPECT_EQ(message(head + "0,0,0,1\n"), "it was read");
+  EXPECT_EQ(message(start + "# p.mass, material 1\nid,value\n7,1\n"), "it was read");
   EXPECT_THAT(message("level,i\n"), HasSubstr("first line"));
-  EXPECT_THAT(message(head), HasSubstr("no rows"));
-  EXPECT_THAT(message(head + "0,0,0,0\n"), HasSubstr(":3: 4 values instead of 5"));
-  EXPECT_THAT(message(head + "0,0,0,0,1\n0,1,0,0,x\n"), HasSubstr(":4: 'x' is no number"));
+  EXPECT_THAT(message(start), HasSubstr("no tables"));
+  EXPECT_THAT(message(start + "0,0,0,1\n"), HasSubstr(":2: a table begins with"));
+  EXPECT_THAT(message(start + "# rho_CC\ni,j,k\n"), HasSubstr(":3: no columns"));
+  EXPECT_THAT(message(head + "0,0,0\n"), HasSubstr(":4: 3 values instead of 4"));
+  EXPECT_THAT(message(head + "0,0,0,1\n1,0,0,x\n"), HasSubstr(":5: 'x' is no number"));
+}
+
+TEST_F(RegressCommand, ParticlesAreComparedByTheirNumbers) {
+  std::ofstream(folder_ / "cases.json")
+      << "{\"cases\": [{\"name\": \"tube\", \"deck\": \"" << SLUICE_SOURCE_DIR
+      << "/inputs/mpm/free_bar.ups\", \"set\": [\"Time/maxTime=0.1\"], "
+         "\"variables\": [\"p.displacement\", \"p.mass\"]}]}\n";
+  ASSERT_EQ(regress({"--bless"}), 0) << said_;
+  EXPECT_EQ(regress(), 0) << said_;
+  Golden changed = read_golden(golden());
+  ASSERT_EQ(changed.tables.size(), 2U);
+  EXPECT_EQ(changed.tables[0].title, "p.displacement, material 0");
+  ASSERT_GT(changed.tables[0].rows.size(), 3U);
+  changed.tables[0].rows[3].values[0] += 1e-3;
+  write_golden(changed, golden());
+  EXPECT_EQ(regress(), 1);
+  EXPECT_THAT(said_, HasSubstr("p.displacement, material 0: x differs in 1 of "));
+  EXPECT_THAT(said_, HasSubstr(fmt::format("particle {}", changed.tables[0].rows[3].place[0])));
+}
+
+TEST_F(RegressCommand, AnotherBuildMustGiveTheSameBits) {
+  ASSERT_EQ(regress({"--bless", "--against", SLUICE_COMMAND}), 0) << said_;
+  EXPECT_EQ(regress({"--against", "no/such/sluice"}), 2);
+  EXPECT_THAT(said_, HasSubstr("there is no such file"));
+  EXPECT_EQ(regress({"--against", "/bin/false"}), 1);
+  EXPECT_THAT(said_, HasSubstr("the against run ended with status 1"));
 }
 
 TEST(GoldenDifference, NaNIsADifference) {
   Golden a;
   a.steps = 1;
-  a.columns = {"rho_CC"};
-  a.rows = {{0, {0, 0, 0}, {1.0}}, {0, {1, 0, 0}, {2.0}}};
+  a.tables = {{"rho_CC", {"i", "j", "k", "value"}, {{{0, 0, 0}, {1.0}}, {{1, 0, 0}, {2.0}}}}};
   Golden b = a;
   EXPECT_EQ(golden_difference(a, b, 1e-9), "");
-  b.rows[1].values[0] = std::nan("");
-  EXPECT_THAT(golden_difference(a, b, 1e-9), HasSubstr("differs in 1 of 2 cells"));
+  b.tables[0].rows[1].values[0] = std::nan("");
+  EXPECT_THAT(golden_difference(a, b, 1e-9), HasSubstr("differs in 1 of 2 places"));
 }
 
 }  // namespace
