@@ -6,6 +6,9 @@
 // below).
 #pragma once
 #include <concepts>
+#include <optional>
+#include <string_view>
+#include <type_traits>
 #include <variant>
 
 #include "eos/birch_murnaghan.hpp"
@@ -29,7 +32,8 @@
 
 namespace sluice::eos {
 
-// rho: density, x: internal energy per volume, pressure or temperature, as the function says.
+// rho: density, x: internal energy per volume, pressure, temperature or specific heat, as the
+// function says.
 template <class T>
 concept Law = std::regular_invocable<decltype(&T::admissible), const T&, double, double> &&
               requires(const T& law, double rho, double x) {
@@ -46,6 +50,9 @@ concept Law = std::regular_invocable<decltype(&T::admissible), const T&, double,
                 { law.lowest_pressure() } -> std::same_as<double>;
                 { law.highest_density() } -> std::same_as<double>;
                 { law.admissible(rho, x) } -> std::same_as<bool>;
+                { law.heat_capacity_ratio(rho, x, x, x) } -> std::same_as<double>;
+                { T::name } -> std::convertible_to<std::string_view>;
+                T::parameters().size();
                 { T::depends_on_energy } -> std::convertible_to<bool>;
                 { T::takes_any_heat } -> std::convertible_to<bool>;
               };
@@ -66,10 +73,50 @@ double modulus_of_state(const T& law, double rho, [[maybe_unused]] double rho_e,
     return law.bulk_modulus(rho, p);
 }
 
-using EquationOfState =
-    std::variant<IdealGas, StiffenedGas, HardSphereGas, TstGas, Jwl, Jwlc, Murnaghan,
-                 BirchMurnaghan, MieGruneisen, LinearGruneisen, Tillotson, ThomsenHartkaWater,
-                 KnaussSeaWater, PerfectGas<Nasa7Heat>, PerfectGas<PolynomialHeat>>;
+// All laws: the variant, the deck reader, texts, the reference page and the tests go through this
+// list.
+template <Law... Laws>
+struct LawList {
+  using Variant = std::variant<Laws...>;
+  // f.operator()<Law>() of each in turn.
+  template <class F>
+  static void for_each(F&& f) {
+    (f.template operator()<Laws>(), ...);
+  }
+};
+using AllLaws =
+    LawList<IdealGas, StiffenedGas, HardSphereGas, TstGas, Jwl, Jwlc, Murnaghan, BirchMurnaghan,
+            MieGruneisen, LinearGruneisen, Tillotson, ThomsenHartkaWater, KnaussSeaWater,
+            PerfectGas<Nasa7Heat>, PerfectGas<PolynomialHeat>>;
+using EquationOfState = AllLaws::Variant;
+
+// Does a deck name the law: <EOS type="name">.
+template <Law T>
+constexpr bool is_named_by_decks() {
+  return T::parameters().size() > 0;
+}
+
+inline std::string_view name_of(const EquationOfState& law) {
+  return std::visit([](const auto& l) { return std::decay_t<decltype(l)>::name; }, law);
+}
+
+// Fast path of kernels: laws with p = (gamma - 1) rho e and a constant specific heat offer
+// themselves; of all others nothing.
+inline const IdealGas* as_gamma_law(const EquationOfState& law) {
+  return std::get_if<IdealGas>(&law);
+}
+
+// Fast path of the equilibration: p = G rho (e - q) - gamma_pi, G constant.
+struct StiffenedForm {
+  double G = 0, gamma = 0, pinf = 0, q = 0;
+};
+inline std::optional<StiffenedForm> as_stiffened(const EquationOfState& law) {
+  if (const auto* gas = std::get_if<IdealGas>(&law))
+    return StiffenedForm{gas->gamma - 1.0, gas->gamma, 0.0, 0.0};
+  if (const auto* stiff = std::get_if<StiffenedGas>(&law))
+    return StiffenedForm{stiff->gamma - 1.0, stiff->gamma, stiff->pinf, stiff->q};
+  return std::nullopt;
+}
 
 using SpecificHeat = std::variant<ConstantHeat, DebyeHeat, Nasa7Heat, PolynomialHeat>;
 

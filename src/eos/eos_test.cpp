@@ -3,6 +3,8 @@
 
 #include <cmath>
 #include <limits>
+#include <set>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -62,6 +64,44 @@ TEST(EquationOfState, AnswersToAnyNumber) {
           EXPECT_GT(answers, 0) << any.index();
         },
         any);
+}
+
+// cp/cv of a state: that of a gas, next to 1 for liquids and solids; where the specific heat varies
+// 1 + R/cv.
+TEST(EquationOfState, HasTheRatioOfSpecificHeatsOfItsState) {
+  const auto ratio = [](const auto& law, double rho, double T, double cv) {
+    return law.heat_capacity_ratio(rho, law.energy_from_temperature(rho, T), T, cv);
+  };
+  EXPECT_EQ(ratio(air, 1.2, 300.0, 717.5), 1.4);
+  EXPECT_EQ(ratio(stiff_water, 1e3, 300.0, 1816.0), 4.4);
+  EXPECT_EQ(ratio(hard_spheres, 100.0, 300.0, 1100.0), 1.3);
+  EXPECT_EQ(ratio(steep_solid, 1200.0, 300.0, 1400.0), 1.0);
+  const auto hot = warm_air();
+  for (const double T : {300.0, 1500.0})
+    EXPECT_DOUBLE_EQ(ratio(hot, 0.5, T, hot.heat.specific_heat(T)),
+                     1.0 + 287.0 / hot.heat.specific_heat(T));
+  EXPECT_NEAR(ratio(hot, 0.5, 1500.0, hot.heat.specific_heat(1500.0)), 1.310, 1e-3);
+  const TstGas ideal{{.a = 0.0, .b = 1e-12, .Gamma = 1.4, .specific_heat = 717.5}};
+  EXPECT_NEAR(ratio(ideal, 1.2, 300.0, 717.5), 1.4, 1e-9);
+  EXPECT_NEAR(ratio(attracting_gas, 50.0, 600.0, 1500.0), 1.42715, 1e-5);
+  EXPECT_NEAR(ratio(copper, 8930.0, 294.0, 385.0),  // c = C0 there
+              1.0 / (1.0 - 2.02 * 2.02 * 385.0 * 294.0 / (3940.0 * 3940.0)), 1e-12);
+}
+
+// Names and numbers are those of a deck: none twice, each with a meaning.
+TEST(EquationOfState, DescribesItself) {
+  std::set<std::string_view> names;
+  AllLaws::for_each([&]<class T>() {
+    if constexpr (is_named_by_decks<T>()) {
+      EXPECT_TRUE(names.insert(T::name).second) << T::name;
+      std::set<std::string_view> numbers;
+      for (const auto& number : T::parameters()) {
+        EXPECT_TRUE(numbers.insert(number.name).second) << T::name << ' ' << number.name;
+        EXPECT_FALSE(number.meaning.empty()) << T::name << ' ' << number.name;
+      }
+      EXPECT_EQ(name_of(example<T>()), T::name);
+    }
+  });
 }
 
 // Density at a pressure and temperature: found, or said to be missing, and never another state.

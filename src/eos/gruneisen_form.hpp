@@ -14,6 +14,7 @@
 #include <limits>
 
 #include "eos/density_search.hpp"
+#include "eos/heat_ratio.hpp"
 
 namespace sluice::eos {
 
@@ -48,6 +49,13 @@ struct GruneisenForm : Curves {
   }
   double energy_from_temperature(double rho, double T) const {
     return rho * (this->cold_energy(rho) + this->specific_heat * T);
+  }
+  // At a state of this temperature and specific heat (J/(kg K)).
+  double heat_capacity_ratio(double rho, double rho_e, double T, double cv) const {
+    if constexpr (requires(const Curves& c) { c.constant_heat_capacity_ratio(); })
+      return this->constant_heat_capacity_ratio();
+    else
+      return ratio_of_heats(*this, rho, rho_e, T, cv);
   }
   // Laws whose pressure knows density alone have no such inverse.
   double energy_from_pressure(double rho, double p) const

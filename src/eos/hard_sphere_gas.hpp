@@ -5,7 +5,10 @@
 // (2005). Limits: rho < 1/b; no attraction. Admissible: 0 < rho < 1/b, e > 0.
 // Shock slope (gamma + 1)/2, that of the dilute gas.
 #pragma once
+#include <array>
+
 #include "eos/gruneisen_form.hpp"
+#include "eos/parameter.hpp"
 
 namespace sluice::eos {
 
@@ -14,6 +17,14 @@ struct HardSphereCurves {
   double b = 0.0;
   double specific_heat = 1.0;
 
+  static constexpr std::string_view name = "hard_sphere_gas";
+  static constexpr auto parameters() {
+    using P = Parameter<HardSphereCurves>;
+    return std::array{gamma_of_material<HardSphereCurves>(),
+                      P{"b", "m^3/kg", "covolume", &HardSphereCurves::b, at_least(0)},
+                      heat_of_material<HardSphereCurves>()};
+  }
+  double constant_heat_capacity_ratio() const { return gamma; }
   static constexpr bool depends_on_energy = true;
   static constexpr bool takes_any_heat = true;
   double offset(double /*rho*/) const { return 0.0; }

@@ -4,8 +4,12 @@
 // Admissible: rho > 0, e > 0. Shock speed against particle speed: slope (gamma + 1)/2 (exact for
 // strong shocks; Dukowicz, J. Comput. Phys. 61 (1985) 119).
 #pragma once
+#include <array>
 #include <cmath>
 #include <limits>
+#include <string_view>
+
+#include "eos/parameter.hpp"
 
 namespace sluice::eos {
 
@@ -13,6 +17,14 @@ struct IdealGas {
   double gamma = 1.4;          // ratio of specific heats
   double specific_heat = 1.0;  // cv, J/(kg K)
 
+  static constexpr std::string_view name = "ideal_gas";
+  static constexpr auto parameters() {
+    return std::array{gamma_of_material<IdealGas>(), heat_of_material<IdealGas>()};
+  }
+  double constant_heat_capacity_ratio() const { return gamma; }
+  double heat_capacity_ratio(double /*rho*/, double /*rho_e*/, double /*T*/, double /*cv*/) const {
+    return gamma;
+  }
   static constexpr bool depends_on_energy = true;
   static constexpr bool takes_any_heat = true;
 

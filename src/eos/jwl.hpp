@@ -10,7 +10,10 @@
 // Admissible: rho > 0, T > 0, c^2 > 0, p above the lowest of the cold curve (0 if B >= 0).
 // Shock slope om/2 + 1: strong shocks of the dilute products.
 #pragma once
+#include <array>
+
 #include "eos/gruneisen_form.hpp"
+#include "eos/parameter.hpp"
 
 namespace sluice::eos {
 
@@ -21,6 +24,22 @@ struct JwlCurves {
   double rho0 = 1.0;
   double specific_heat = 1.0;
 
+  static constexpr std::string_view name = "JWL";
+  static constexpr auto parameters() {
+    using P = Parameter<JwlCurves>;
+    return std::array{
+        P{"A", "Pa", "pressure of the first exponential", &JwlCurves::A, above(0)},
+        P{"B", "Pa", "pressure of the second exponential", &JwlCurves::B, any_number()},
+        P{"R1", "", "first exponent", &JwlCurves::R1, above(0)},
+        P{"R2", "", "second exponent", &JwlCurves::R2, above(0)},
+        P{"om", "", "Grueneisen coefficient", &JwlCurves::om, above(0)},
+        P{"rho0", "kg/m^3", "density of the explosive", &JwlCurves::rho0, above(0)},
+        heat_of_material<JwlCurves>()};
+  }
+  // What is wrong with the numbers together; empty where nothing is.
+  std::string_view contradiction() const {
+    return B < 0.0 && R1 == R2 ? "with B below 0, R1 and R2 must differ" : "";
+  }
   static constexpr bool depends_on_energy = true;
   static constexpr bool takes_any_heat = true;
   double offset(double rho) const {

@@ -8,7 +8,10 @@
 // (JWL++). Limits: no thermal pressure, so heating does not push. Admissible: rho > 0, T > 0, p >
 // 0, c^2 > 0. Shock slope om/2 + 1, as in JWL.
 #pragma once
+#include <array>
+
 #include "eos/gruneisen_form.hpp"
+#include "eos/parameter.hpp"
 
 namespace sluice::eos {
 
@@ -19,6 +22,19 @@ struct JwlcCurves {
   double rho0 = 1.0;
   double specific_heat = 1.0;
 
+  static constexpr std::string_view name = "JWLC";
+  static constexpr auto parameters() {
+    using P = Parameter<JwlcCurves>;
+    return std::array{
+        P{"A", "Pa", "pressure of the first exponential", &JwlcCurves::A, above(0)},
+        P{"B", "Pa", "pressure of the second exponential", &JwlcCurves::B, any_number()},
+        P{"R1", "", "first exponent", &JwlcCurves::R1, above(0)},
+        P{"R2", "", "second exponent", &JwlcCurves::R2, above(0)},
+        P{"om", "", "Grueneisen coefficient", &JwlcCurves::om, above(0)},
+        P{"rho0", "kg/m^3", "density of the explosive", &JwlcCurves::rho0, above(0)},
+        P{"C", "Pa", "pressure of the power of density", &JwlcCurves::C, any_number()},
+        heat_of_material<JwlcCurves>()};
+  }
   static constexpr bool depends_on_energy = false;
   static constexpr bool takes_any_heat = true;
   double offset(double rho) const {

@@ -8,7 +8,10 @@
 // and the surface; S is one number for the whole material. Admissible: rho > 0, T > 0 and p above
 // that of vanishing density at 0 K. Shock slope 1/2 (pressure linear in density).
 #pragma once
+#include <array>
+
 #include "eos/gruneisen_form.hpp"
+#include "eos/parameter.hpp"
 
 namespace sluice::eos {
 
@@ -20,6 +23,32 @@ struct KnaussCurves {
   double rho0 = 1027.0;
   double specific_heat = 3990.0;
 
+  static constexpr std::string_view name = "KnaussSeaWater";
+  static constexpr auto parameters() {
+    using P = Parameter<KnaussCurves>;
+    return std::array{P{"a", "kg/(m^3 K)", "density for each kelvin, not 0", &KnaussCurves::a,
+                        any_number(), Given::in_law_or_default},
+                      P{"b", "kg/m^3", "density for each unit of salinity", &KnaussCurves::b,
+                        any_number(), Given::in_law_or_default},
+                      P{"K", "s^2/m^2", "density for each pascal", &KnaussCurves::K, above(0),
+                        Given::in_law_or_default},
+                      P{"T0", "K", "temperature of reference", &KnaussCurves::T0, above(0),
+                        Given::in_law_or_default},
+                      P{"P0", "Pa", "pressure of reference", &KnaussCurves::P0, any_number(),
+                        Given::in_law_or_default},
+                      P{"S", "", "salinity, parts per thousand", &KnaussCurves::S, at_least(0),
+                        Given::in_law_or_default},
+                      P{"S0", "", "salinity of reference", &KnaussCurves::S0, at_least(0),
+                        Given::in_law_or_default},
+                      P{"rho0", "kg/m^3", "density of reference", &KnaussCurves::rho0, above(0),
+                        Given::in_law_or_default},
+                      heat_of_material<KnaussCurves>()};
+  }
+  std::string_view contradiction() const {
+    return a == 0.0 ? "<a> must not be 0: no pressure would follow from the energy" : "";
+  }
+  // Water that contracts when heated.
+  bool pressure_falls_with_energy() const { return a > 0.0; }
   static constexpr bool depends_on_energy = true;
   static constexpr bool takes_any_heat = false;
   double offset(double rho) const {

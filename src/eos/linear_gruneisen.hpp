@@ -8,7 +8,10 @@
 // p > P0 - A - B T0 (the pressure of vanishing density at 0 K).
 // Shock slope 1/2: c rho is uniform in a medium whose pressure is linear in density.
 #pragma once
+#include <array>
+
 #include "eos/gruneisen_form.hpp"
+#include "eos/parameter.hpp"
 
 namespace sluice::eos {
 
@@ -19,6 +22,17 @@ struct LinearGruneisenCurves {
   double P0 = 101325.0;
   double specific_heat = 1.0;
 
+  static constexpr std::string_view name = "Gruneisen";
+  static constexpr auto parameters() {
+    using P = Parameter<LinearGruneisenCurves>;
+    return std::array{
+        P{"A", "Pa", "pressure for each share of density", &LinearGruneisenCurves::A, above(0)},
+        P{"B", "Pa/K", "pressure for each kelvin", &LinearGruneisenCurves::B, above(0)},
+        P{"rho0", "kg/m^3", "density of reference", &LinearGruneisenCurves::rho0, above(0)},
+        P{"T0", "K", "temperature of reference", &LinearGruneisenCurves::T0, above(0)},
+        P{"P0", "Pa", "pressure of reference", &LinearGruneisenCurves::P0, any_number()},
+        heat_of_material<LinearGruneisenCurves>()};
+  }
   static constexpr bool depends_on_energy = true;
   static constexpr bool takes_any_heat = false;
   double offset(double rho) const {

@@ -10,7 +10,10 @@
 // Impact Phenomena (1970), chapter VII. Limits: pole at chi = 1/S; no spall. Admissible: T > 0,
 // c^2 > 0, rho below the pole, p > -rho0 C0^2 / max(Gamma0, 1). Shock slope S.
 #pragma once
+#include <array>
+
 #include "eos/gruneisen_form.hpp"
+#include "eos/parameter.hpp"
 
 namespace sluice::eos {
 
@@ -22,6 +25,18 @@ struct MieGruneisenCurves {
   double T0 = 300.0;
   double specific_heat = 1.0;
 
+  static constexpr std::string_view name = "MieGruneisen";
+  static constexpr auto parameters() {
+    using P = Parameter<MieGruneisenCurves>;
+    return std::array{
+        P{"C0", "m/s", "sound speed of weak shocks", &MieGruneisenCurves::C0, above(0)},
+        P{"S", "", "slope of shock speed against particle speed", &MieGruneisenCurves::S,
+          at_least(0)},
+        P{"Gamma0", "", "Grueneisen coefficient", &MieGruneisenCurves::Gamma0, above(0)},
+        P{"rho0", "kg/m^3", "density of reference", &MieGruneisenCurves::rho0, above(0)},
+        P{"T0", "K", "temperature of reference", &MieGruneisenCurves::T0, above(0)},
+        heat_of_material<MieGruneisenCurves>()};
+  }
   static constexpr bool depends_on_energy = true;
   static constexpr bool takes_any_heat = false;
   double offset(double rho) const {

@@ -7,7 +7,10 @@
 // Limits: no thermal pressure; no tension. Admissible: rho > 0, T > 0, p > 0.
 // Shock slope (n + 1)/4: exact for weak shocks, c = dp/du grows with (n + 1)/2.
 #pragma once
+#include <array>
+
 #include "eos/gruneisen_form.hpp"
+#include "eos/parameter.hpp"
 
 namespace sluice::eos {
 
@@ -52,6 +55,16 @@ struct MurnaghanCurves {
   double P0 = 101325.0;
   double specific_heat = 1.0;
 
+  static constexpr std::string_view name = "Murnaghan";
+  static constexpr auto parameters() {
+    using P = Parameter<MurnaghanCurves>;
+    return std::array{
+        P{"n", "", "derivative of the bulk modulus by pressure", &MurnaghanCurves::n, above(0)},
+        P{"K", "1/Pa", "compressibility (not the bulk modulus)", &MurnaghanCurves::K, above(0)},
+        P{"rho0", "kg/m^3", "density of reference", &MurnaghanCurves::rho0, above(0)},
+        P{"P0", "Pa", "pressure at that density", &MurnaghanCurves::P0, above(0)},
+        heat_of_material<MurnaghanCurves>()};
+  }
   static constexpr bool depends_on_energy = false;
   static constexpr bool takes_any_heat = true;
   double offset(double rho) const {

@@ -5,8 +5,12 @@
 // chapter 11. Limits: no dissociation. Admissible: rho > 0, T > 0. Shock slope 1.2: gamma 1.4 when
 // strong. With a deck's gamma and cv at some temperature, R = (gamma - 1) cv.
 #pragma once
+#include <array>
 #include <cmath>
 #include <limits>
+#include <string_view>
+
+#include "eos/parameter.hpp"
 
 namespace sluice::eos {
 
@@ -15,6 +19,12 @@ struct PerfectGas {
   double gas_constant = 287.0;
   Heat heat;
 
+  // Decks name an ideal gas, and a specific heat beside it.
+  static constexpr std::string_view name = "thermally perfect gas";
+  static constexpr auto parameters() { return std::array<Parameter<PerfectGas>, 0>{}; }
+  double heat_capacity_ratio(double /*rho*/, double /*rho_e*/, double T, double /*cv*/) const {
+    return gamma(T);
+  }
   static constexpr bool depends_on_energy = true;
   static constexpr bool takes_any_heat = false;
   double pressure(double rho, double rho_e) const {

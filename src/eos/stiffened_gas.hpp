@@ -7,7 +7,10 @@
 // is unbounded, so p(rho, T) is right near one state only. Admissible: rho > 0, p > -pinf
 // (which is T > 0). Shock slope (gamma + 1)/2: exact for strong shocks.
 #pragma once
+#include <array>
+
 #include "eos/gruneisen_form.hpp"
+#include "eos/parameter.hpp"
 
 namespace sluice::eos {
 
@@ -17,6 +20,17 @@ struct StiffenedCurves {
   double q = 0.0;
   double specific_heat = 1.0;
 
+  static constexpr std::string_view name = "StiffenedGas";
+  static constexpr auto parameters() {
+    using P = Parameter<StiffenedCurves>;
+    return std::array{
+        gamma_of_material<StiffenedCurves>(),
+        P{"pinf", "Pa", "constant extra pressure", &StiffenedCurves::pinf, at_least(0)},
+        P{"q", "J/kg", "energy at 0 K", &StiffenedCurves::q, any_number(),
+          Given::in_law_or_default},
+        heat_of_material<StiffenedCurves>()};
+  }
+  double constant_heat_capacity_ratio() const { return gamma; }
   static constexpr bool depends_on_energy = true;
   static constexpr bool takes_any_heat = true;
   double offset(double rho) const { return -gamma * pinf - (gamma - 1.0) * q * rho; }

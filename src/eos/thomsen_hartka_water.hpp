@@ -14,7 +14,11 @@
 // is modulus_of_state (eos.hpp).
 // Admissible: rho > 0, T > 0, dv/dp < 0, cv > 0, p > -1/k0. Shock slope 2: water (Us = c + 2 up).
 #pragma once
+#include <array>
+
 #include "eos/density_search.hpp"
+#include "eos/heat_ratio.hpp"
+#include "eos/parameter.hpp"
 
 namespace sluice::eos {
 
@@ -24,6 +28,25 @@ struct ThomsenHartkaWater {
   double To = 277.0, L = 8.0e-6;
   double vo = 1.00008e-3;
 
+  static constexpr std::string_view name = "Thomsen_Hartka_water";
+  static constexpr auto parameters() {
+    using P = Parameter<ThomsenHartkaWater>;
+    return std::array{
+        P{"a", "K/Pa", "shift of the density maximum with pressure", &ThomsenHartkaWater::a,
+          above(0)},
+        P{"b", "J/(kg K^2)", "fall of the specific heat with temperature", &ThomsenHartkaWater::b,
+          at_least(0)},
+        P{"co", "J/(kg K)", "specific heat at constant pressure at To", &ThomsenHartkaWater::co,
+          above(0)},
+        P{"ko", "1/Pa", "compressibility", &ThomsenHartkaWater::ko, above(0)},
+        P{"To", "K", "temperature of largest density", &ThomsenHartkaWater::To, above(0)},
+        P{"L", "1/K^2", "growth of volume with temperature squared", &ThomsenHartkaWater::L,
+          above(0)},
+        P{"vo", "m^3/kg", "volume at To and zero pressure", &ThomsenHartkaWater::vo, above(0)}};
+  }
+  double heat_capacity_ratio(double rho, double rho_e, double T, double cv) const {
+    return ratio_of_heats(*this, rho, rho_e, T, cv);
+  }
   static constexpr bool depends_on_energy = true;
   static constexpr bool takes_any_heat = false;
   double pressure(double rho, double rho_e) const { return isochore(rho, temperature(rho, rho_e)); }

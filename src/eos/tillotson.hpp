@@ -11,7 +11,11 @@
 // (A mu + B mu^2)/rho^2 above rho0 and 0 below, good for estimates. Admissible: rho > 0, T > 0,
 // c^2 > 0, p above the lowest of A mu + B mu^2. Shock slope (1 + B/A + (a + b)/2)/2 (Melosh).
 #pragma once
+#include <array>
+
 #include "eos/density_search.hpp"
+#include "eos/heat_ratio.hpp"
+#include "eos/parameter.hpp"
 
 namespace sluice::eos {
 
@@ -23,6 +27,28 @@ struct Tillotson {
   double rho0 = 1.0;
   double specific_heat = 1.0;
 
+  static constexpr std::string_view name = "Tillotson";
+  static constexpr auto parameters() {
+    using P = Parameter<Tillotson>;
+    return std::array{
+        P{"a", "", "Grueneisen coefficient of the vapour", &Tillotson::a, above(0)},
+        P{"b", "", "what the condensed body adds to it", &Tillotson::b, at_least(0)},
+        P{"A", "Pa", "bulk modulus", &Tillotson::A, above(0)},
+        P{"B", "Pa", "its growth with compression", &Tillotson::B, any_number()},
+        P{"E0", "J/kg", "energy at which b has halved", &Tillotson::E0, above(0)},
+        P{"Es", "J/kg", "energy of incipient vaporisation", &Tillotson::Es, above(0)},
+        P{"Esp", "J/kg", "energy of complete vaporisation", &Tillotson::Esp, above(0)},
+        P{"alpha", "", "decay of the pressure in expansion", &Tillotson::alpha, above(0)},
+        P{"beta", "", "decay of the tension in expansion", &Tillotson::beta, above(0)},
+        P{"rho0", "kg/m^3", "density of reference", &Tillotson::rho0, above(0)},
+        heat_of_material<Tillotson>()};
+  }
+  std::string_view contradiction() const {
+    return Esp > Es ? "" : "<Esp> must be greater than <Es>";
+  }
+  double heat_capacity_ratio(double rho, double rho_e, double T, double cv) const {
+    return ratio_of_heats(*this, rho, rho_e, T, cv);
+  }
   static constexpr bool depends_on_energy = true;
   static constexpr bool takes_any_heat = true;
   double pressure(double rho, double rho_e) const { return at(rho, rho_e / rho).p; }

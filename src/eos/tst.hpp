@@ -9,7 +9,10 @@
 // p > a lower bound of the attraction. density(p, T): the gas (largest v) where there are several.
 // Shock slope (Gamma + 1)/2, that of the dilute gas.
 #pragma once
+#include <array>
+
 #include "eos/gruneisen_form.hpp"
+#include "eos/parameter.hpp"
 
 namespace sluice::eos {
 
@@ -19,6 +22,16 @@ struct TstCurves {
   double Gamma = 1.4;
   double specific_heat = 1.0;
 
+  static constexpr std::string_view name = "TST";
+  static constexpr auto parameters() {
+    using P = Parameter<TstCurves>;
+    return std::array{P{"a", "Pa m^6/kg^2", "attraction", &TstCurves::a, any_number()},
+                      P{"b", "m^3/kg", "covolume", &TstCurves::b, above(0)},
+                      P{"u", "", "first number of the attraction", &TstCurves::u, above(-1)},
+                      P{"w", "", "second number of the attraction", &TstCurves::w, above(-1)},
+                      P{"Gamma", "", "ratio of specific heats", &TstCurves::Gamma, above(1)},
+                      heat_of_material<TstCurves>()};
+  }
   static constexpr bool depends_on_energy = true;
   static constexpr bool takes_any_heat = true;
   double offset(double rho) const {

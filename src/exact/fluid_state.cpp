@@ -14,7 +14,7 @@ namespace {
   throw InputError(fmt::format(
       "equation of state {}: there is no state of {}; allowed are the states inside the law's "
       "range",
-      law_name(law), what));
+      eos::name_of(law), what));
 }
 
 }  // namespace
@@ -33,7 +33,7 @@ FluidState state_of_pressure(const eos::EquationOfState& law, double density, do
           throw InputError(fmt::format(
               "equation of state {}: density and pressure do not tell the energy, as the pressure "
               "depends on density alone; give the temperature",
-              law_name(law)));
+              eos::name_of(law)));
         }
       },
       law);

@@ -12,9 +12,6 @@ namespace sluice::exact {
 // Throws InputError on an unknown law or parameter (the known ones are listed), or no number.
 eos::EquationOfState law_from_text(const std::string& text);
 
-// "StiffenedGas", as in decks.
-std::string law_name(const eos::EquationOfState& law);
-
 // "ideal_gas, StiffenedGas, ...": those that law_from_text() knows.
 std::string known_laws();
 

@@ -35,7 +35,7 @@ FluidState state_of(const SolutionParameters& from, const eos::EquationOfState& 
   throw InputError(fmt::format(
       "exact solution '{}': <{}> says pressure {}, but {} has {:.12g} at density {}; its pressure "
       "depends on density alone",
-      from.type(), name, values[2], law_name(law), state.pressure, values[0]));
+      from.type(), name, values[2], eos::name_of(law), state.pressure, values[0]));
 }
 
 MaterialSide side_of(const SolutionParameters& from, const std::string& side) {

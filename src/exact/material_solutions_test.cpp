@@ -40,7 +40,7 @@ TEST(LawText, NamesEveryLawAndItsParameters) {
   for (const char* name : {"ideal_gas", "StiffenedGas", "hard_sphere_gas", "TST", "JWL", "JWLC",
                            "Murnaghan", "BirchMurnaghan", "MieGruneisen", "Gruneisen", "Tillotson",
                            "Thomsen_Hartka_water", "KnaussSeaWater"}) {
-    EXPECT_EQ(law_name(law_from_text(name)), name);
+    EXPECT_EQ(eos::name_of(law_from_text(name)), name);
     EXPECT_THAT(known_laws(), HasSubstr(name));
   }
 }

@@ -20,7 +20,7 @@ WaveCurve::WaveCurve(const eos::EquationOfState& law, const FluidState& ahead)
   if (!good || !std::isfinite(ahead.velocity) || !(sound_speed_ > 0)) {
     throw InputError(fmt::format(
         "equation of state {}: density {}, pressure {}, energy {}, velocity {} is no state of it",
-        law_name(law), ahead.density, ahead.pressure, ahead.energy, ahead.velocity));
+        eos::name_of(law), ahead.density, ahead.pressure, ahead.energy, ahead.velocity));
   }
 }
 
@@ -28,7 +28,7 @@ void WaveCurve::refuse(double pressure, const char* why) const {
   throw InputError(
       fmt::format("equation of state {}: no wave from density {} and pressure {} leads to pressure "
                   "{}: {}; try states that are closer",
-                  law_name(law_), ahead_.density, ahead_.pressure, pressure, why));
+                  eos::name_of(law_), ahead_.density, ahead_.pressure, pressure, why));
 }
 
 WaveCurve::Speeds WaveCurve::speeds(const FluidState& behind) const {

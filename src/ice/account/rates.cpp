@@ -97,6 +97,9 @@ class CellStates {
     heat_capacity_row(fluid, 1, &rho, &E, &cv);
     return cv;
   }
+  double heat_capacity_ratio(IntVec3 cell) const {
+    return fluids_.front().heat_capacity_ratio(mass_[0](cell), energy_[0](cell));
+  }
   // Of several materials.
   mixture::MaterialRows materials(IntVec3 cell) const {
     mixture::MaterialRows rows{};
@@ -146,7 +149,7 @@ class Diffusion {
     if (!o_.conducting) return mu;
     const double k_over_cv = o_.conductivity / states.heat_capacity(cell);
     if (!o_.transport.turbulence) return std::max(mu, k_over_cv);
-    const double share = heat_ratio(o_.fluid) / o_.transport.turbulence->prandtl;
+    const double share = states.heat_capacity_ratio(cell) / o_.transport.turbulence->prandtl;
     return std::max(mu + eddy, k_over_cv + share * eddy);
   }
   // Of several materials: 2 D sum 1/dx^2.
@@ -163,7 +166,7 @@ class Diffusion {
       viscosity += *s.volume[m] * molecular(m, cell, [&] { return fluid.temperature(r, e); });
       conductivity[m] = o_.conductivities[m];
       if (o_.transport.turbulence)
-        conductivity[m] += heat_ratio(fluid) / o_.transport.turbulence->prandtl *
+        conductivity[m] += fluid.heat_capacity_ratio(r, e) / o_.transport.turbulence->prandtl *
                            fluid.heat_capacity(r, e) * (eddy * (r / rho));
     }
     return rates.largest(s, 1, spacing_);

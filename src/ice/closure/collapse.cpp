@@ -9,7 +9,7 @@ constexpr double closing = 4.0;         // times the pressure it had
 
 // gamma - 1; of what is no gas 0.
 double gas_ratio(const Fluid& fluid) {
-  const eos::IdealGas* law = fluid.heat ? nullptr : fluid.ideal();
+  const eos::IdealGas* law = fluid.heat ? nullptr : fluid.gamma_law();
   return law == nullptr ? 0.0 : law->gamma - 1.0;
 }
 

@@ -16,11 +16,9 @@ constexpr double least_cavity_pressure = 1e-12;  // of the stiffest pi
 
 Equilibration::Linear Equilibration::linear_of(const Fluid& fluid) {
   Linear l;
-  if (const auto* gas = std::get_if<eos::IdealGas>(&fluid.law)) {
-    l = {true, gas->gamma - 1.0, (gas->gamma - 1.0) / gas->gamma, 0.0, 0.0, 0.0};
-  } else if (const auto* stiff = std::get_if<eos::StiffenedGas>(&fluid.law)) {
-    const double G = stiff->gamma - 1.0;
-    l = {true, G, G / stiff->gamma, stiff->gamma * stiff->pinf, stiff->pinf, stiff->q};
+  if (const auto stiff = eos::as_stiffened(fluid.law)) {
+    const auto& [G, gamma, pinf, q] = *stiff;
+    l = {true, G, G / gamma, gamma * pinf, pinf, q};
   } else {
     l.pi = -fluid.lowest_pressure();
   }

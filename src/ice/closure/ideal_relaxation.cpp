@@ -12,7 +12,7 @@ namespace sluice::ice::mixture {
 IdealRelaxation::IdealRelaxation(const std::vector<Fluid>& fluids) {
   applies_ = !fluids.empty();
   for (const Fluid& fluid : fluids) {
-    const eos::IdealGas* gas = fluid.ideal();
+    const eos::IdealGas* gas = fluid.gamma_law();
     applies_ = applies_ && gas != nullptr;
     const double gamma = gas != nullptr ? gas->gamma : 1.0;
     gases_.push_back({gamma - 1.0, (gamma - 1.0) / gamma});

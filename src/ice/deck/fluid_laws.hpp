@@ -34,6 +34,9 @@ const LawEntry* find_law(std::string_view type);
 bool has_tag(const LawEntry& law, std::string_view name);
 bool tag_of_any_law(std::string_view name);
 
+// "ideal_gas, StiffenedGas and ...": those of which <gamma> of the material is a number.
+std::string laws_with_gamma();
+
 // <EOS> with the tags of all laws; which of them belong together is for read_fluid().
 TagSpec equation_of_state_tag();
 

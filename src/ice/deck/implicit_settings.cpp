@@ -49,8 +49,7 @@ void check_implicit(const DeckNode& root, std::vector<Fault>& faults) {
   if (const DeckNode* scheme = ice->child("scheme"); scheme != nullptr && scheme->text == "classic")
     add_error(faults, block->where, "<ImplicitSolver> needs <scheme>conservative</scheme>",
               "remove <scheme>, or <ImplicitSolver>");
-  if (const DeckNode* amr = root.child("AMR");
-      amr != nullptr && !is_true(amr, "useLockStep"))
+  if (const DeckNode* amr = root.child("AMR"); amr != nullptr && !is_true(amr, "useLockStep"))
     if (const DeckNode* grid = root.find("Grid");
         grid != nullptr && amr->child("Regridder") != nullptr)
       add_error(faults, block->where,

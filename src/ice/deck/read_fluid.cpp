@@ -59,20 +59,13 @@ void read_numbers(const DeckNode& eos, const LawEntry& entry, eos::EquationOfSta
 // What must hold between the numbers of one law.
 void check_numbers(const eos::EquationOfState& law, const DeckNode& eos,
                    std::vector<Fault>& faults) {
-  if (const auto* jwl = std::get_if<eos::Jwl>(&law))
-    if (jwl->B < 0 && jwl->R1 == jwl->R2)
-      add_error(faults, eos.where, "<EOS type=\"JWL\">: with B below 0, R1 and R2 must differ");
-  if (const auto* t = std::get_if<eos::Tillotson>(&law))
-    if (!(t->Esp > t->Es))
-      add_error(faults, eos.where,
-                fmt::format("<EOS type=\"Tillotson\">: <Esp> {:g} must be greater than <Es> {:g}",
-                            t->Esp, t->Es));
-  if (const auto* sea = std::get_if<eos::KnaussSeaWater>(&law))
-    if (sea->a == 0)
-      add_error(faults, eos.where,
-                "<EOS type=\"KnaussSeaWater\">: <a> must not be 0: no pressure would follow from "
-                "the energy",
-                "leave it out for -0.15 kg/(m^3 K)");
+  std::visit(
+      [&](const auto& l) {
+        if constexpr (requires { l.contradiction(); })
+          if (const std::string_view what = l.contradiction(); !what.empty())
+            add_error(faults, eos.where, fmt::format("<EOS type=\"{}\">: {}", l.name, what));
+      },
+      law);
 }
 
 // Nothing where the schema has told what is wrong with a number.
@@ -151,7 +144,7 @@ void add_heat(const DeckNode& node, const std::string& type, Fluid& fluid,
   collect(faults, node.where,
           [&] { heat = read_heat(node, (fluid.gamma - 1.0) * fluid.specific_heat); });
   if (!heat) return;
-  if (fluid.ideal() != nullptr) {
+  if (fluid.gamma_law() != nullptr) {
     make_perfect_gas(node, *heat, fluid, faults);
   } else if (std::visit([](const auto& l) { return std::decay_t<decltype(l)>::takes_any_heat; },
                         fluid.law)) {

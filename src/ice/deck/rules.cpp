@@ -135,7 +135,7 @@ void check_pressure(const ice::Fluid& fluid, const DeckNode& object, std::vector
   const double unsure = 1e-6 * std::abs(fluid.bulk_modulus(*density, used));
   if (std::abs(used - *pressure) <= std::max(pressure_tolerance * std::abs(used), unsure)) return;
   std::string advice = "remove it, or change density and temperature";
-  if (fluid.ideal() != nullptr)
+  if (fluid.gamma_law() != nullptr)
     advice = fmt::format(
         "pressure = (gamma - 1) density specific_heat temperature; for {:.6g} "
         "write temperature {:.6g}",
@@ -311,7 +311,7 @@ void check_ice_fluids(const DeckNode& root, std::vector<Fault>& faults) {
                       "{:g}",
                       *conductivity),
           "remove <scheme>, or write 0");
-    if (!classic || eos == nullptr || fluid.ideal() != nullptr) continue;
+    if (!classic || eos == nullptr || fluid.gamma_law() != nullptr) continue;
     add_error(
         faults, scheme->where,
         fmt::format(

@@ -142,8 +142,8 @@ TagSpec material() {
       .with_children(
           {ice::equation_of_state_tag(), ice::specific_heat_tag(),
            tag("gamma",
-               "ratio of specific heats; above 1 for ideal_gas, StiffenedGas and "
-               "hard_sphere_gas, without effect for the rest")
+               fmt::format("ratio of specific heats; above 1 for {}, without effect for the rest",
+                           ice::laws_with_gamma()))
                .once()
                .real()
                .above(0),

@@ -126,7 +126,7 @@ void check_face(const DeckNode& root, const DeckNode& face, const DeckNode& mate
     add_warning(faults, s.pressure->where,
                 fmt::format("{}, but Pressure is {:.6g}: {}", given, *p,
                             enters ? of_inlet : "the temperature is not used"),
-                fluid->ideal() == nullptr
+                fluid->gamma_law() == nullptr
                     ? "give two of the three"
                     : fmt::format("for {:.6g} write Temperature {:.6g}", *p, *T * *p / made));
   } else if (flow == Through::given && !several && std::fabs(made) > unsure &&

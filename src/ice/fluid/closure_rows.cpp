@@ -1,6 +1,7 @@
 // Row loops over every law.
 #include "ice/fluid/closure_rows.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <type_traits>
 
@@ -68,9 +69,8 @@ void energy_scale_row(const Fluid& fluid, int n, const double* __restrict rho,
       [&](const auto& law) {
         using Law = std::decay_t<decltype(law)>;
         const double pi = -law.lowest_pressure();
-        // Water that contracts when heated: its pressure falls with energy.
-        if constexpr (std::is_same_v<Law, eos::KnaussSeaWater>)
-          if (law.a > 0.0) {
+        if constexpr (requires { law.pressure_falls_with_energy(); })
+          if (law.pressure_falls_with_energy()) {
             for (int i = 0; i < n; ++i) scale[i] = rho[i] * law.thermal_energy(rho[i], rho_e[i]);
             return;
           }
@@ -101,11 +101,19 @@ void temperature_row(const Fluid& fluid, int n, const double* __restrict rho,
 
 void heat_capacity_row(const Fluid& fluid, int n, const double* __restrict rho,
                        const double* __restrict rho_e, double* __restrict cv) {
-  if (fluid.ideal() != nullptr && !fluid.heat) {
+  if (fluid.gamma_law() != nullptr && !fluid.heat) {
     for (int i = 0; i < n; ++i) cv[i] = fluid.specific_heat;
     return;
   }
   for (int i = 0; i < n; ++i) cv[i] = fluid.heat_capacity(rho[i], rho_e[i]);
+}
+
+void heat_capacity_ratio_row(const Fluid& fluid, int n, const double* __restrict rho,
+                             const double* __restrict rho_e, double* __restrict ratio) {
+  if (const auto constant = fluid.constant_heat_capacity_ratio())
+    std::fill_n(ratio, n, *constant);
+  else
+    for (int i = 0; i < n; ++i) ratio[i] = fluid.heat_capacity_ratio(rho[i], rho_e[i]);
 }
 
 void admissible_row(const Fluid& fluid, int n, const double* __restrict rho,

@@ -27,6 +27,9 @@ void energy_scale_row(const Fluid& fluid, int n, const double* rho, const double
 void temperature_row(const Fluid& fluid, int n, const double* rho, const double* rho_e, double* T);
 void heat_capacity_row(const Fluid& fluid, int n, const double* rho, const double* rho_e,
                        double* cv);
+// cp/cv of each state.
+void heat_capacity_ratio_row(const Fluid& fluid, int n, const double* rho, const double* rho_e,
+                             double* ratio);
 // 1 where density and energy are a state of the law, 0 elsewhere.
 void admissible_row(const Fluid& fluid, int n, const double* rho, const double* rho_e,
                     double* admissible);

@@ -101,6 +101,26 @@ double Fluid::heat_capacity(double rho, double rho_e) const {
       });
 }
 
+double Fluid::heat_capacity_ratio(double rho, double rho_e) const {
+  return std::visit(
+      [&](const auto& l) {
+        return l.heat_capacity_ratio(rho, rho_e, temperature(rho, rho_e),
+                                     heat_capacity(rho, rho_e));
+      },
+      law);
+}
+
+std::optional<double> Fluid::constant_heat_capacity_ratio() const {
+  return std::visit(
+      [](const auto& l) -> std::optional<double> {
+        if constexpr (requires { l.constant_heat_capacity_ratio(); })
+          return l.constant_heat_capacity_ratio();
+        else
+          return std::nullopt;
+      },
+      law);
+}
+
 double Fluid::shock_slope() const {
   return std::visit([](const auto& l) { return l.shock_slope(); }, law);
 }

@@ -15,8 +15,8 @@ struct Fluid {
   double gamma = 1.4;                     // as the deck says; an ideal gas uses it
   double specific_heat = 1.0;             // cv as the deck says, J/(kg K)
 
-  // The laws that row loops know by name.
-  const eos::IdealGas* ideal() const { return std::get_if<eos::IdealGas>(&law); }
+  // The fast path of kernels: p = (gamma - 1) rho e. Nothing for other laws.
+  const eos::IdealGas* gamma_law() const { return eos::as_gamma_law(law); }
   // Can a pressure be given beside a density: does the pressure depend on energy.
   bool depends_on_energy() const;
 
@@ -32,7 +32,10 @@ struct Fluid {
   double energy_from_pressure(double rho, double p, double T) const;
   // Density at pressure and temperature; not a number where the law has no such state.
   double density(double p, double T) const;
-  double heat_capacity(double rho, double rho_e) const;  // cv, J/(kg K)
+  double heat_capacity(double rho, double rho_e) const;        // cv, J/(kg K)
+  double heat_capacity_ratio(double rho, double rho_e) const;  // cp/cv of the state
+  // Where all states have one.
+  std::optional<double> constant_heat_capacity_ratio() const;
   double shock_slope() const;
   double lowest_pressure() const;  // Pa; -pinf of a stiffened gas
   bool admissible(double rho, double rho_e) const;

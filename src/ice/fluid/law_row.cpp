@@ -26,7 +26,7 @@ void speeds_row(int n, const double* __restrict r, double* __restrict w, double*
 void primitive_row(const Fluid& fluid, int n, const double* __restrict r,
                    const double* __restrict E, double* __restrict w, double* __restrict p,
                    double* __restrict c) {
-  if (const eos::IdealGas* gas = fluid.ideal()) {
+  if (const eos::IdealGas* gas = fluid.gamma_law()) {
 #pragma GCC ivdep
     for (int i = 0; i < n; ++i) {
       w[i] = 1.0 / r[i];
@@ -115,6 +115,14 @@ void LawRow::heat_capacity(int n, const double* rho, const double* rho_e, double
   heat_capacity_row(*plain_, n, rho, rho_e, cv);
 }
 
+void LawRow::heat_capacity_ratio(int n, const double* rho, const double* rho_e,
+                                 double* ratio) const {
+  if (species_ == nullptr && gas_ == nullptr)
+    return heat_capacity_ratio_row(*plain_, n, rho, rho_e, ratio);
+  Fluid room;
+  for (int i = 0; i < n; ++i) ratio[i] = at(i, room).heat_capacity_ratio(rho[i], rho_e[i]);
+}
+
 void LawRow::viscosity(int n, double given, double* mu) const {
   if (gas_ != nullptr) return property_row(*gas_, &MixedGas::Node::viscosity, n, rows_.alone(), mu);
   std::fill_n(mu, n, given);
@@ -148,21 +156,21 @@ void LawRow::conductivity_with_eddies(int n, double given, double prandtl,
     });
   }
   heat_capacity_row(*plain_, n, rho, rho_e, k);
-  const double scale = heat_ratio(*plain_) / prandtl;
-  for (int i = 0; i < n; ++i) k[i] = given + scale * k[i] * mu_t[i];
+  if (const auto ratio = plain_->constant_heat_capacity_ratio()) {
+    const double scale = *ratio / prandtl;
+    for (int i = 0; i < n; ++i) k[i] = given + scale * k[i] * mu_t[i];
+    return;
+  }
+  for (int i = 0; i < n; ++i) {
+    const double scale = plain_->heat_capacity_ratio(rho[i], rho_e[i]) / prandtl;
+    k[i] = given + scale * k[i] * mu_t[i];
+  }
 }
 
 const Fluid& LawRow::at(int i, Fluid& room) const {
   if (plain_ != nullptr) return *plain_;
   return room = species_ != nullptr ? fluid_of_species(*species_, rows_, i)
                                     : fluid_of(*gas_, rows_, i);
-}
-
-double heat_ratio(const Fluid& fluid) {
-  const bool by_gamma = fluid.ideal() != nullptr ||
-                        std::holds_alternative<eos::HardSphereGas>(fluid.law) ||
-                        std::holds_alternative<eos::StiffenedGas>(fluid.law);
-  return by_gamma ? fluid.gamma : 1.0;
 }
 
 }  // namespace sluice::ice

@@ -26,7 +26,7 @@ class LawRow {
   LawRow(const models::MixedGas& gas, const FractionRows& fractions);
 
   // Whether rows may run past their cells, on any numbers: no law searches for a root there.
-  bool takes_any_number() const { return plain_ != nullptr && plain_->ideal() != nullptr; }
+  bool takes_any_number() const { return plain_ != nullptr && plain_->gamma_law() != nullptr; }
 
   void pressure(int n, const double* rho, const double* rho_e, double* p) const;
   // p and K = rho c^2 (Pa), and that at another pressure.
@@ -41,6 +41,7 @@ class LawRow {
   // T (K), and cv (J/(kg K)).
   void temperature(int n, const double* rho, const double* rho_e, double* T) const;
   void heat_capacity(int n, const double* rho, const double* rho_e, double* cv) const;
+  void heat_capacity_ratio(int n, const double* rho, const double* rho_e, double* ratio) const;
   // Of the molecules; `given`: what the deck gives a material with a plain law, or species that do
   // not spread. Those of species that do: transport/species_transport.hpp.
   void viscosity(int n, double given, double* mu) const;
@@ -59,8 +60,5 @@ class LawRow {
   const kinetics::SpeciesGas* species_ = nullptr;  // in place of those
   FractionRows rows_;
 };
-
-// cp/cv as far as the law says; 1 for liquids and solids.
-double heat_ratio(const Fluid& fluid);
 
 }  // namespace sluice::ice

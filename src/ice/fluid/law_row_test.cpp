@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "eos/eos_test_support.hpp"
 #include "ice/fluid/laws_in_box.hpp"
 #include "ice/test_support/fluid.hpp"
 
@@ -81,7 +82,7 @@ TEST(LawRow, OfPlainLawsIsThatOfEachCell) {
     expect_cell_by_cell(law, pressed);
     Fluid room;
     EXPECT_EQ(&law.at(2, room), &fluid);
-    EXPECT_EQ(law.takes_any_number(), fluid.ideal() != nullptr);
+    EXPECT_EQ(law.takes_any_number(), fluid.gamma_law() != nullptr);
   }
 }
 
@@ -138,6 +139,26 @@ TEST(LawRow, AddsWhatEddiesConduct) {
       const double cp = here.gamma * here.specific_heat;
       EXPECT_NEAR(k[c], law.conductivity(i, .3) + cp * 1e-3 / .9, 1e-14 * k[c]);
     }
+  }
+}
+
+// Of each law: the cp of the state, which is the slope of enthalpy along a line of one pressure.
+TEST(LawRow, EddiesConductByTheHeatCapacityOfTheState) {
+  for (const eos::EquationOfState& any : eos::one_of_each()) {
+    const Fluid fluid{any, std::nullopt, 1.4, 717.5};
+    const bool coherent = !std::holds_alternative<eos::Tillotson>(any) &&
+                          !std::holds_alternative<eos::MieGruneisen>(any);  // no one entropy
+    const double T = 310, p = 2e5, rho = fluid.density(p, T);
+    if (!coherent || std::isnan(rho)) continue;
+    const auto enthalpy = [&](double t) {
+      const double r = fluid.density(p, t);
+      return (fluid.energy_from_temperature(r, t) + p) / r;
+    };
+    const double cp = (enthalpy(T + .5) - enthalpy(T - .5));
+    const double E = fluid.energy_from_temperature(rho, T), mu_t = 1e-3;
+    double k = 0;
+    LawRow(fluid).conductivity_with_eddies(1, .3, .9, &rho, &E, &mu_t, &k);
+    EXPECT_NEAR(k, .3 + cp * mu_t / .9, 2e-4 * k) << eos::name_of(any);
   }
 }
 

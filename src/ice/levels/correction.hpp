@@ -38,7 +38,7 @@ inline double kinetic_change(const GasCell& s, const GasCell& change, double sha
 inline bool bearable(const Fluid& fluid, const GasCell& before, const GasCell& after) {
   constexpr double most = std::numeric_limits<double>::max();
   if (!(after.rho >= least_kept_by_corrections * before.rho && after.rho <= most)) return false;
-  if (fluid.ideal() != nullptr)
+  if (fluid.gamma_law() != nullptr)
     return after.E >= least_kept_by_corrections * before.E && after.E <= most;
   return std::fabs(after.E) <= most && fluid.admissible(after.rho, after.E);
 }

@@ -57,7 +57,7 @@ class Prolonger {
         quantities_(components + 2),
         scalars_(static_cast<int>(by_volume.size())),
         fluid_(fluid),
-        ideal_(fluid.ideal() != nullptr),
+        ideal_(fluid.gamma_law() != nullptr),
         regions_(regions),
         ratio_(geometry.ratio),
         children_(children),

@@ -29,8 +29,8 @@ void add_temperatures(TaskList& list, const Variables& v, const SchemeOptions& o
   const StateReads state = read_state(task, v);
   const In presence = task.read(v.presence);
   const Out temperature = task.write(v.temperature), capacity = task.write(v.heat_capacity);
-  const Out own = task.write(list.temporary("density and energy of a material", 2));
   const bool varies = o.conductivity_varies, turbulent = o.transport.turbulence.has_value();
+  const Out own = task.write(list.temporary("density and energy of a material", turbulent ? 3 : 2));
   const LawsOfCells laws(task, list, o);
   const In eddy = turbulent ? task.read(v.common.eddy_viscosity) : In{};
   const In rho = turbulent ? task.read(v.common.rho) : In{};
@@ -53,11 +53,15 @@ void add_temperatures(TaskList& list, const Variables& v, const SchemeOptions& o
         law.heat_capacity(count, r, e, C);
         if (varies) law.conductivity(count, o.conductivities[n], part(conductivity, m));
         if (turbulent) {
-          const double scale = heat_ratio(o.fluids[n]) / o.transport.turbulence->prandtl;
           const double* __restrict mu_t = part(eddy);
           const double* __restrict all = part(rho);
           double* __restrict k = part(conductivity, m);
-          for (int i = 0; i < count; ++i) k[i] += scale * C[i] * (mu_t[i] * (r[i] / all[i]));
+          double* __restrict ratio = part(own, 2);
+          law.heat_capacity_ratio(count, r, e, ratio);
+          for (int i = 0; i < count; ++i) {
+            const double scale = ratio[i] / o.transport.turbulence->prandtl;
+            k[i] += scale * C[i] * (mu_t[i] * (r[i] / all[i]));
+          }
         }
         for (int i = 0; i < count; ++i) C[i] *= r[i];
       });

@@ -122,7 +122,7 @@ void find_scale(const Row& row, const Handles& h, int m, const Fluid& fluid) {
   const int n = row.count();
   double* __restrict scale = row(h.scale, m);
   const double* __restrict eps = row(h.specific_energy_L, m);
-  if (fluid.ideal() != nullptr) {
+  if (fluid.gamma_law() != nullptr) {
     for (int i = 0; i < n; ++i) scale[i] = eps[i];
     return;
   }
@@ -204,7 +204,7 @@ void share_cells(const Row& row, const Handles& h, std::uint64_t set, const Mate
 // Where one material is alone all around, its scale is the mixture's. That of an ideal gas is asked
 // for near other materials only.
 void alone(const Row& row, const Handles& h, const Fluid& fluid) {
-  if (fluid.ideal() != nullptr) return;
+  if (fluid.gamma_law() != nullptr) return;
   energy_scale_row(fluid, row.count(), row(h.mixture_density_L), row(h.mixture_energy_L),
                    row(h.mixture_scale));
 }

@@ -88,7 +88,7 @@ void set_rate_of_gas(const Row& row, const UpdateState& h, const SchemeOptions& 
   const auto gas = static_cast<std::size_t>(o.mixed->material);
   for (std::size_t m = 0; m < h.state.size(); ++m)
     if (m != gas && row(h.state[m].mass_new)[i] != 0.0) return;
-  const eos::IdealGas& law = *o.fluids[gas].ideal();
+  const eos::IdealGas& law = *o.fluids[gas].gamma_law();
   const MaterialState& s = h.state[gas];
   row(h.end, 1)[i] = law.gamma * law.pressure(row(s.mass_new)[i], row(s.energy_new)[i]);
 }

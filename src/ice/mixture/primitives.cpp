@@ -151,7 +151,7 @@ void mixed_gases(const Row& row, const Handles& h, std::uint64_t set,
   std::fill_n(pi, n, 0.0);
   const auto add = [&](int m, auto to) {  // to(sum so far, value)
     const auto k = static_cast<std::size_t>(m);
-    const double gamma = fluids[k].ideal()->gamma, fluid_slope = fluids[k].shock_slope();
+    const double gamma = fluids[k].gamma_law()->gamma, fluid_slope = fluids[k].shock_slope();
     const double per_gamma = 1.0 / gamma, per_K = 1.0 / (gamma * (gamma - 1.0));
     const double* __restrict M = row(h.state.mass[k]);
     const double* __restrict V = row(h.state.volume[k]);

@@ -227,7 +227,7 @@ class MixedBases {
 template <int D, int C, bool Masked>
 void base_rows_of(const Row& row, const Handles& h, const SchemeOptions& o, Vec3 gravity) {
   const auto runs = [&](auto&& f) { for_each_run(runs_of(row, h.pure), row.count(), f); };
-  const auto scaled = [&](std::size_t m) { return int{o.fluids[m].ideal() == nullptr}; };
+  const auto scaled = [&](std::size_t m) { return int{o.fluids[m].gamma_law() == nullptr}; };
   const RunRow pure_runs = runs_of(row, h.pure), near_runs = runs_of(row, h.near);
   if (pure_runs.key[0] < 0.0 && is_one_run(pure_runs, row.count()))
     velocity_base_rows<D, C, Masked>(row, h.common, o.axes, gravity);

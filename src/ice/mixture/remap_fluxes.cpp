@@ -217,7 +217,7 @@ void add_remap_flux(TaskList& list, const Variables& v, const SchemeOptions& o, 
         for_each_face_run(runs_of(row, h.pure, axis, -1), runs_of(row, h.pure), row.count(), f);
       };
       const auto kind = [&](std::size_t m) {
-        return is_mixed(o, m) ? of_mixed_gas : int{o.fluids[m].ideal() == nullptr};
+        return is_mixed(o, m) ? of_mixed_gas : int{o.fluids[m].gamma_law() == nullptr};
       };
       const auto pure_faces = [&](int first, int count, int of) {
         const Row part = row.part(first, count);

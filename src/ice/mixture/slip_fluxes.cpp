@@ -326,7 +326,7 @@ void add_slip_flux(TaskList& list, const Variables& v, const SchemeOptions& o, i
                           const Row part = row.part(first, count);
                           if (pure < 0) return Faces<D, C>(part, h, o, axis).run();
                           const auto m = static_cast<std::size_t>(pure);
-                          const bool ideal = o.fluids[m].ideal() != nullptr;
+                          const bool ideal = o.fluids[m].gamma_law() != nullptr;
                           flux_row_of<D, C>(part, h.common, axis, l, o,
                                             ideal ? RemapLaw::ideal : RemapLaw::scaled);
                         });

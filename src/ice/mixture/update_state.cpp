@@ -100,7 +100,7 @@ void end_alone(const Row& row, const UpdateState& h, const UpdateHandles& u, con
   const double *rho = row(u.next.rho), *E = row(u.next.energy);
   double *p = row(h.pressure), *K = row(h.end, 1);
   std::copy(rho, rho + n, row(h.end, 0));
-  const eos::IdealGas* gas = fluid.ideal();
+  const eos::IdealGas* gas = fluid.gamma_law();
   if (gas == nullptr) return pressure_and_modulus_row(fluid, n, rho, E, p, K);
 #pragma GCC ivdep
   for (int i = 0; i < n; ++i) {

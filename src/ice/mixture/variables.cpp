@@ -59,7 +59,7 @@ bool relaxes_before_remap(const SchemeOptions& o) {
 
 bool all_ideal_gases(const std::vector<Fluid>& fluids) {
   return std::all_of(fluids.begin(), fluids.end(),
-                     [](const Fluid& fluid) { return fluid.ideal() != nullptr; });
+                     [](const Fluid& fluid) { return fluid.gamma_law() != nullptr; });
 }
 
 Variables declare_variables(TaskList& list, const SchemeOptions& o) {

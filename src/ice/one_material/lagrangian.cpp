@@ -150,7 +150,7 @@ void add_lagrangian(TaskList& list, const SchemeVariables& v, const SchemeOption
   h.energy_star = task.write(v.energy_star);
   h.courant = task.write(v.courant);
   h.inverse_courant = task.write(v.inverse_courant);
-  const bool scaled = o.fluid.ideal() == nullptr;
+  const bool scaled = o.fluid.gamma_law() == nullptr;
   if (scaled && !o.mixture) h.energy_scale = task.write(v.energy_scale);
   if (o.keeps_work()) h.mixture = task.write(v.lagrangian_mixture);
   h.forces.impulse = task.write(v.impulse);

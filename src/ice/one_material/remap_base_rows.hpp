@@ -184,7 +184,7 @@ inline RemapBaseHandles declare_remap_bases(TaskBuilder& task, const SchemeVaria
   h.rho_L = task.read(v.rho_L);
   h.energy_L = task.read(v.energy_L);
   h.velocity_L = task.read(v.velocity_L);
-  if (o.mixture || o.fluid.ideal() == nullptr) h.energy_scale = task.read(v.energy_scale);
+  if (o.mixture || o.fluid.gamma_law() == nullptr) h.energy_scale = task.read(v.energy_scale);
   for (int d = 0; d < o.axes.count; ++d)
     h.base[static_cast<std::size_t>(d)] = task.write(v.base[static_cast<std::size_t>(d)]);
   return h;

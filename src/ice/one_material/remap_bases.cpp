@@ -7,7 +7,7 @@ void add_remap_bases(TaskList& list, const SchemeVariables& v, const SchemeOptio
   if (!o.second_order || o.axes.count == 1) return;  // the base is the Lagrangian value
   TaskBuilder task = list.task("remap bases", effect);
   const RemapBaseHandles h = declare_remap_bases(task, v, o);
-  const bool scaled = o.fluid.ideal() == nullptr;
+  const bool scaled = o.fluid.gamma_law() == nullptr;
   const Vec3 gravity = o.gravity_on ? o.gravity : Vec3{};
   dispatch(o.axes.count, o.components, [&]<int D, int C>() {
     if constexpr (D > 1)

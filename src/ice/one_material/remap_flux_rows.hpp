@@ -74,7 +74,7 @@ inline RemapFluxHandles read_remap_inputs(TaskBuilder& task, const SchemeVariabl
   h.rho_L = task.read(v.rho_L, both);
   h.energy_L = task.read(v.energy_L, both);
   h.velocity_L = task.read(v.velocity_L, both);
-  if (o.mixture || o.fluid.ideal() == nullptr) h.energy_scale = task.read(v.energy_scale, both);
+  if (o.mixture || o.fluid.gamma_law() == nullptr) h.energy_scale = task.read(v.energy_scale, both);
   h.courant = task.read(v.courant, both);
   h.inverse_courant = task.read(v.inverse_courant, both);
   if (o.second_order && o.axes.count > 1) h.base = task.read(v.base[face], both);

@@ -139,7 +139,7 @@ void add_remap_flux(TaskList& list, const SchemeVariables& v, const SchemeOption
   static const char* names[] = {"remap along axis 0", "remap along axis 1", "remap along axis 2"};
   const int direction = o.axes.direction[axis];
   const auto face = static_cast<std::size_t>(axis);
-  const RemapLaw law = o.fluid.ideal() == nullptr                   ? RemapLaw::scaled
+  const RemapLaw law = o.fluid.gamma_law() == nullptr               ? RemapLaw::scaled
                        : o.density_bound == DensityBound::as_energy ? RemapLaw::ideal_by_energy
                                                                     : RemapLaw::ideal;
   TaskBuilder task = list.task(names[axis], effect);

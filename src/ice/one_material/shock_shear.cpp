@@ -115,7 +115,7 @@ void add_jumps(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
   if (o.walled) h.fraction = task.read(v.walls.fraction, below);
   h.jumps = task.write(v.jumps);
   h.marks = task.write(v.jump_marks);
-  const eos::IdealGas* gas = o.mixture || o.mixed != nullptr ? nullptr : o.fluid.ideal();
+  const eos::IdealGas* gas = o.mixture || o.mixed != nullptr ? nullptr : o.fluid.gamma_law();
   task.kernel([=, gamma = gas != nullptr ? gas->gamma : 0, axes = o.axes.count](const Row& row) {
     axes == 2 ? jumps_row<2>(row, h, gamma) : jumps_row<3>(row, h, gamma);
   });

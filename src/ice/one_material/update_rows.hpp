@@ -109,7 +109,7 @@ inline void check_row(const Row& row, const UpdateHandles& h, const SchemeOption
   const Axes& axes = o.axes;
   const int state = fault_of_material * (material + 1);
   const double* energy = row(h.next.energy);
-  if (o.fluid.ideal() == nullptr) {
+  if (o.fluid.gamma_law() == nullptr) {
     admissible_row(o.fluid, row.count(), row(h.next.rho), energy, row(h.next.closure, 2));
     return admissible_row<4>(row, axes,
                              {{{row(h.next.rho), fault_density},
@@ -166,7 +166,7 @@ inline UpdateHandles declare_update(TaskBuilder& task, const SchemeVariables& v,
   h.next.energy = task.write(v.energy_remap);
   if (o.conducting && !constant_heat_capacity(o.fluid))
     h.next.heat_capacity = task.write(v.heat_capacity);
-  if (o.fluid.ideal() != nullptr) return h;
+  if (o.fluid.gamma_law() != nullptr) return h;
   h.energy_scale = task.read(v.energy_scale);
   h.next.closure = task.write(v.closure);
   return h;

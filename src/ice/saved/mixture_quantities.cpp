@@ -222,9 +222,10 @@ class Declarer {
         [](const Fluid& law, double r, double e) { return 1.0 / law.modulus_of_state(r, e); }));
     declare_viscosities(m);
     declare_conductivity(m);
-    law_closure(l.gamma, m, [](const Fluid& law, double, double) { return law.gamma; });
+    law_closure(l.gamma, m,
+                [](const Fluid& law, double r, double e) { return law.heat_capacity_ratio(r, e); });
     law_closure(l.specific_heat, m,
-                [](const Fluid& law, double, double) { return law.specific_heat; });
+                [](const Fluid& law, double r, double e) { return law.heat_capacity(r, e); });
     q_.slopes(v_.mass[k], l.gradient_rho, m);
     q_.slopes(T, l.gradient_temperature, m);
     q_.slopes(v_.volume[k], l.gradient_volume_fraction, m);

@@ -75,35 +75,10 @@ void of_law(QuantityList& q, VariableId any, Label label, F f) {
   });
 }
 
-// Ratio of specific heats and cv as the law has them.
-void declare_heats(QuantityList& q, VariableId rho) {
-  const Labels& l = labels();
-  of_law(q, rho, l.gamma, [](const LawRow& law, int i) {
-    Fluid room;
-    return law.at(i, room).gamma;
-  });
-  of_law(q, rho, l.specific_heat, [](const LawRow& law, int i) {
-    Fluid room;
-    return law.at(i, room).specific_heat;
-  });
-}
-
-struct ThermalState {
-  VariableId rho, E, p, T;
-};
-
-// cv at the temperature of each cell; gamma = 1 + p/(rho T cv).
-void declare_heats_of_species(QuantityList& q, const ThermalState& s) {
-  const VariableId cv = of_law(q, s.rho, s.E, labels().specific_heat, &LawRow::heat_capacity);
-  const VariableId gamma = q.fresh(labels().gamma, 0);
-  TaskBuilder t = q.task(labels().gamma, 0);
-  const In rho = t.read(s.rho), p = t.read(s.p), T = t.read(s.T), heat = t.read(cv);
-  const Out out = t.write(gamma);
-  t.kernel([=](const Row& row) {
-    const double *r = row(rho), *pr = row(p), *te = row(T), *c = row(heat);
-    double* to = row(out);
-    for (int i = 0; i < row.count(); ++i) to[i] = 1.0 + pr[i] / (r[i] * te[i] * c[i]);
-  });
+// Specific heat at constant volume and ratio of specific heats at the state of each cell.
+void declare_heats(QuantityList& q, VariableId rho, VariableId E) {
+  of_law(q, rho, E, labels().specific_heat, &LawRow::heat_capacity);
+  of_law(q, rho, E, labels().gamma, &LawRow::heat_capacity_ratio);
 }
 
 // What one material makes of its state.
@@ -130,10 +105,7 @@ void declare_of_one(QuantityList& q) {
   if (!o.spreads_species)
     of_law(q, rho, l.thermal_conductivity,
            [k = o.conductivity](const LawRow& law, int i) { return law.conductivity(i, k); });
-  if (o.mixed != nullptr && o.mixed->species)
-    declare_heats_of_species(q, {rho, E, p, T});
-  else
-    declare_heats(q, rho);
+  declare_heats(q, rho, E);
   q.mach(u, c, 0);
   q.slopes(rho, l.gradient_rho, 0);
   q.slopes(T, l.gradient_temperature, 0);

@@ -170,7 +170,7 @@ void diffusion_rate_row(const Row& row, const RateHandles& h, Coefficient coeffi
 
 // Whether cv is the same everywhere.
 inline bool constant_heat_capacity(const Fluid& fluid) {
-  return fluid.ideal() != nullptr && !fluid.heat;
+  return fluid.gamma_law() != nullptr && !fluid.heat;
 }
 
 inline void viscous_rate_row(const Row& row, const RateHandles& h, const SchemeOptions& o,
@@ -217,7 +217,7 @@ template <int D>
 void rates_of_row(const Row& row, const RateHandles& h, const SchemeOptions& o) {
   if (!row.step().rates) return;
   const RateConstants x = rate_constants(o, row.step());
-  if (const eos::IdealGas* gas = o.fluid.ideal()) {
+  if (const eos::IdealGas* gas = o.fluid.gamma_law()) {
     rate_row<D>(row, h, x, [gas = *gas, r = row(h.rho), E = row(h.energy)](int i) {
       return gas.gamma * gas.pressure(r[i], E[i]);
     });

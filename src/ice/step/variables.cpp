@@ -83,7 +83,7 @@ void declare_conservative_temporaries(TaskList& list, const SchemeOptions& o, Sc
 SchemeVariables declare_conservative_variables(TaskList& list, const SchemeOptions& o) {
   SchemeVariables v = declare_common_variables(list, o);
   declare_conservative_temporaries(list, o, v);
-  if (o.fluid.ideal() == nullptr) {
+  if (o.fluid.gamma_law() == nullptr) {
     v.energy_scale = list.temporary("energy scale");
     v.closure = list.temporary("closure of the new state", 3);
   }

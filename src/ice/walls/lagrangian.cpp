@@ -283,7 +283,7 @@ void add_lagrangian(TaskList& list, const SchemeVariables& v, const SchemeOption
   h.base_mask = task.write(w.base_mask);
   h.gives_old = task.write(w.gives_old);
   if (o.keeps_work()) h.mixture = task.write(v.lagrangian_mixture);
-  const bool scaled = !o.mixture && o.fluid.ideal() == nullptr;
+  const bool scaled = !o.mixture && o.fluid.gamma_law() == nullptr;
   if (scaled) h.scale = task.write(v.energy_scale);
   dispatch(o.axes.count, o.components, [&]<int D, int C>() {
     task.kernel([=](const Row& row) {

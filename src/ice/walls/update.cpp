@@ -80,7 +80,7 @@ void check_cells(const Row& row, const Handles& h, const SchemeOptions& o) {
   const auto inverse = [](double x) { return 1.0 / x; };
   const int state = fault_of_material * (o.material + 1);
   const double *rho = row(h.amounts.next.rho), *energy = row(h.amounts.next.energy);
-  if (o.fluid.ideal() == nullptr) {
+  if (o.fluid.gamma_law() == nullptr) {
     double* good = row(h.amounts.next.closure, 2);
     admissible_row(o.fluid, row.count(), rho, energy, good);
     return admissible_row<3>(row, o.axes,
