@@ -85,6 +85,7 @@ std::vector<Entry> own() {
        "rarefied_spot",
        {cells("[24,20,1]"), "MaterialProperties/ICE/material/thermal_conductivity=0.02"}},
       {"water", "water_shock_tube", {cells("[110,1,1]")}},
+      {"noble_abel", "noble_abel_tube", {cells("[110,1,1]")}},
       {"products", "jwl_products", {cells("[90,1,1]")}},
       {"hot_air", "hot_air_shock_tube", {cells("[80,1,1]")}},
       {"held_region", "held_region", {cells("[24,20,1]")}},

@@ -23,6 +23,7 @@
 #include "eos/mie_gruneisen.hpp"
 #include "eos/murnaghan.hpp"
 #include "eos/nasa7_heat.hpp"
+#include "eos/noble_abel_stiffened_gas.hpp"
 #include "eos/perfect_gas.hpp"
 #include "eos/polynomial_heat.hpp"
 #include "eos/stiffened_gas.hpp"
@@ -87,7 +88,7 @@ struct LawList {
 using AllLaws =
     LawList<IdealGas, StiffenedGas, HardSphereGas, TstGas, Jwl, Jwlc, Murnaghan, BirchMurnaghan,
             MieGruneisen, LinearGruneisen, Tillotson, ThomsenHartkaWater, KnaussSeaWater,
-            PerfectGas<Nasa7Heat>, PerfectGas<PolynomialHeat>>;
+            NobleAbelStiffenedGas, PerfectGas<Nasa7Heat>, PerfectGas<PolynomialHeat>>;
 using EquationOfState = AllLaws::Variant;
 
 // Does a deck name the law: <EOS type="name">.

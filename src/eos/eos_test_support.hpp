@@ -74,6 +74,9 @@ inline constexpr Tillotson aluminium{.a = 0.5,
                                      .beta = 5.0,
                                      .rho0 = 2700.0,
                                      .specific_heat = 900.0};
+// Le Metayer and Saurel, Phys. Fluids 28 (2016) 046102: liquid water, 300 to 500 K.
+inline const NobleAbelStiffenedGas repulsive_water{
+    {.gamma = 1.19, .pinf = 7028e5, .b = 6.61e-4, .q = -1177788.0, .specific_heat = 3610.0}};
 // Air and a fitted gas with the specific heat that grows with temperature.
 inline PerfectGas<Nasa7Heat> warm_air() {
   return {.gas_constant = 287.0, .heat = air_heat(287.0)};
@@ -137,6 +140,10 @@ inline ThomsenHartkaWater example() {
 template <>
 inline KnaussSeaWater example() {
   return {{}};
+}
+template <>
+inline NobleAbelStiffenedGas example() {
+  return repulsive_water;
 }
 template <>
 inline PerfectGas<Nasa7Heat> example() {

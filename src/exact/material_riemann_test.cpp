@@ -169,6 +169,31 @@ TEST(MaterialRiemann, BalancesOfMassMomentumAndEnergyClose) {
   check_balance(solid(eos::hard_spheres, 200, 0), solid(eos::air, 1.2, 0));
 }
 
+// Shocks and fans of a Noble-Abel stiffened gas are those of an ideal gas in p + pinf and v - b.
+TEST(MaterialRiemann, OfANobleAbelStiffenedGasHasItsClosedForm) {
+  const eos::NobleAbelStiffenedGas& law = eos::repulsive_water;
+  const double g = law.gamma, v0 = 1e-3, free = v0 - law.b;
+  const auto volume = [&](double p, double p0) {  // behind a wave from p0 to p
+    const double P = p + law.pinf, P0 = p0 + law.pinf;
+    return law.b + free * (p > p0 ? ((g - 1) * P + (g + 1) * P0) / ((g + 1) * P + (g - 1) * P0)
+                                  : std::pow(P0 / P, 1 / g));
+  };
+  const auto speed = [&](double p, double p0) {
+    const double P = p + law.pinf, P0 = p0 + law.pinf;
+    if (p > p0) return std::sqrt((p - p0) * (v0 - volume(p, p0)));
+    return 2 / (g - 1) * std::sqrt(g * P0 * free) * (std::pow(P / P0, (g - 1) / (2 * g)) - 1);
+  };
+  const auto side = [&](double p) {
+    return MaterialSide{law, state_of_pressure(law, 1 / v0, 0, p)};
+  };
+  const MaterialRiemann flow(side(1e9), side(1e5));
+  const double p = flow.star_pressure();
+  EXPECT_NEAR(speed(p, 1e9) + speed(p, 1e5), 0, 1e-9 * flow.star_velocity());
+  EXPECT_NEAR(flow.star_velocity(), speed(p, 1e5), 1e-9 * flow.star_velocity());
+  EXPECT_NEAR(flow.star_left().density * volume(p, 1e9), 1, 1e-9);
+  EXPECT_NEAR(flow.star_right().density * volume(p, 1e5), 1, 1e-9);
+}
+
 // The shock in the air and the isentrope of the products, each in closed form, meet at p*.
 TEST(MaterialRiemann, JwlProductsPushTheAirAsFastAsTheyFollow) {
   const eos::Jwl& law = eos::tnt;

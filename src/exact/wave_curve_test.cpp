@@ -27,6 +27,7 @@ std::vector<Sample> one_of_each() {
       {"ideal", eos::air, 1.2, 300, {3e5, 1e9}, {1e4, 1e-3}},
       {"stiff", eos::stiff_water, 1000, 300, {2e9, 1e11}, {1e5, -1e7}},
       {"hard", eos::hard_spheres, 100, 3000, {5e8, 1e11}, {1e7, 1e4}},
+      {"noble", eos::repulsive_water, 1000, 400, {2e9, 1e11}, {1e7, -1e7}},
       {"tst", eos::attracting_gas, 30, 600, {5e7, 1e9}, {1e6, 1e4}},
       {"jwl", eos::tnt, expanded, 3500, {2e10, 2e11}, {1e9, 1e5, 1e2}},
       {"jwlc", eos::tnt_isentrope, expanded, 3500, {2e10, 2e11}, {1e9, 1e5}},
