@@ -95,6 +95,20 @@ TEST_P(EquilibrationOfLaws, FindsOnePressureOfEveryPair) {
 
 INSTANTIATE_TEST_SUITE_P(Apart, EquilibrationOfLaws, testing::Values(1.1, 10.0, 1e3));
 
+// A volume whose excess of pressure is below what an ulp of it changes is found: the search went on
+// from there to no volume at all.
+TEST(EquilibrationOfWater, EndsWhereAVolumeIsWithinAnUlp) {
+  const Fluid water{eos::ThomsenHartkaWater{}, std::nullopt, 1.4, 1000},
+      air{eos::warm_air(), std::nullopt, 1.4, 717.5};
+  double M[] = {1031.6361552179419, 0.0030044318945017224},
+         V[] = {0.99633358358334778, 0.003666416416652257},
+         E[] = {49948241.895967148, 1200.2396081029763};
+  const auto result = Equilibration({water, air}).equilibrate({M, V, E});
+  ASSERT_EQ(result.failed, -1);
+  EXPECT_NEAR(water.pressure(M[0] / V[0], E[0] / V[0]), result.pressure, 1e-6 * result.pressure);
+  EXPECT_NEAR(air.pressure(M[1] / V[1], E[1] / V[1]), result.pressure, 1e-6 * result.pressure);
+}
+
 // Vapour that a cavity has thinned out for long, beside a liquid that closes it: the pressure
 // sought lies up to two hundred decades above its own.
 TEST(EquilibrationOfVapour, GoesWhereTheLiquidClosesItsCavity) {

@@ -63,6 +63,7 @@ Response solve(const Fluid& fluid, int m, const Cell& cell, double q, double sta
           (r.excess > 0.0 ? low : high) = v;
           const bool far = r.pressure > 0.0 && r.pressure < thin * q;
           double next = far ? v * std::sqrt(r.pressure / q) : not_below_half(r.volume, v);
+          if (r.slope < 0.0 && next == v) break;  // what is left is below an ulp of the volume
           const bool newton = r.slope < 0.0 && next > low && next < high;
           if (!newton)
             next = high < infinity ? (low > 0.0 ? std::sqrt(low) * std::sqrt(high) : 0.5 * high)
