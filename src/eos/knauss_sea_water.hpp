@@ -45,7 +45,7 @@ struct KnaussCurves {
                       heat_of_material<KnaussCurves>()};
   }
   std::string_view contradiction() const {
-    return a == 0.0 ? "<a> must not be 0: no pressure would follow from the energy" : "";
+    return a == 0.0 ? "<a> must not be 0, or no pressure would follow from the energy" : "";
   }
   // Water that contracts when heated.
   bool pressure_falls_with_energy() const { return a > 0.0; }

@@ -56,6 +56,18 @@ void read_numbers(const DeckNode& eos, const LawEntry& entry, eos::EquationOfSta
   }
 }
 
+// "<Esp> must be greater ..." with the number behind each name: "<Esp> 2e+06 must be greater ...".
+template <class Law>
+std::string with_numbers(const Law& law, std::string_view what) {
+  std::string text(what);
+  for (const auto& number : Law::parameters()) {
+    const std::string name = fmt::format("<{}>", number.name);
+    if (const auto at = text.find(name); at != text.npos)
+      text.insert(at + name.size(), fmt::format(" {:g}", law.*number.member));
+  }
+  return text;
+}
+
 // What must hold between the numbers of one law.
 void check_numbers(const eos::EquationOfState& law, const DeckNode& eos,
                    std::vector<Fault>& faults) {
@@ -63,7 +75,8 @@ void check_numbers(const eos::EquationOfState& law, const DeckNode& eos,
       [&](const auto& l) {
         if constexpr (requires { l.contradiction(); })
           if (const std::string_view what = l.contradiction(); !what.empty())
-            add_error(faults, eos.where, fmt::format("<EOS type=\"{}\">: {}", l.name, what));
+            add_error(faults, eos.where,
+                      fmt::format("<EOS type=\"{}\">: {}", l.name, with_numbers(l, what)));
       },
       law);
 }

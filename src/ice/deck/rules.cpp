@@ -331,6 +331,12 @@ void check_ice_fill(const DeckNode& root, std::vector<Fault>& faults) {
     add_error(faults, density->where,
               "a formula cannot say which of several materials has this <density>",
               "give densities in the geometry objects");
+  const DeckNode* formula = root.find("CFD/ICE/customInitialization/formula");
+  if (formula != nullptr && formula->has("density") && formula->has("pressure") &&
+      formula->has("temperature"))
+    add_error(faults, formula->child("temperature")->where,
+              "<formula> gives density, pressure and temperature; two of them say the third",
+              "remove one of them");
   const auto mixed = mixed_material(root, material_names(root));
   for (std::size_t m = 0; m < materials.size(); ++m) {
     const DeckNode* material = materials[m];

@@ -90,6 +90,8 @@ double law_pressure(const IceMaterial& m, double density, double temperature) {
   return m.fluid.pressure(density, m.fluid.energy_from_temperature(density, temperature));
 }
 
+// Two of density, pressure and temperature give the third; of one alone the others are those of the
+// geometry objects, as far as the law can have them.
 void apply_formula(const FormulaFill& f, const IceMaterial& m, const Level& level,
                    PrimitiveFill& fill) {
   const std::vector<double> before = fill.pressure;
@@ -100,6 +102,11 @@ void apply_formula(const FormulaFill& f, const IceMaterial& m, const Level& leve
     for (std::size_t n = 0; n < fill.density.size(); ++n)
       fill.pressure[n] = law_pressure(m, fill.density[n], fill.temperature[n]);
   evaluate(f.pressure, level, fill.cells, fill.pressure);
+  if (f.pressure && f.temperature && !f.density) {
+    for (std::size_t n = 0; n < fill.density.size(); ++n)
+      fill.density[n] = m.fluid.density(fill.pressure[n], fill.temperature[n]);
+    return;
+  }
   if (!f.pressure || m.fluid.depends_on_energy()) return;
   for (std::size_t n = 0; n < fill.density.size(); ++n)
     if (fill.pressure[n] != before[n])
