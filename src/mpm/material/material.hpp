@@ -84,7 +84,8 @@ class Material {
   virtual std::optional<BatchFault> update(const Batch& batch) const = 0;
   // Which column of the history is not 0 where a particle has failed; -1 where none can.
   virtual int failed_column() const { return -1; }
-  // Such a particle keeps its F: the step gives it L = 0.
+  // Such a particle keeps its F: the step gives it L = 0. (One whose corners are those of its
+  // neighbours is deformed by these.)
   virtual bool failed_keep_their_shape() const { return false; }
   // Whether stress is a function of F (and temperature) alone, whatever the old stress.
   virtual bool stress_of_state() const { return false; }

@@ -229,6 +229,14 @@ std::vector<KindRates> SolidStep::take_first_reports(const StageScope& scope,
   return rates;
 }
 
+// What has failed moves on as it is: L = 0. (Corners that neighbours share deform it still.)
+static void hold_failed(const Material& law, const Batch& b, GridAtParticles& read) {
+  const double* failed = b.old_history[static_cast<std::size_t>(law.failed_column())];
+  for (double* L : read.L)
+    for (int q = 0; q < b.count; ++q)
+      if (failed[q] != 0) L[q] = 0;
+}
+
 void SolidStep::advance(const BlockWork& w, const StageScope& scope, ThreadReport& report) {
   Body& body = bodies_[static_cast<std::size_t>(w.kind)];
   const Columns& c = body.carried->columns;
@@ -271,6 +279,7 @@ void SolidStep::advance(const BlockWork& w, const StageScope& scope, ThreadRepor
     b.time = scope.step.time;
     b.spacing = least_spacing(level_);
     b.dt = dt;
+    if (c.corners < 0 && law.failed_keep_their_shape()) hold_failed(law, b, report.read);
     for (std::size_t e = 0; e < 9; ++e) b.L[e] = report.read.L[e];
     std::fill_n(report.heating, n, 0.0);
     b.wave_speed = report.wave_speed;
