@@ -2,6 +2,8 @@
 #pragma once
 #include <filesystem>
 #include <ostream>
+#include <span>
+#include <string>
 
 #include "ice/fluid/fluid.hpp"
 
@@ -20,13 +22,16 @@ inline std::ostream& operator<<(std::ostream& out, const LawCase& law) {
   return out << law.name;
 }
 
+// At least one of each equation of state that decks name, and of each specific heat.
+std::span<const LawCase> law_cases();
+
 // The thermodynamics of that material, as the program reads it.
 ice::Fluid fluid_of(const LawCase& law);
 
 // Material with velocity `speed` to the left of 0 and -`speed` to the right, in [-0.5, 0.5];
-// periodic, or with open ends. Returns the file.
+// periodic, or with open ends. `finer`: further levels. Returns the file.
 std::filesystem::path write_law_deck(const std::filesystem::path& folder, const LawCase& law,
                                      double speed_left, double speed_right, double end_time,
-                                     bool periodic);
+                                     bool periodic, const std::string& finer = "");
 
 }  // namespace sluice::verification
