@@ -9,7 +9,6 @@
 #include <memory>
 
 #include "app/command_line.hpp"
-#include "app/commands.hpp"
 #include "app/data_folder.hpp"
 #include "app/python_tool.hpp"
 #include "app/study.hpp"
@@ -116,8 +115,7 @@ int accuracy(const AccuracyRequest& request) {
 
 }  // namespace
 
-void add_accuracy_command(CommandLine& line) {
-  Command command = line.add("accuracy", "What accuracy costs: error against time of a study");
+void declare_accuracy_command(Command& command) {
   auto request = std::make_shared<AccuracyRequest>();
   command.option("STUDY", request->study, "Study file (.study), or the name of one of ours: sod")
       .required();

@@ -28,9 +28,10 @@ Outcome run(const std::string& line) {
   std::istringstream text(line);
   const std::vector<std::string> words{std::istream_iterator<std::string>(text), {}};
   CommandLine commands("test", "sluice");
-  for (const auto add : {add_compare_command, add_export_command, add_extract_command,
-                         add_info_command, add_norms_command})
-    add(commands);
+  for (const CommandKind& kind : command_kinds()) {
+    Command command = commands.add(kind.name, kind.summary);
+    kind.declare(command);
+  }
   Outcome o;
   ::testing::internal::CaptureStdout();
   ::testing::internal::CaptureStderr();

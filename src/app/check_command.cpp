@@ -4,7 +4,6 @@
 #include <memory>
 
 #include "app/command_line.hpp"
-#include "app/commands.hpp"
 #include "app/scene_loader.hpp"
 #include "app/sluice_schema.hpp"
 #include "framework/base/json.hpp"
@@ -78,8 +77,7 @@ int check(const CheckRequest& options) {
 
 }  // namespace
 
-void add_check_command(CommandLine& line) {
-  Command command = line.add("check", "Find all faults of decks without running them");
+void declare_check_command(Command& command) {
   auto options = std::make_shared<CheckRequest>();
   command.option("DECK", options->files, "Deck files (.ups)").required();
   command.option("--set", options->overrides, "Override PATH=VALUE (may be repeated)").repeatable();

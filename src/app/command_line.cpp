@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <CLI/CLI.hpp>
 
-#include "app/commands.hpp"
 #include "framework/base/error.hpp"
 #include "framework/deck/nearest_name.hpp"
 

@@ -1,32 +1,21 @@
-// The subcommands of `sluice`: each adds itself to the command line with what it does, and returns
-// its exit status.
+// The subcommands of `sluice`: one table, from which main, `--help` and the documentation read.
 //
-// An action may throw InputError, PhysicsError or SystemError; main prints the message and exits
-// with the error's own status.
+// A command is one file NAME_command.cpp, which declares its arguments and what it does, and one
+// row of the table. Its action returns the exit status; it may throw InputError, PhysicsError or
+// SystemError, whose message main prints before it ends with the error's own status.
 #pragma once
+#include <span>
 
 namespace sluice {
 
-class CommandLine;
+class Command;
 
-// For --help and `sluice help`.
-inline constexpr const char* exit_statuses =
-    "Exit status: 0 good; 1 the physics or a comparison failed; 2 bad input; 3 the system failed\n"
-    "(disk, memory, MPI); 4 a run ended early, by a signal or its time limit, with a checkpoint";
+struct CommandKind {
+  const char* name;
+  const char* summary;        // one line
+  void (*declare)(Command&);  // arguments and action
+};
 
-void add_accuracy_command(CommandLine& line);
-void add_run_command(CommandLine& line);
-void add_check_command(CommandLine& line);
-void add_compare_command(CommandLine& line);
-void add_drive_command(CommandLine& line);
-void add_export_command(CommandLine& line);
-void add_extract_command(CommandLine& line);
-void add_help_command(CommandLine& line);
-void add_info_command(CommandLine& line);
-void add_norms_command(CommandLine& line);
-void add_plan_command(CommandLine& line);
-void add_plot_command(CommandLine& line);
-void add_regress_command(CommandLine& line);
-void add_tune_command(CommandLine& line);
+std::span<const CommandKind> command_kinds();
 
 }  // namespace sluice

@@ -4,7 +4,6 @@
 #include <memory>
 
 #include "app/command_line.hpp"
-#include "app/commands.hpp"
 #include "framework/archive/compare.hpp"
 #include "framework/base/console.hpp"
 
@@ -59,8 +58,7 @@ int compare_archives(CompareRequest& r) {
 
 }  // namespace
 
-void add_compare_command(CommandLine& line) {
-  Command command = line.add("compare", "Compare two archives value by value");
+void declare_compare_command(Command& command) {
   auto r = std::make_shared<CompareRequest>();
   command.option("A", r->first, "An archive").required();
   command.option("B", r->second, "Another, on any boxes and ranks").required();

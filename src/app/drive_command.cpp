@@ -5,7 +5,6 @@
 #include <memory>
 
 #include "app/command_line.hpp"
-#include "app/commands.hpp"
 #include "app/python_tool.hpp"
 #include "app/text_sink.hpp"
 #include "framework/base/console.hpp"
@@ -96,14 +95,7 @@ int drive(const DriveRequest& r) {
 
 }  // namespace
 
-void add_drive_command(CommandLine& line) {
-  Command command = line.add(
-      "drive",
-      "One particle of a material along a path of deformation: stress, energy, temperature.\n"
-      "The deck holds <MaterialDriver>: a <material> as in <MaterialProperties>, <temperature>,\n"
-      "and <piece>s that follow each other, each with <duration>, <steps> and a\n"
-      "<velocity_gradient>, a <deformation> that F goes to, or a <rotation> by an <angle>.\n"
-      "inputs/mpm/drive has examples.");
+void declare_drive_command(Command& command) {
   auto r = std::make_shared<DriveRequest>();
   command.option("DECK", r->deck, "Deck with <MaterialDriver>").required();
   command

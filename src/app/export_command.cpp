@@ -4,7 +4,6 @@
 #include <memory>
 
 #include "app/command_line.hpp"
-#include "app/commands.hpp"
 #include "framework/archive/vtk_export.hpp"
 
 namespace sluice {
@@ -25,9 +24,7 @@ void export_archive(ExportRequest& r) {
 
 }  // namespace
 
-void add_export_command(CommandLine& line) {
-  Command command =
-      line.add("export", "Write .pvd, .vti, .vtm and .vthb files for ParaView and VisIt");
+void declare_export_command(Command& command) {
   auto r = std::make_shared<ExportRequest>();
   command.option("UDA", r->archive, "The archive").required();
   command.option("-o,--output", r->folder, "Folder to write into; NAME.uda.NNN.vtk");

@@ -5,7 +5,6 @@
 #include <memory>
 
 #include "app/command_line.hpp"
-#include "app/commands.hpp"
 #include "app/text_sink.hpp"
 #include "framework/archive/csv_extract.hpp"
 #include "framework/archive/selection.hpp"
@@ -63,8 +62,7 @@ void extract(const ExtractRequest& r) {
 
 }  // namespace
 
-void add_extract_command(CommandLine& line) {
-  Command command = line.add("extract", "Write values of a label as CSV");
+void declare_extract_command(Command& command) {
   auto r = std::make_shared<ExtractRequest>();
   command.option("UDA", r->archive, "The archive").required();
   command.option("--var", r->label, "Label, e.g. press_CC").required();

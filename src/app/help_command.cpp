@@ -5,15 +5,13 @@
 #include <memory>
 
 #include "app/command_line.hpp"
-#include "app/commands.hpp"
 #include "app/label_reference.hpp"
 #include "app/sluice_schema.hpp"
 #include "framework/deck/deck_help.hpp"
 
 namespace sluice {
 
-void add_help_command(CommandLine& line) {
-  Command command = line.add("help", "Explain a tag of the deck");
+void declare_help_command(Command& command) {
   auto tags = std::make_shared<std::vector<std::string>>();
   auto markdown = std::make_shared<bool>(false);
   command.option("TAG", *tags, "Names or paths, as cfl or CFD/ICE/advection");

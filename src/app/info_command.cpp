@@ -5,7 +5,6 @@
 #include <set>
 
 #include "app/command_line.hpp"
-#include "app/commands.hpp"
 #include "app/text_sink.hpp"
 #include "framework/archive/archive.hpp"
 #include "framework/base/console.hpp"
@@ -232,8 +231,7 @@ int inform(const std::string& path, bool json, bool all) {
 
 }  // namespace
 
-void add_info_command(CommandLine& line) {
-  Command command = line.add("info", "Say what an archive holds; exit 1 when damaged");
+void declare_info_command(Command& command) {
   struct Request {
     std::string archive;
     bool json = false, verify = false;

@@ -24,13 +24,10 @@ int main(int argument_count, char** arguments) {
   std::signal(SIGXFSZ, SIG_IGN);  // a limit of file sizes is told as a full disk is
   sluice::CommandLine line("Sluice: coupled fluid-structure simulation with ICE, MPM and MPMICE",
                            std::string("sluice ") + sluice::version::kText);
-  for (const auto add :
-       {sluice::add_accuracy_command, sluice::add_run_command, sluice::add_check_command,
-        sluice::add_compare_command, sluice::add_drive_command, sluice::add_export_command,
-        sluice::add_extract_command, sluice::add_help_command, sluice::add_info_command,
-        sluice::add_norms_command, sluice::add_plan_command, sluice::add_plot_command,
-        sluice::add_regress_command, sluice::add_tune_command})
-    add(line);
+  for (const sluice::CommandKind& kind : sluice::command_kinds()) {
+    sluice::Command command = line.add(kind.name, kind.summary);
+    kind.declare(command);
+  }
   try {
     return line.run({arguments + 1, arguments + argument_count});
   } catch (const sluice::Error& problem) {

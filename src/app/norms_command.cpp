@@ -5,7 +5,6 @@
 #include <memory>
 
 #include "app/command_line.hpp"
-#include "app/commands.hpp"
 #include "app/text_sink.hpp"
 #include "framework/archive/norms.hpp"
 #include "framework/base/console.hpp"
@@ -75,8 +74,7 @@ void norms(NormsRequest& r) {
 
 }  // namespace
 
-void add_norms_command(CommandLine& line) {
-  Command command = line.add("norms", "L1, L2 and Linf of the difference of archives");
+void declare_norms_command(Command& command) {
   auto r = std::make_shared<NormsRequest>();
   command.option("A", r->first, "An archive; its points are compared").required();
   command.option("B", r->second, "One that has values at the same points").required();

@@ -7,7 +7,6 @@
 #include <memory>
 
 #include "app/command_line.hpp"
-#include "app/commands.hpp"
 #include "app/option_values.hpp"
 #include "app/run_plan.hpp"
 #include "app/study_process.hpp"
@@ -75,8 +74,7 @@ int plan(const PlanRequest& o) {
 
 }  // namespace
 
-void add_plan_command(CommandLine& line) {
-  Command command = line.add("plan", "Show what a run will do and cost, without running");
+void declare_plan_command(Command& command) {
   auto o = std::make_shared<PlanRequest>();
   command.option("DECK", o->deck, "Deck (.ups)").required();
   command.flag("--json", o->json, "As JSON, for scripts");

@@ -10,7 +10,7 @@
 namespace sluice {
 namespace {
 
-std::string triple_text(IntVec3 v) {
+std::string cells_text(IntVec3 v) {
   return fmt::format("[{},{},{}]", v.x, v.y, v.z);
 }
 
@@ -63,12 +63,12 @@ void add_rules(const LoadedScene& loaded, PlannedHierarchy& p) {
     p.rules.push_back(
         {"flags are widened by",
          fmt::format("{} cells{}; at a regrid {} more; tiles stay within {} more",
-                     triple_text(s.stability_dilation),
+                     cells_text(s.stability_dilation),
                      s.lock_step ? "" : " or what a wave crosses in a coarse step",
-                     triple_text(s.regrid_dilation), triple_text(s.deletion_dilation)),
+                     cells_text(s.regrid_dilation), cells_text(s.deletion_dilation)),
          s.where});
     p.rules.push_back(
-        {"cells between levels", triple_text(s.min_boundary_cells) + " at least", s.where});
+        {"cells between levels", cells_text(s.min_boundary_cells) + " at least", s.where});
     p.rules.push_back({"new fine cells",
                        fmt::format("interpolated to order {}", s.interpolation_order), s.where});
   }

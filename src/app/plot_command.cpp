@@ -3,12 +3,10 @@
 
 #include "app/archive_picture.hpp"
 #include "app/command_line.hpp"
-#include "app/commands.hpp"
 
 namespace sluice {
 
-void add_plot_command(CommandLine& line) {
-  Command command = line.add("plot", "Draw an archive: profiles, slices, particles, histories");
+void declare_plot_command(Command& command) {
   auto request = std::make_shared<PictureRequest>();
   command.option("UDA", request->archive, "Archive (folder or link)").required();
   command

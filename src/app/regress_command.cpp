@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "app/command_line.hpp"
-#include "app/commands.hpp"
 #include "app/data_folder.hpp"
 #include "app/regress_case.hpp"
 #include "app/study_process.hpp"
@@ -109,9 +108,7 @@ int regress(const RegressRequest& o) {
 
 }  // namespace
 
-void add_regress_command(CommandLine& line) {
-  Command command =
-      line.add("regress", "Compare short runs with golden results, restarts, splits and ranks");
+void declare_regress_command(Command& command) {
   auto o = std::make_shared<RegressRequest>();
   command.option("CASES", o->names, "Names of cases; all when none is given");
   command.option("--cases", o->file,

@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "app/command_line.hpp"
-#include "app/commands.hpp"
 #include "app/effect_table.hpp"
 #include "app/memory_check.hpp"
 #include "app/option_values.hpp"
@@ -160,8 +159,7 @@ int run(const RunRequest& o) {
 
 }  // namespace
 
-void add_run_command(CommandLine& line) {
-  Command command = line.add("run", "Run a deck: from .ups to .uda archive");
+void declare_run_command(Command& command) {
   auto o = std::make_shared<RunRequest>();
   command.option("DECK", o->deck, "Deck (.ups); with --restart: the archive's own by default");
   command.option("-o,--output", o->parent, "Parent folder of the archive");

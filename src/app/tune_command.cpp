@@ -10,7 +10,6 @@
 #include <memory>
 
 #include "app/command_line.hpp"
-#include "app/commands.hpp"
 #include "app/option_values.hpp"
 #include "app/python_tool.hpp"
 #include "app/scene_loader.hpp"
@@ -218,11 +217,7 @@ int tune(const TuneRequest& o) {
 
 }  // namespace
 
-void add_tune_command(CommandLine& line) {
-  Command command =
-      line.add("tune",
-               "Find the fastest linear solver for a deck: runs its first steps, tries solvers on "
-               "the systems that come up, prints a table and the tags to paste");
+void declare_tune_command(Command& command) {
   auto o = std::make_shared<TuneRequest>();
   command.option("DECK", o->deck, "Deck (.ups) with <ImplicitSolver>").required();
   command.option("--budget", o->budget, "Seconds that the search may take (60)");
