@@ -106,17 +106,6 @@ FluidPart::FluidPart(const Scene& scene, IceScene ice_scene, Places places)
   options_.sources = sources_.front().get();
 }
 
-std::vector<CellMaterial> FluidPart::cell_materials() const {
-  const Labels& l = labels();
-  std::vector<CellMaterial> all;
-  for (const IceMaterial& m : ice_.materials)
-    all.push_back({m.name,
-                   options_.place(m.index),
-                   Movement::advection,
-                   {l.mass, l.momentum, l.energy, l.volume}});
-  return all;
-}
-
 SchemeOptions FluidPart::at_level(int level) const {
   SchemeOptions o = options_;
   const Level& cells = scene_->grid.levels[static_cast<std::size_t>(level)];

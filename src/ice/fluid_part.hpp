@@ -8,7 +8,6 @@
 
 #include "framework/run/component.hpp"
 #include "framework/run/particle_method.hpp"
-#include "framework/task/cell_material.hpp"
 #include "ice/boundary/boundary_fill.hpp"
 #include "ice/deck/ice_scene.hpp"
 #include "ice/pressure/solve_history.hpp"
@@ -24,8 +23,6 @@ class FluidPart {
   const EffectList& effects() const { return effects_; }
   int material_count() const { return static_cast<int>(ice_.materials.size()); }
   const IceScene& scene() const { return ice_; }
-  // What other parts see of the materials.
-  std::vector<CellMaterial> cell_materials() const;
   const SchemeOptions& options() const { return options_; }  // of level 0, whatever the graph
   SchemeOptions at_level(int level) const;
   SchemeOptions of_graph(const StepVariant& variant) const;

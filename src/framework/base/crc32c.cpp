@@ -138,10 +138,6 @@ std::uint32_t crc32c(std::uint32_t crc, const void* data, std::size_t size) {
   return function(crc, data, size);
 }
 
-std::uint32_t crc32c_combine(std::uint32_t crc_a, std::uint32_t crc_b, std::uint64_t size_b) {
-  return multiply(power_of_bytes(size_b), crc_a) ^ crc_b;
-}
-
 std::uint32_t crc32c_software(std::uint32_t crc, const void* begin, std::size_t size) {
   static const auto table = make_slicing_table();
   const auto* data = static_cast<const unsigned char*>(begin);

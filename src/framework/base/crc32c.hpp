@@ -12,9 +12,6 @@ namespace sluice {
 // Continues a checksum: crc32c(crc32c(0, a), b) is the checksum of a followed by b.
 std::uint32_t crc32c(std::uint32_t crc, const void* data, std::size_t size);
 
-// Checksum of a followed by b, from their checksums and the length of b.
-std::uint32_t crc32c_combine(std::uint32_t crc_a, std::uint32_t crc_b, std::uint64_t size_b);
-
 // The same by software alone, for machines without the instruction and for the test.
 std::uint32_t crc32c_software(std::uint32_t crc, const void* data, std::size_t size);
 
