@@ -12,8 +12,8 @@
 #pragma once
 #include <memory>
 
-#include "examples/plain_component.hpp"
 #include "examples/poisson_scene.hpp"
+#include "framework/run/plain_component.hpp"
 
 namespace sluice::examples {
 

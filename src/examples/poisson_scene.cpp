@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include "examples/plain_component.hpp"
 #include "framework/deck/faults.hpp"
 #include "framework/grid/nodes.hpp"
+#include "framework/run/plain_component.hpp"
 
 namespace sluice::examples {
 namespace {

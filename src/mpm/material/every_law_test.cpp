@@ -1,4 +1,5 @@
 // What must hold for every law of the table.
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -44,6 +45,11 @@ const LawCase cases[] = {
      "<flow_model type='johnson_cook'><A>792e6</A><B>510e6</B><C>.014</C><n>.26</n><m>1.03</m>"
      "</flow_model>",
      Kind::rate, 173.33e9, 80e9, 0.1, 1e-9, 1e-3, "johnson_cook"},
+    {"rf_elastic_plastic",
+     "<bulk_modulus>173.33e9</bulk_modulus><shear_modulus>80e9</shear_modulus>"
+     "<flow_model type='johnson_cook'><A>792e6</A><B>510e6</B><C>.014</C><n>.26</n><m>1.03</m>"
+     "</flow_model>",
+     Kind::rate, 173.33e9, 80e9, 0.1, 1e-9, 1e-3},
     {"elastic_plastic_hp",
      "<bulk_modulus>138e9</bulk_modulus><shear_modulus>46e9</shear_modulus>"
      "<equation_of_state type='mie_gruneisen'><C_0>4200.1</C_0><Gamma_0>1.99</Gamma_0>"
@@ -124,6 +130,12 @@ const LawCase cases[] = {
      "<kinematic_hardening_constant>1e7</kinematic_hardening_constant>",
      Kind::rate, 6e9, 3e9, 0.1, 1e-9, 2e-3},
     {"Arenisca3",
+     "<B0>6e9</B0><G0>3e9</G0><PEAKI1>2e7</PEAKI1><FSLOPE>.4</FSLOPE><STREN>8e7</STREN>"
+     "<YSLOPE>.1</YSLOPE><CR>.5</CR><p0_crush_curve>-3e7</p0_crush_curve>"
+     "<p1_crush_curve>5e-9</p1_crush_curve><p3_crush_curve>.2</p3_crush_curve>"
+     "<T1_rate_dependence>1e-3</T1_rate_dependence>",
+     Kind::rate, 6e9, 3e9, 0.1, 1e-9, 2e-3},
+    {"Arenisca4",
      "<B0>6e9</B0><G0>3e9</G0><PEAKI1>2e7</PEAKI1><FSLOPE>.4</FSLOPE><STREN>8e7</STREN>"
      "<YSLOPE>.1</YSLOPE><CR>.5</CR><p0_crush_curve>-3e7</p0_crush_curve>"
      "<p1_crush_curve>5e-9</p1_crush_curve><p3_crush_curve>.2</p3_crush_curve>"
@@ -304,6 +316,27 @@ TEST_P(EveryLaw, RefusesAnInvertedParticle) {
   EXPECT_EQ(fault->particle, 1);
   EXPECT_STREQ(fault->reason, "det F <= 0");
   EXPECT_DOUBLE_EQ(fault->value, -0.2);
+}
+
+// A law without a case would go untested here. A rigid body has no stress.
+TEST(LawTable, HasACaseForEachLaw) {
+  for (const MaterialModel& model : material_models()) {
+    const bool tested = std::any_of(std::begin(cases), std::end(cases),
+                                    [&](const LawCase& c) { return c.type == model.name; });
+    EXPECT_TRUE(tested || model.name == "rigid") << model.name;
+  }
+}
+
+// What is supported is not called unsupported, and no name is there twice.
+TEST(LawTable, NamesEachLawOnce) {
+  std::vector<std::string> names =
+      constitutive_model_tag().attributes.front().value.words_not_built;
+  for (const MaterialModel& model : material_models()) {
+    names.push_back(model.name);
+    EXPECT_FALSE(model.doc.empty()) << model.name;
+  }
+  std::sort(names.begin(), names.end());
+  EXPECT_EQ(std::adjacent_find(names.begin(), names.end()), names.end());
 }
 
 std::string name_of_case(const testing::TestParamInfo<LawCase>& info) {

@@ -1,5 +1,5 @@
 // What small components have in common.
-#include "examples/plain_component.hpp"
+#include "framework/run/plain_component.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 
 #include "framework/deck/faults.hpp"
 
-namespace sluice::examples {
+namespace sluice {
 
 PlainComponent::PlainComponent(const Scene& scene, std::string name, std::string equation_name)
     : scene_(scene), name_(std::move(name)) {
@@ -101,4 +101,4 @@ RowPart part_in(const Row& row, const IndexBox& box, int along) {
   return end > begin ? RowPart{begin, end} : RowPart{};
 }
 
-}  // namespace sluice::examples
+}  // namespace sluice

@@ -16,7 +16,7 @@
 #include "framework/run/no_transfer.hpp"
 #include "framework/scene/scene.hpp"
 
-namespace sluice::examples {
+namespace sluice {
 
 class PlainComponent : public Component {
  public:
@@ -79,4 +79,4 @@ struct RowPart {
 };
 RowPart part_in(const Row& row, const IndexBox& box, int along);
 
-}  // namespace sluice::examples
+}  // namespace sluice
