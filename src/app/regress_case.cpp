@@ -165,7 +165,12 @@ RegressRunner::Run RegressRunner::run_with(const fs::path& program, const Regres
 }
 
 RegressCheck RegressRunner::check_golden(const RegressCase& c, const Run& plain) const {
-  const Golden now = golden_of(Archive::open(plain.archive), c.variables);
+  Golden now;
+  try {
+    now = golden_of(Archive::open(plain.archive), c.variables);
+  } catch (const InputError& problem) {
+    return {"golden", CaseVerdict::different, problem.what()};  // other cases go on
+  }
   if (bless) {
     write_golden(now, c.golden);
     return {"golden", CaseVerdict::blessed, ""};

@@ -159,6 +159,13 @@ TEST_F(RegressCommand, ParticlesAreComparedByTheirNumbers) {
   EXPECT_THAT(said_, HasSubstr(fmt::format("particle {}", changed.tables[0].rows[3].place[0])));
 }
 
+TEST_F(RegressCommand, AVariableThatIsNotSavedFails) {
+  list(R"("set": ["Grid/Level/Box/resolution=[20,1,1]"], "variables": ["no_such"])");
+  EXPECT_EQ(regress({"--bless"}), 1);
+  EXPECT_THAT(said_, HasSubstr("has no label no_such"));
+  EXPECT_FALSE(fs::exists(golden()));
+}
+
 TEST_F(RegressCommand, AnotherBuildMustGiveTheSameBits) {
   ASSERT_EQ(regress({"--bless", "--against", SLUICE_COMMAND}), 0) << said_;
   EXPECT_EQ(regress({"--against", "no/such/sluice"}), 2);
