@@ -1,7 +1,7 @@
 // The deck's rules of contact, in its order, on the bodies that meet at a node.
 //
 // They act twice: on the velocities that particles give to nodes (A), unless OneOrTwoStep is 1,
-// and on those after forces (B): mpm_scheme, sections 2 and 6.
+// and on those after forces (B): docs/theory/mpm_contact.md.
 #pragma once
 #include <array>
 #include <optional>

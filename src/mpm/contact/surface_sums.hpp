@@ -3,8 +3,8 @@
 //   sum V S | sum V grad S (3) | sum V (x_p - x_i) S (3) | count
 //
 // S: GIMP weights of the particles' own widths, whatever the basis of the transfers: with wider
-// ones bodies would stick to nodes above their surface (mpm_scheme, section 6). The vectors stand
-// where nodes have momentum and force, so that images across sides are folded alike.
+// ones bodies would stick to nodes above their surface (docs/theory/mpm_contact.md). The
+// vectors stand where nodes have momentum and force, so that images across sides are folded alike.
 #pragma once
 #include "mpm/transfer/to_grid.hpp"
 

@@ -5,7 +5,7 @@
 //
 //   mean(s) = int_s w u du / int_s w du,   w: the GIMP weight of particles of half width l
 //
-// rises with s, and s(mean) gives each surface from its own mean (mpm_scheme, section 6).
+// rises with s, and s(mean) gives each surface from its own mean (docs/theory/mpm_contact.md).
 #pragma once
 #include <array>
 

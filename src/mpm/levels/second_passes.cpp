@@ -87,8 +87,8 @@ void SolidLevels::map_all_back(const StageScope& scope, std::span<const KindRate
 // MUSL: new velocities of particles go to the nodes once more, and velocity gradients are taken
 // from those (D. Sulsky, S.-J. Zhou, H. L. Schreyer, Comput. Phys. Commun. 87 (1995) 236).
 // Gradients of hats do not vanish with their weight: from v* of nodes that have hardly any mass
-// they would have no bound (mpm_scheme, section 14). The midpoint transfer does so at the middle of
-// the step, and with spins (step/midpoint_stage.cpp).
+// they would have no bound (docs/theory/mpm_transfers.md). The midpoint transfer does so at the
+// middle of the step, and with spins (step/midpoint_stage.cpp).
 Verdict SolidLevels::map_back(const StageScope& scope) {
   std::vector<KindRates> bounds(solids_->materials.size());
   std::string fault;

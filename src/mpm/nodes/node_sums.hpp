@@ -1,9 +1,9 @@
 // Sums on nodes as exact integers: the same bits in any order of particles, threads and ranks.
 //
 // A contribution c to a field enters as the integer round(c 2^k), with one k for each field, from a
-// proven bound of |c| (mpm_scheme, section 4). Rounding is done by adding 1.5 2^52 and taking the
-// bits: the last lane of a node adds the bits of that number alone, as often as anything is added,
-// and is subtracted at the end.
+// proven bound of |c| (docs/theory/mpm_transfers.md, "Sums"). Rounding is done by adding 1.5 2^52
+// and taking the bits: the last lane of a node adds the bits of that number alone, as often as
+// anything is added, and is subtracted at the end.
 #pragma once
 #include <bit>
 #include <cmath>

@@ -1,4 +1,5 @@
-// Weights of particles on nodes along one axis, and their derivatives: mpm_scheme, section 3.
+// Weights of particles on nodes along one axis, and their derivatives:
+// docs/theory/mpm_transfers.md, "Shape functions".
 //
 // S_ip is the product of the weights of the axes, G_ip = grad S_ip. Each basis works on columns of
 // places, so that its loop becomes vectors. Sums over a stencil go outside in ((first + last) +

@@ -12,8 +12,8 @@
 //
 // (in 2-D the trapezoid rule on edges: b_k = R(x_next - x_prev)/2, R(a, b) = (b, -a)). So
 // sum b_k = 0, sum b_k (x) x_k = V 1, and what faces between neighbours give cancels: with one
-// pressure in a body sum_p V_p p grad S_ip is that of its surface alone (mpmice_scheme, section 1b;
-// mpmice_geometry_3d, section 2). Mirror images have mirrored bits.
+// pressure in a body sum_p V_p p grad S_ip is that of its surface alone
+// (docs/theory/mpmice_coupling.md). Mirror images have mirrored bits.
 #pragma once
 #include <array>
 #include <cstddef>

@@ -2,7 +2,7 @@
 //
 //   M = sum m S,  P = sum m S (v - v_ref + C (x_i - x_p)),  f = sum (f_p S - tau grad S)
 //
-// tau = V sigma; C only with affine transfers (mpm_scheme, sections 2, 4 and 12); of the midpoint
+// tau = V sigma; C only with affine transfers (docs/theory/mpm_transfers.md); of the midpoint
 // transfer it is that of a spin w, C r = w x r.
 #pragma once
 #include <array>
