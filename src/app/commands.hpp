@@ -1,4 +1,4 @@
-// The subcommands of `sluice`: one table, from which main, `--help` and the documentation read.
+// The subcommands of `sluice`: one table, from which main and with it `--help` read.
 //
 // A command is one file NAME_command.cpp, which declares its arguments and what it does, and one
 // row of the table. Its action returns the exit status; it may throw InputError, PhysicsError or

@@ -1,12 +1,11 @@
 // The midpoint transfer beside a fluid: solids keep their energy, and bits depend on nothing else.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <string>
 #include <vector>
 
+#include "framework/archive/particle_table.hpp"
 #include "mpmice/test_support/coupled_run.hpp"
 
 namespace sluice::mpmice::midpoint_transfer_test {
@@ -38,20 +37,11 @@ TEST(MidpointTransfer, SolidsKeepTheirEnergyBesideAFluid) {
   }
 }
 
-// Of all particles in the order of their numbers.
+// Of all particles in the order of their numbers, by component.
 std::vector<std::vector<double>> by_number(const CoupledRun& run, const char* label) {
-  const std::vector<double> numbers = run.particles("p.particleID")[0];
-  std::vector<std::size_t> order(numbers.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return numbers[a] < numbers[b]; });
-  std::vector<std::vector<double>> values = run.particles(label);
-  for (std::vector<double>& of : values) {
-    std::vector<double> sorted;
-    for (const std::size_t n : order) sorted.push_back(of[n]);
-    of = std::move(sorted);
-  }
-  return values;
+  const Archive archive = Archive::open(*run.report().archive);
+  const ArchiveStep step = archive.read_output(archive.select_output("last"));
+  return read_particles(step, 0, {{label}, {}}).find(label)->components;
 }
 
 class MidpointBits : public testing::TestWithParam<Case> {};
