@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "exact/exact_solutions.hpp"
 #include "framework/base/error.hpp"
 
 namespace sluice {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "exact/exact_solution.hpp"
-#include "exact/profile.hpp"
+#include "exact/error_norms.hpp"
 #include "framework/archive/archive.hpp"
 #include "framework/deck/deck.hpp"
 

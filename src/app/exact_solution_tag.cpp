@@ -3,7 +3,7 @@
 #include <map>
 #include <memory>
 
-#include "exact/exact_solution.hpp"
+#include "exact/exact_solutions.hpp"
 #include "framework/base/error.hpp"
 
 namespace sluice {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/study.hpp"
-#include "exact/profile.hpp"
+#include "exact/error_norms.hpp"
 
 namespace sluice {
 

@@ -1,11 +1,7 @@
 // What a flow should be: the exact (or reference) solution of a case at any point and time.
 #pragma once
-#include <memory>
 #include <optional>
-#include <string>
-#include <vector>
 
-#include "exact/solution_parameters.hpp"
 #include "framework/base/vec3.hpp"
 
 namespace sluice::exact {
@@ -44,22 +40,5 @@ class ExactSolution {
   virtual bool has_places() const { return false; }
   virtual Vec3 place(Vec3 X, double /*t*/) const { return X; }
 };
-
-// One parameter of a kind of solution, for help texts.
-struct ParameterHelp {
-  std::string name, meaning;
-};
-struct SolutionHelp {
-  std::string type, meaning;
-  std::vector<ParameterHelp> parameters;
-};
-
-// Every kind that make_exact_solution knows.
-const std::vector<SolutionHelp>& exact_solution_help();
-
-// Builds the solution that a deck names by <Meta><exact_solution type="..."> with its children as
-// parameters. Throws InputError on an unknown type, a missing or unknown parameter, or a value
-// outside the solution's range.
-std::unique_ptr<ExactSolution> make_exact_solution(SolutionParameters parameters);
 
 }  // namespace sluice::exact

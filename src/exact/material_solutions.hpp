@@ -8,9 +8,11 @@
 // Densities are those of the mixture in a cell: that of the one material which is there.
 #pragma once
 #include <array>
+#include <memory>
 
 #include "exact/exact_solution.hpp"
 #include "exact/material_shocks.hpp"
+#include "exact/solution_parameters.hpp"
 
 namespace sluice::exact {
 
@@ -48,7 +50,7 @@ class ShockAtInterface final : public ExactSolution {
   Placement place_;
 };
 
-// From the parameters of a deck; InputError as make_exact_solution().
+// From the parameters of a deck; InputError as make_exact_solution() (exact/exact_solutions.hpp).
 std::unique_ptr<ExactSolution> make_two_materials(const SolutionParameters& from, Vec3 direction);
 std::unique_ptr<ExactSolution> make_shock_at_interface(const SolutionParameters& from,
                                                        Vec3 direction);

@@ -6,7 +6,7 @@
 
 #include "framework/deck/faults.hpp"
 #include "mpm/material/arena.hpp"
-#include "mpm/material/materials.hpp"
+#include "mpm/material/material_model.hpp"
 #include "mpm/material/metal_parts.hpp"
 
 namespace sluice::mpm {

@@ -5,7 +5,7 @@
 
 #include "framework/deck/faults.hpp"
 #include "mpm/material/arenisca.hpp"
-#include "mpm/material/materials.hpp"
+#include "mpm/material/material_model.hpp"
 
 namespace sluice::mpm {
 namespace {

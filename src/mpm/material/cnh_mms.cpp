@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "mpm/material/batch_math.hpp"
-#include "mpm/material/materials.hpp"
+#include "mpm/material/material_model.hpp"
 
 namespace sluice::mpm {
 namespace {

@@ -26,7 +26,7 @@
 #include "mpm/material/flow_steinberg_guinan.hpp"
 #include "mpm/material/flow_zerilli_armstrong.hpp"
 #include "mpm/material/history_labels.hpp"
-#include "mpm/material/materials.hpp"
+#include "mpm/material/material_model.hpp"
 #include "mpm/material/metal_deviator.hpp"
 #include "mpm/material/metal_failure.hpp"
 #include "mpm/material/metal_moduli.hpp"

@@ -3,24 +3,13 @@
 // A new model is a file of its own and a row of the table in materials.cpp.
 #pragma once
 #include <memory>
-#include <string>
 #include <vector>
 
 #include "framework/deck/deck.hpp"
 #include "framework/deck/schema.hpp"
-#include "mpm/material/material.hpp"
-#include "mpm/material/parameters.hpp"
+#include "mpm/material/material_model.hpp"
 
 namespace sluice::mpm {
-
-struct MaterialModel {
-  std::string name;                  // in <constitutive_model type=>
-  std::vector<std::string> aliases;  // other spellings of it
-  std::string doc;                   // one sentence
-  Tags tags;
-  // The tags are good when this is called. Null after adding faults.
-  std::shared_ptr<const Material> (*make)(const Parameters& parameters);
-};
 
 const std::vector<MaterialModel>& material_models();
 

@@ -9,7 +9,7 @@
 
 #include "framework/deck/faults.hpp"
 #include "mpm/material/history_labels.hpp"
-#include "mpm/material/materials.hpp"
+#include "mpm/material/material_model.hpp"
 #include "mpm/material/tensor.hpp"
 
 namespace sluice::mpm {

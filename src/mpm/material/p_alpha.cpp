@@ -25,7 +25,7 @@
 #include "framework/deck/faults.hpp"
 #include "mpm/material/batch_math.hpp"
 #include "mpm/material/history_labels.hpp"
-#include "mpm/material/materials.hpp"
+#include "mpm/material/material_model.hpp"
 #include "mpm/material/shear_return.hpp"
 
 namespace sluice::mpm {

@@ -13,7 +13,7 @@
 #include "mpm/material/batch_math.hpp"
 #include "mpm/material/explosive_mixture.hpp"
 #include "mpm/material/history_labels.hpp"
-#include "mpm/material/materials.hpp"
+#include "mpm/material/material_model.hpp"
 
 namespace sluice::mpm {
 namespace {

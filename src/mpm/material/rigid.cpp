@@ -1,7 +1,7 @@
 // rigid: moves as it is told and has no stress of its own.
 #include "mpm/material/rigid.hpp"
 
-#include "mpm/material/materials.hpp"
+#include "mpm/material/material_model.hpp"
 
 namespace sluice::mpm {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "eos/thomsen_hartka_water.hpp"
 #include "mpm/material/batch_math.hpp"
-#include "mpm/material/materials.hpp"
+#include "mpm/material/material_model.hpp"
 
 namespace sluice::mpm {
 namespace {

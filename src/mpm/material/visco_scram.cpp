@@ -20,7 +20,7 @@
 #include "mpm/material/batch_math.hpp"
 #include "mpm/material/cell_pressure_tag.hpp"
 #include "mpm/material/history_labels.hpp"
-#include "mpm/material/materials.hpp"
+#include "mpm/material/material_model.hpp"
 #include "mpm/material/objective_step.hpp"
 #include "mpm/material/tensor.hpp"
 

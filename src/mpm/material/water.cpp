@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mpm/material/materials.hpp"
+#include "mpm/material/material_model.hpp"
 #include "mpm/material/objective_step.hpp"
 
 namespace sluice::mpm {

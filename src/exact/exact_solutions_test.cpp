@@ -1,5 +1,5 @@
-// Every kind of exact solution made from its parameters; profiles and error norms.
-#include "exact/exact_solution.hpp"
+// Every kind of exact solution made from its parameters; error norms.
+#include "exact/exact_solutions.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "exact/profile.hpp"
+#include "exact/error_norms.hpp"
 #include "framework/base/error.hpp"
 
 namespace sluice::exact::exact_solution_test {
@@ -115,17 +115,7 @@ TEST(MakeExactSolution, SaysWhatIsWrongWithTheParameters) {
               HasSubstr("3 numbers in <states> and 1 in <edges>"));
 }
 
-TEST(Profile, TableHoldsTheStatesWithAllDigits) {
-  const auto flow = make("riemann", sod);
-  std::ostringstream out;
-  write_profile(out, *flow, {{.25, 0, 0}, {.75, 0, 0}}, 0, 2.0);
-  EXPECT_EQ(out.str(),
-            "x,y,z,density,velocity_x,velocity_y,velocity_z,pressure,temperature\n"
-            "0.25,0,0,1,0,0,0,1,1.2500000000000002\n"
-            "0.75,0,0,0.125,0,0,0,0.10000000000000001,1.0000000000000002\n");
-}
-
-TEST(Profile, NormsOfKnownDifferences) {
+TEST(ErrorNorms, NormsOfKnownDifferences) {
   const ErrorNorms norms = error_norms({1, 2, 3, 4}, {1, 2, 4, 2});
   EXPECT_EQ(norms.points, 4u);
   EXPECT_EQ(norms.l1, .75);
@@ -138,7 +128,7 @@ TEST(Profile, NormsOfKnownDifferences) {
   EXPECT_THROW(error_norms({1, 2}, {1, 1}, {3}), InputError);
 }
 
-TEST(Profile, VariablesOfAnArchive) {
+TEST(ErrorNorms, VariablesOfAnArchive) {
   const State s{2, {1, -1, 3}, 4, 1.5};
   EXPECT_EQ(exact_value(s, "rho_CC", 0, 1), 2);
   EXPECT_EQ(exact_value(s, "vel_CC", 1, 1), -1);

@@ -1,4 +1,4 @@
-#include "exact/exact_solution.hpp"
+#include "exact/exact_solutions.hpp"
 
 #include <fmt/format.h>
 

@@ -1,25 +1,13 @@
-#include "exact/profile.hpp"
+#include "exact/error_norms.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
-#include <ostream>
 
 #include "framework/base/error.hpp"
 #include "framework/base/exact_sum.hpp"
 
 namespace sluice::exact {
-
-void write_profile(std::ostream& out, const ExactSolution& solution,
-                   const std::vector<Vec3>& points, double time, double specific_heat) {
-  out << "x,y,z,density,velocity_x,velocity_y,velocity_z,pressure,temperature\n";
-  for (const Vec3& x : points) {
-    const State s = solution.at(x, time);
-    out << fmt::format("{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}\n",
-                       x.x, x.y, x.z, s.density, s.velocity.x, s.velocity.y, s.velocity.z,
-                       s.pressure, s.temperature(specific_heat));
-  }
-}
 
 double exact_value(const State& state, const std::string& variable, int component,
                    double specific_heat) {

@@ -1,17 +1,11 @@
-// Exact profiles as tables, and error norms of a computed field against the exact one.
+// Error norms of a computed field against the exact one.
 #pragma once
-#include <iosfwd>
 #include <string>
 #include <vector>
 
 #include "exact/exact_solution.hpp"
 
 namespace sluice::exact {
-
-// Writes "x,y,z,density,velocity_x,velocity_y,velocity_z,pressure,temperature", 17 digits, one line
-// a point.
-void write_profile(std::ostream& out, const ExactSolution& solution,
-                   const std::vector<Vec3>& points, double time, double specific_heat);
 
 // The quantity of a state that a saved variable holds: rho_CC, press_CC, temp_CC, vel_CC (its
 // component 0, 1 or 2), sp_vol_CC. Throws InputError for a variable without exact value.
