@@ -1,10 +1,16 @@
-# sluice_room(NAME [COLD] [COLD_FILES files...] [USES rooms...] [LIBRARIES libs...])
-#   One folder is one static library: every .cpp beside the CMakeLists, tests (*_test.cpp) apart.
+# sluice_room(NAME [COLD] [COLD_FILES files...] [SUBROOMS folders...] [USES rooms...]
+#             [LIBRARIES libs...])
+#   One folder is one static library: every .cpp beside the CMakeLists and in its SUBROOMS, tests
+#   (*_test.cpp) apart. The order of SUBROOMS is held by tools/lint/check_layers.py.
 #   COLD: no file of it is a kernel (SluiceCompile.cmake); COLD_FILES: these are none.
 #   The tests of a room are one executable NAME_test: one test of ctest, labelled "cases".
 function(sluice_room name)
-  cmake_parse_arguments(ROOM "COLD" "" "COLD_FILES;USES;LIBRARIES" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  cmake_parse_arguments(ROOM "COLD" "" "COLD_FILES;SUBROOMS;USES;LIBRARIES" ${ARGN})
+  set(patterns ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  foreach(folder ${ROOM_SUBROOMS})
+    list(APPEND patterns ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp)
+  endforeach()
+  file(GLOB sources CONFIGURE_DEPENDS ${patterns})
   set(tests ${sources})
   list(FILTER sources EXCLUDE REGEX "_(test|fuzz)\\.cpp$")
   list(FILTER tests INCLUDE REGEX "_test\\.cpp$")

@@ -7,10 +7,10 @@
 #include <fstream>
 #include <sstream>
 
-#include "app/sluice_schema.hpp"
+#include "app/loading/sluice_schema.hpp"
 #include "framework/archive/archive.hpp"
 #include "framework/deck/load_deck.hpp"
-#include "framework/run/hierarchy.hpp"
+#include "framework/run/levels/hierarchy.hpp"
 #include "ice/ice.hpp"
 #include "properties/deck_run.hpp"
 #include "properties/planted_fault.hpp"

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "framework/deck/load_deck.hpp"
-#include "framework/run/hierarchy.hpp"
+#include "framework/run/levels/hierarchy.hpp"
 #include "properties/deck_run.hpp"
 #include "properties/planted_fault.hpp"
 

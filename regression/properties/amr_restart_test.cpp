@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "app/study_process.hpp"
+#include "app/process/study_process.hpp"
 #include "framework/archive/archive.hpp"
 #include "properties/deck_run.hpp"
 #include "properties/shell_run.hpp"

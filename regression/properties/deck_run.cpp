@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "app/sluice_schema.hpp"
-#include "app/study_process.hpp"
+#include "app/loading/sluice_schema.hpp"
+#include "app/process/study_process.hpp"
 #include "framework/archive/archive.hpp"
 #include "framework/archive/compare.hpp"
 #include "framework/deck/load_deck.hpp"

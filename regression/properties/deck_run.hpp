@@ -8,7 +8,7 @@
 
 #include "framework/base/temporary_folder.hpp"
 #include "framework/deck/deck.hpp"
-#include "framework/run/simulation.hpp"
+#include "framework/run/simulation/simulation.hpp"
 #include "properties/property_decks.hpp"
 
 namespace sluice::properties {

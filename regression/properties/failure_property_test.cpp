@@ -4,10 +4,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/sluice_schema.hpp"
+#include "app/loading/sluice_schema.hpp"
 #include "framework/archive/archive.hpp"
 #include "framework/deck/load_deck.hpp"
-#include "framework/run/level_solver.hpp"
+#include "framework/run/levels/level_solver.hpp"
 #include "ice/ice.hpp"
 #include "properties/deck_run.hpp"
 

@@ -5,8 +5,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "app/sluice_schema.hpp"
-#include "app/study_process.hpp"
+#include "app/loading/sluice_schema.hpp"
+#include "app/process/study_process.hpp"
 #include "framework/archive/archive.hpp"
 #include "framework/deck/load_deck.hpp"
 #include "properties/deck_run.hpp"

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "app/sluice_schema.hpp"
+#include "app/loading/sluice_schema.hpp"
 #include "framework/archive/archive.hpp"
 #include "framework/deck/load_deck.hpp"
 #include "ice/fluid/labels.hpp"

@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
-#include "app/sluice_schema.hpp"
+#include "app/loading/sluice_schema.hpp"
 #include "framework/archive/archive.hpp"
 #include "framework/deck/load_deck.hpp"
 #include "properties/deck_run.hpp"

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "app/sluice_schema.hpp"
+#include "app/loading/sluice_schema.hpp"
 #include "framework/deck/load_deck.hpp"
 #include "properties/deck_run.hpp"
 #include "sluice_source_dir.hpp"

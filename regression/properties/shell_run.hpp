@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "app/study_process.hpp"
+#include "app/process/study_process.hpp"
 
 namespace sluice::properties {
 

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "app/study_process.hpp"
+#include "app/process/study_process.hpp"
 #include "framework/base/temporary_folder.hpp"
 #include "sluice_source_dir.hpp"
 

@@ -8,7 +8,7 @@
 #include <map>
 #include <sstream>
 
-#include "app/study_process.hpp"
+#include "app/process/study_process.hpp"
 #include "framework/archive/archive.hpp"
 #include "framework/base/temporary_folder.hpp"
 #include "sluice_source_dir.hpp"

@@ -8,8 +8,8 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "app/archive_error.hpp"
-#include "app/study_process.hpp"
+#include "app/loading/archive_error.hpp"
+#include "app/process/study_process.hpp"
 #include "framework/archive/archive.hpp"
 #include "sluice_source_dir.hpp"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "app/archive_error.hpp"
+#include "app/loading/archive_error.hpp"
 #include "framework/archive/archive.hpp"
 #include "sluice_source_dir.hpp"
 #include "verification/case_run.hpp"

@@ -1,7 +1,7 @@
 // The options of the command line that change no bit; regression/properties has all decks.
 #include <gtest/gtest.h>
 
-#include "app/study_process.hpp"
+#include "app/process/study_process.hpp"
 #include "verification/case_run.hpp"
 
 namespace sluice::verification::same_bits_test {

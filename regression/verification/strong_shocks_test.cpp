@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "exact/radial_euler.hpp"
-#include "exact/sedov.hpp"
+#include "exact/radial/radial_euler.hpp"
+#include "exact/radial/sedov.hpp"
 #include "framework/base/exact_sum.hpp"
 #include "verification/case_run.hpp"
 

@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-#include "app/archive_error.hpp"
+#include "app/loading/archive_error.hpp"
 #include "framework/archive/archive.hpp"
 #include "verification/case_run.hpp"
 

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "app/command_test_support.hpp"
+#include "app/command/command_test_support.hpp"
 #include "framework/base/temporary_folder.hpp"
 
 namespace sluice {

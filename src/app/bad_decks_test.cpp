@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-#include "app/command_test_support.hpp"
+#include "app/command/command_test_support.hpp"
 #include "framework/base/temporary_folder.hpp"
 #include "sluice_source_dir.hpp"
 

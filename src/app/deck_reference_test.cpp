@@ -5,7 +5,7 @@
 #include <iterator>
 #include <set>
 
-#include "app/sluice_schema.hpp"
+#include "app/loading/sluice_schema.hpp"
 #include "framework/deck/deck_help.hpp"
 #include "framework/deck/schema_check.hpp"
 #include "sluice_source_dir.hpp"

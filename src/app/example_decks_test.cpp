@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "app/command_test_support.hpp"
+#include "app/command/command_test_support.hpp"
 #include "framework/base/environment.hpp"
 #include "sluice_source_dir.hpp"
 

@@ -6,8 +6,8 @@
 #include <exception>
 #include <new>
 
-#include "app/command_line.hpp"
-#include "app/commands.hpp"
+#include "app/command/command_line.hpp"
+#include "app/commands/commands.hpp"
 #include "framework/base/error.hpp"
 #include "sluice_version.hpp"
 

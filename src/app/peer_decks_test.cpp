@@ -7,7 +7,7 @@
 #include <fstream>
 #include <map>
 
-#include "app/sluice_schema.hpp"
+#include "app/loading/sluice_schema.hpp"
 #include "framework/base/environment.hpp"
 #include "framework/deck/load_deck.hpp"
 #include "sluice_source_dir.hpp"

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "app/sluice_schema.hpp"
+#include "app/loading/sluice_schema.hpp"
 #include "framework/base/environment.hpp"
 #include "framework/deck/load_deck.hpp"
 #include "ice/start/material_fill.hpp"

@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/command_test_support.hpp"
-#include "app/sluice_schema.hpp"
+#include "app/command/command_test_support.hpp"
+#include "app/loading/sluice_schema.hpp"
 #include "eos/eos.hpp"
 #include "mpm/material/materials.hpp"
 #include "sluice_source_dir.hpp"

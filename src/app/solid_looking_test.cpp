@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "app/command_test_support.hpp"
+#include "app/command/command_test_support.hpp"
 #include "sluice_source_dir.hpp"
 
 namespace sluice::solid_looking_test {

@@ -5,15 +5,15 @@
 #include <cmath>
 #include <functional>
 
-#include "exact/law_text.hpp"
-#include "exact/material_solutions.hpp"
-#include "exact/motions.hpp"
-#include "exact/noh.hpp"
-#include "exact/radial_reference.hpp"
-#include "exact/riemann.hpp"
-#include "exact/sedov.hpp"
-#include "exact/vortices.hpp"
-#include "exact/waves.hpp"
+#include "exact/base/law_text.hpp"
+#include "exact/radial/noh.hpp"
+#include "exact/radial/radial_reference.hpp"
+#include "exact/radial/sedov.hpp"
+#include "exact/riemann/material_solutions.hpp"
+#include "exact/riemann/riemann.hpp"
+#include "exact/smooth/motions.hpp"
+#include "exact/smooth/vortices.hpp"
+#include "exact/smooth/waves.hpp"
 #include "framework/base/error.hpp"
 
 namespace sluice::exact {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "exact/exact_solution.hpp"
-#include "exact/solution_parameters.hpp"
+#include "exact/base/exact_solution.hpp"
+#include "exact/base/solution_parameters.hpp"
 
 namespace sluice::exact {
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "exact/error_norms.hpp"
+#include "exact/base/error_norms.hpp"
 #include "framework/base/error.hpp"
 
 namespace sluice::exact::exact_solution_test {

@@ -18,7 +18,7 @@
 #pragma once
 #include <memory>
 
-#include "framework/run/plain_component.hpp"
+#include "framework/run/component/plain_component.hpp"
 
 namespace sluice::examples {
 

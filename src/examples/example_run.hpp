@@ -13,9 +13,9 @@
 #include "framework/archive/archive.hpp"
 #include "framework/archive/selection.hpp"
 #include "framework/base/temporary_folder.hpp"
-#include "framework/deck/framework_schema.hpp"
+#include "framework/deck/format/framework_schema.hpp"
 #include "framework/deck/load_deck.hpp"
-#include "framework/run/simulation.hpp"
+#include "framework/run/simulation/simulation.hpp"
 #include "framework/scene/deck_values.hpp"
 #include "framework/solve/solver_tags.hpp"
 

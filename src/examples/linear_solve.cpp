@@ -9,7 +9,7 @@
 #include "framework/base/error.hpp"
 #include "framework/deck/faults.hpp"
 #include "framework/grid/grid_boxes.hpp"
-#include "framework/run/level_solver.hpp"
+#include "framework/run/levels/level_solver.hpp"
 #include "framework/scene/deck_values.hpp"
 #include "framework/solve/linear_solver.hpp"
 #include "framework/solve/solver_tags.hpp"

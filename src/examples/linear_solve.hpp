@@ -13,7 +13,7 @@
 #include <array>
 #include <memory>
 
-#include "framework/run/plain_component.hpp"
+#include "framework/run/component/plain_component.hpp"
 #include "framework/solve/solver_settings.hpp"
 
 namespace sluice::examples {

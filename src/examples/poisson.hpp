@@ -13,7 +13,7 @@
 #include <memory>
 
 #include "examples/poisson_scene.hpp"
-#include "framework/run/plain_component.hpp"
+#include "framework/run/component/plain_component.hpp"
 
 namespace sluice::examples {
 

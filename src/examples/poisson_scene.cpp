@@ -5,7 +5,7 @@
 
 #include "framework/deck/faults.hpp"
 #include "framework/grid/nodes.hpp"
-#include "framework/run/plain_component.hpp"
+#include "framework/run/component/plain_component.hpp"
 
 namespace sluice::examples {
 namespace {

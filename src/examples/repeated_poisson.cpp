@@ -7,7 +7,7 @@
 
 #include "framework/base/error.hpp"
 #include "framework/deck/faults.hpp"
-#include "framework/run/level_solver.hpp"
+#include "framework/run/levels/level_solver.hpp"
 #include "framework/scene/deck_values.hpp"
 
 namespace sluice::examples {

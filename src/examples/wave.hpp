@@ -20,7 +20,7 @@
 #include <memory>
 
 #include "examples/cell_transfer.hpp"
-#include "framework/run/plain_component.hpp"
+#include "framework/run/component/plain_component.hpp"
 
 namespace sluice::examples {
 

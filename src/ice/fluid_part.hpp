@@ -6,8 +6,8 @@
 #include <functional>
 #include <memory>
 
-#include "framework/run/component.hpp"
-#include "framework/run/particle_method.hpp"
+#include "framework/run/component/component.hpp"
+#include "framework/run/component/particle_method.hpp"
 #include "ice/boundary/boundary_fill.hpp"
 #include "ice/deck/ice_scene.hpp"
 #include "ice/pressure/solve_history.hpp"

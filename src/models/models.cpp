@@ -11,14 +11,14 @@
 #include "framework/deck/rule_tools.hpp"
 #include "framework/deck/schema.hpp"
 #include "framework/scene/deck_values.hpp"
-#include "models/adiabatic_table.hpp"
-#include "models/binary_properties.hpp"
-#include "models/flame_sheet.hpp"
-#include "models/gas_combustion.hpp"
-#include "models/jwlpp.hpp"
-#include "models/light_time.hpp"
-#include "models/material_name.hpp"
-#include "models/mixture_scalar.hpp"
+#include "models/burn/jwlpp.hpp"
+#include "models/burn/light_time.hpp"
+#include "models/deck/material_name.hpp"
+#include "models/gases/adiabatic_table.hpp"
+#include "models/gases/binary_properties.hpp"
+#include "models/gases/flame_sheet.hpp"
+#include "models/gases/gas_combustion.hpp"
+#include "models/gases/mixture_scalar.hpp"
 
 namespace sluice::models {
 namespace {

@@ -10,16 +10,16 @@
 
 #include "framework/deck/deck.hpp"
 #include "framework/scene/geometry_reader.hpp"
-#include "models/ddt1.hpp"
-#include "models/fixed_values.hpp"
-#include "models/mass_exchange.hpp"
-#include "models/mixed_gas.hpp"
-#include "models/passive_scalar.hpp"
-#include "models/reactant.hpp"
-#include "models/simple_burn.hpp"
-#include "models/steady_burn.hpp"
-#include "models/tracer_particles.hpp"
-#include "models/unsteady_burn.hpp"
+#include "models/burn/ddt1.hpp"
+#include "models/burn/mass_exchange.hpp"
+#include "models/burn/simple_burn.hpp"
+#include "models/burn/steady_burn.hpp"
+#include "models/burn/unsteady_burn.hpp"
+#include "models/deck/reactant.hpp"
+#include "models/gases/mixed_gas.hpp"
+#include "models/scalars/passive_scalar.hpp"
+#include "models/scalars/tracer_particles.hpp"
+#include "models/sources/fixed_values.hpp"
 
 namespace sluice {
 struct TagSpec;

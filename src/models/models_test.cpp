@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "framework/deck/schema.hpp"
-#include "models/material_name.hpp"
+#include "models/deck/material_name.hpp"
 
 namespace sluice::models::models_test {
 namespace {

@@ -1,6 +1,6 @@
 // Histories of solids: sums over all particles, a number a step.
 #pragma once
-#include "framework/run/component.hpp"
+#include "framework/run/component/component.hpp"
 #include "mpm/account/history_sums.hpp"
 
 namespace sluice::mpm {

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "framework/deck/faults.hpp"
-#include "framework/run/particle_cloud.hpp"
+#include "framework/run/levels/particle_cloud.hpp"
 #include "mpm/contact/contact.hpp"
 #include "mpm/effects.hpp"
 #include "mpm/histories.hpp"

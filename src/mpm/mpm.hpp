@@ -2,9 +2,9 @@
 #pragma once
 #include <memory>
 
-#include "framework/run/component.hpp"
-#include "framework/run/energy_guard.hpp"
-#include "framework/run/no_transfer.hpp"
+#include "framework/run/component/component.hpp"
+#include "framework/run/component/no_transfer.hpp"
+#include "framework/run/simulation/energy_guard.hpp"
 #include "mpm/account/history_sums.hpp"
 #include "mpm/deck/mpm_scene.hpp"
 #include "mpm/solid_particles.hpp"

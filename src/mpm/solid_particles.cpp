@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "framework/geometry/sampling.hpp"
-#include "framework/run/particle_cloud.hpp"
-#include "models/unsteady_burn.hpp"
+#include "framework/run/levels/particle_cloud.hpp"
+#include "models/burn/unsteady_burn.hpp"
 #include "mpm/saved/mean_pressure.hpp"
 #include "mpm/saved/node_fields.hpp"
 #include "mpm/saved/thermal_volume.hpp"

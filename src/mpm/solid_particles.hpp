@@ -1,6 +1,6 @@
 // The particles of all solids, as the run keeps them: what they carry, how they start.
 #pragma once
-#include "framework/run/particle_method.hpp"
+#include "framework/run/component/particle_method.hpp"
 #include "mpm/loads/load_curves.hpp"
 #include "mpm/start/seed.hpp"
 #include "mpm/step/columns.hpp"

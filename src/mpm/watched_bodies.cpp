@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "framework/base/lowest_text.hpp"
-#include "framework/run/particle_cloud.hpp"
+#include "framework/run/levels/particle_cloud.hpp"
 #include "mpm/mpm.hpp"
 #include "mpm/step/solid_step.hpp"
 

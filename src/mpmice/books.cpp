@@ -1,7 +1,7 @@
 // The books of fluid and solids together: totals, what passes, the account of energy, histories.
 #include <algorithm>
 
-#include "framework/run/particle_cloud.hpp"
+#include "framework/run/levels/particle_cloud.hpp"
 #include "ice/fluid/labels.hpp"
 #include "mpm/step/solid_step.hpp"
 #include "mpmice/burn/burned_sums.hpp"

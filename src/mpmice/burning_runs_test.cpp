@@ -3,8 +3,8 @@
 
 #include <cmath>
 
+#include "models/burn/unsteady_burn.hpp"
 #include "models/test_support/hmx.hpp"
-#include "models/unsteady_burn.hpp"
 #include "mpmice/test_support/coupled_run.hpp"
 
 namespace sluice::mpmice::burning_runs_test {

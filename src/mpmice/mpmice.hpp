@@ -4,7 +4,7 @@
 #pragma once
 #include <memory>
 
-#include "framework/run/joined_particles.hpp"
+#include "framework/run/component/joined_particles.hpp"
 #include "ice/ice.hpp"
 #include "mpm/mpm.hpp"
 #include "mpmice/burn/burning_cells.hpp"

@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "framework/base/temporary_folder.hpp"
-#include "framework/deck/framework_schema.hpp"
+#include "framework/deck/format/framework_schema.hpp"
 #include "framework/deck/load_deck.hpp"
 #include "framework/deck/switcher.hpp"
 

@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include "framework/run/component.hpp"
+#include "framework/run/component/component.hpp"
 #include "ice/step/variables.hpp"
 
 namespace sluice::ice {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "framework/run/component.hpp"
+#include "framework/run/component/component.hpp"
 #include "ice/step/variables.hpp"
 
 namespace sluice::ice {

@@ -13,7 +13,7 @@
 
 #include "framework/field/array_view.hpp"
 #include "framework/scene/boundary.hpp"
-#include "models/transported_scalar.hpp"
+#include "models/scalars/transported_scalar.hpp"
 
 namespace sluice::ice::scalars {
 

@@ -13,7 +13,7 @@
 #include "ice/boundary/boundary_fill.hpp"
 #include "ice/boundary/wall_slip.hpp"
 #include "ice/fluid/labels.hpp"
-#include "models/transported_scalar.hpp"
+#include "models/scalars/transported_scalar.hpp"
 
 namespace sluice::ice::slip_ghosts_test {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "exact/riemann.hpp"
+#include "exact/riemann/riemann.hpp"
 #include "ice/classic/limits.hpp"
 #include "ice/test_support/classic.hpp"
 

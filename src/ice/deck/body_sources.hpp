@@ -4,7 +4,7 @@
 
 #include "framework/base/vec3.hpp"
 #include "framework/deck/deck.hpp"
-#include "models/added_heat.hpp"
+#include "models/sources/added_heat.hpp"
 
 namespace sluice {
 struct TagSpec;

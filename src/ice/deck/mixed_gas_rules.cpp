@@ -8,7 +8,7 @@
 #include "framework/deck/schema.hpp"
 #include "ice/deck/exchange_settings.hpp"
 #include "ice/deck/schema.hpp"
-#include "models/material_name.hpp"
+#include "models/deck/material_name.hpp"
 #include "models/models.hpp"
 
 namespace sluice {

@@ -16,8 +16,8 @@
 #include "ice/deck/read_fluid.hpp"
 #include "ice/deck/read_transport.hpp"
 #include "ice/fluid/labels.hpp"
-#include "models/adiabatic_table.hpp"
-#include "models/gas_combustion.hpp"
+#include "models/gases/adiabatic_table.hpp"
+#include "models/gases/gas_combustion.hpp"
 #include "models/models.hpp"
 
 namespace sluice {

@@ -1,6 +1,6 @@
 // The blocks of a deck that belong to ICE: CFD, AMR/ICE, MaterialProperties/ICE, exchange.
 #pragma once
-#include "framework/deck/framework_schema.hpp"
+#include "framework/deck/format/framework_schema.hpp"
 #include "framework/deck/schema.hpp"
 
 namespace sluice {

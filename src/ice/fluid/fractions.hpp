@@ -1,9 +1,9 @@
-// The fractions of a mixed gas along a row of cells (models/mixed_gas.hpp).
+// The fractions of a mixed gas along a row of cells (models/gases/mixed_gas.hpp).
 #pragma once
 #include <array>
 #include <cstddef>
 
-#include "models/combustion.hpp"
+#include "models/gases/combustion.hpp"
 
 namespace sluice::ice {
 

@@ -1,4 +1,4 @@
-// One gas whose properties follow from scalars (models/mixed_gas.hpp): rows of its law.
+// One gas whose properties follow from scalars (models/gases/mixed_gas.hpp): rows of its law.
 //
 // Two streams: the step is that of an ideal gas with the pressure p = (gamma(f) - 1) E of each
 // cell. Species: p = rho R(Y) T with T from e(T, Y), in species_rows.hpp. Bounds and rates take the
@@ -10,7 +10,7 @@
 
 #include "ice/fluid/fluid.hpp"
 #include "ice/fluid/fractions.hpp"
-#include "models/mixed_gas.hpp"
+#include "models/gases/mixed_gas.hpp"
 
 namespace sluice::ice {
 

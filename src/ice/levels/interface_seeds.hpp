@@ -4,7 +4,7 @@
 #pragma once
 #include <vector>
 
-#include "framework/run/component.hpp"
+#include "framework/run/component/component.hpp"
 #include "framework/scene/refinement_settings.hpp"
 
 namespace sluice::ice {

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "ice/levels/gas_transfer.hpp"
-#include "models/mixed_gas.hpp"
+#include "models/gases/mixed_gas.hpp"
 
 namespace sluice::ice {
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "exact/material_riemann.hpp"
+#include "exact/riemann/material_riemann.hpp"
 #include "ice/step/effect_ids.hpp"
 #include "ice/test_support/mixture.hpp"
 

@@ -4,7 +4,7 @@
 
 #include "framework/base/communicator.hpp"
 #include "framework/grid/cell_map.hpp"
-#include "framework/run/level_solver.hpp"
+#include "framework/run/levels/level_solver.hpp"
 #include "ice/fluid/labels.hpp"
 #include "ice/pressure/pressure_system.hpp"
 

@@ -4,7 +4,7 @@
 // The means lie in work slots of the coarser level, by the cell above the face; other faces hold
 // `not_given`.
 #pragma once
-#include "framework/run/step_shape.hpp"
+#include "framework/run/component/step_shape.hpp"
 #include "ice/step/variables.hpp"
 
 namespace sluice::ice::pressure {

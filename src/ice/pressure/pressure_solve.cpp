@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "framework/base/error.hpp"
-#include "framework/run/level_solver.hpp"
+#include "framework/run/levels/level_solver.hpp"
 #include "ice/fluid/labels.hpp"
 #include "ice/pressure/finer_faces.hpp"
 #include "ice/step/variables.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "framework/run/step_shape.hpp"
+#include "framework/run/component/step_shape.hpp"
 #include "ice/deck/implicit_settings.hpp"
 #include "ice/pressure/pressure_system.hpp"
 #include "ice/pressure/solve_history.hpp"

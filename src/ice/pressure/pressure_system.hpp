@@ -4,7 +4,7 @@
 #include <memory>
 #include <span>
 
-#include "framework/run/level_solver.hpp"
+#include "framework/run/levels/level_solver.hpp"
 #include "framework/solve/linear_solver.hpp"
 
 namespace sluice::ice::pressure {

@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include "framework/run/component.hpp"
+#include "framework/run/component/component.hpp"
 #include "ice/deck/ice_scene.hpp"
 #include "ice/saved/state_quantities.hpp"
 

@@ -1,4 +1,4 @@
-// The end of a step of a gas that gives heat where it mixes (models/mixed_gas.hpp).
+// The end of a step of a gas that gives heat where it mixes (models/gases/mixed_gas.hpp).
 //
 //   E' = E + rho' (Q(f') - q),  q' = Q(f')
 // after the remap and the transport of f and q: q is what the mass has given so far, so that heat

@@ -4,7 +4,7 @@
 #include "framework/base/temporary_folder.hpp"
 #include "ice/fluid/mixed_gas.hpp"
 #include "ice/test_support/scalars.hpp"
-#include "models/flame_sheet.hpp"
+#include "models/gases/flame_sheet.hpp"
 
 namespace sluice::ice::heat_release_test {
 namespace {

@@ -1,4 +1,4 @@
-// The end of a step of a gas whose species react (models/combustion.hpp).
+// The end of a step of a gas whose species react (models/gases/combustion.hpp).
 //
 //   Y'', q = reactor(rho', e', Y'; dt),   E'' = E' + q,   q = -rho' sum (Y_k'' - Y_k') e0_k
 // after the remap and the transport of the fractions: each cell reacts over the step at constant

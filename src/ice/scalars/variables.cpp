@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string>
 
-#include "models/mixed_gas.hpp"
+#include "models/gases/mixed_gas.hpp"
 
 namespace sluice::ice::scalars {
 

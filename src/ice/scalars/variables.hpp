@@ -7,7 +7,7 @@
 #include <span>
 
 #include "ice/step/variables.hpp"
-#include "models/transported_scalar.hpp"
+#include "models/scalars/transported_scalar.hpp"
 
 namespace sluice::ice::mixture {
 struct Variables;

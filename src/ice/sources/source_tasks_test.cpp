@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "framework/deck/framework_schema.hpp"
+#include "framework/deck/format/framework_schema.hpp"
 #include "framework/deck/load_deck.hpp"
 #include "ice/deck/schema.hpp"
 #include "ice/fluid/labels.hpp"

@@ -10,8 +10,8 @@
 //              of it where less than 1e-16 of the cell would stay, nothing where the receiver is
 //              absent and would get less than that: supports stay
 // compact
-//   burning    likewise, by the pressure sum V_m p_m of the cell (models/jwlpp.hpp) or the place
-//              (models/light_time.hpp); the heat of the reaction goes to the product
+//   burning    likewise, by the pressure sum V_m p_m of the cell (models/burn/jwlpp.hpp) or the place
+//              (models/burn/light_time.hpp); the heat of the reaction goes to the product
 //   heat       E_m += q M_m
 //   fixed      M_m = V_m rho, E_m = V_m (rho e)(rho, T), momentum M_m u; what mixing with the other
 //              materials of the cell takes from the kinetic energy becomes their heat, by mass
@@ -28,8 +28,8 @@
 #include "ice/fluid/fluid.hpp"
 #include "ice/step/cell_runs.hpp"
 #include "ice/step/source_change.hpp"
-#include "models/added_heat.hpp"
 #include "models/models.hpp"
+#include "models/sources/added_heat.hpp"
 
 namespace sluice::ice {
 

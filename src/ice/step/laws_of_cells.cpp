@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "models/transported_scalar.hpp"
+#include "models/scalars/transported_scalar.hpp"
 
 namespace sluice::ice {
 

@@ -4,7 +4,7 @@
 #include "framework/refine/face_table.hpp"
 #include "ice/deck/transport_settings.hpp"
 #include "ice/step/laws_of_cells.hpp"
-#include "models/transported_scalar.hpp"
+#include "models/scalars/transported_scalar.hpp"
 
 namespace sluice::ice {
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "framework/deck/framework_schema.hpp"
+#include "framework/deck/format/framework_schema.hpp"
 #include "framework/deck/load_deck.hpp"
-#include "framework/run/level_solver.hpp"
+#include "framework/run/levels/level_solver.hpp"
 #include "framework/scene/deck_values.hpp"
 #include "ice/deck/schema.hpp"
 #include "ice/fluid/labels.hpp"

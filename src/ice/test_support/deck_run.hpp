@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "framework/run/hierarchy.hpp"
+#include "framework/run/levels/hierarchy.hpp"
 #include "ice/test_support/classic.hpp"
 
 namespace sluice::ice {

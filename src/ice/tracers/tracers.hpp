@@ -16,12 +16,12 @@
 #include <memory>
 #include <vector>
 
-#include "framework/run/particle_method.hpp"
+#include "framework/run/component/particle_method.hpp"
 #include "framework/scene/scene.hpp"
 #include "ice/boundary/boundary_fill.hpp"
 #include "ice/tracers/flow_at_points.hpp"
-#include "models/tracer_particles.hpp"
-#include "models/transported_scalar.hpp"
+#include "models/scalars/tracer_particles.hpp"
+#include "models/scalars/transported_scalar.hpp"
 
 namespace sluice::ice {
 
@@ -56,8 +56,7 @@ class Tracers : public ParticleMethod {
   void take_clones(int kind, const ParticleStep& step, ParticleSet& particles) const;
   Ids number(const models::TracerParticles& t) const;
   static void check_ids(const models::TracerParticles& t, const Ids& ids, double max_time);
-  void add(int kind, const Level& level, Vec3 point, std::int64_t id,
-           ParticleSet& particles) const;
+  void add(int kind, const Level& level, Vec3 point, std::int64_t id, ParticleSet& particles) const;
   void emit(int kind, const ParticleStep& step, std::vector<double>& born,
             ParticleSet& particles) const;
 

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "framework/run/load_balance.hpp"
+#include "framework/run/levels/load_balance.hpp"
 #include "ice/step/effect_ids.hpp"
 #include "ice/test_support/tracers.hpp"
 

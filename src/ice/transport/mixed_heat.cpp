@@ -3,7 +3,7 @@
 
 #include "ice/fluid/shared_mass.hpp"
 #include "ice/step/laws_of_cells.hpp"
-#include "models/transported_scalar.hpp"
+#include "models/scalars/transported_scalar.hpp"
 
 namespace sluice::ice::scalars {
 

@@ -9,7 +9,7 @@
 #include "ice/step/effect_ids.hpp"
 #include "ice/step/laws_of_cells.hpp"
 #include "kinetics/transport.hpp"
-#include "models/transported_scalar.hpp"
+#include "models/scalars/transported_scalar.hpp"
 
 namespace sluice::ice {
 namespace {

@@ -1,6 +1,6 @@
 // The propellant of Ward, Son and Brewster: HMX.
 #pragma once
-#include "models/steady_burn.hpp"
+#include "models/burn/steady_burn.hpp"
 
 namespace sluice::models {
 

@@ -11,7 +11,7 @@
 #include "framework/grid/level.hpp"
 #include "framework/grid/side.hpp"
 #include "framework/particle/particle_set.hpp"
-#include "framework/run/conservation.hpp"
+#include "framework/run/component/conservation.hpp"
 #include "mpm/step/columns.hpp"
 
 namespace sluice::mpm {

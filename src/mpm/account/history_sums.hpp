@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "framework/grid/side.hpp"
-#include "framework/run/component.hpp"
-#include "framework/run/particle_cloud.hpp"
+#include "framework/run/component/component.hpp"
+#include "framework/run/levels/particle_cloud.hpp"
 #include "mpm/step/columns.hpp"
 
 namespace sluice::mpm {

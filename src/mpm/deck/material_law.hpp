@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "framework/deck/schema.hpp"
-#include "mpm/material/material.hpp"
+#include "mpm/material/base/material.hpp"
 
 namespace sluice::mpm {
 

@@ -5,7 +5,7 @@
 #include <map>
 
 #include "framework/deck/faults.hpp"
-#include "framework/deck/framework_schema.hpp"
+#include "framework/deck/format/framework_schema.hpp"
 #include "framework/deck/rule_tools.hpp"
 #include "mpm/deck/schema.hpp"
 

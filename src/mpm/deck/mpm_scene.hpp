@@ -10,7 +10,7 @@
 #include "framework/base/vec3.hpp"
 #include "framework/geometry/piece.hpp"
 #include "framework/scene/scene.hpp"
-#include "mpm/material/material.hpp"
+#include "mpm/material/base/material.hpp"
 
 namespace sluice::mpm {
 

@@ -1,7 +1,7 @@
 // <PhysicalBC><MPM>: load curves and the surfaces on which they act.
 #include <fmt/format.h>
 
-#include "framework/deck/framework_schema.hpp"
+#include "framework/deck/format/framework_schema.hpp"
 #include "framework/geometry/box.hpp"
 #include "framework/scene/deck_values.hpp"
 #include "mpm/deck/readers.hpp"

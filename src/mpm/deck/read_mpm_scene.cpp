@@ -11,7 +11,7 @@
 #include "mpm/deck/pore_water.hpp"
 #include "mpm/deck/readers.hpp"
 #include "mpm/deck/schema.hpp"
-#include "mpm/material/rigid.hpp"
+#include "mpm/material/elastic/rigid.hpp"
 
 namespace sluice::mpm {
 

@@ -2,8 +2,8 @@
 #pragma once
 #include <vector>
 
-#include "framework/run/event_ledger.hpp"
-#include "framework/run/particle_cloud.hpp"
+#include "framework/run/component/event_ledger.hpp"
+#include "framework/run/levels/particle_cloud.hpp"
 #include "mpm/step/columns.hpp"
 
 namespace sluice::mpm {

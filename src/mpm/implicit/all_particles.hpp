@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "framework/run/particle_cloud.hpp"
+#include "framework/run/levels/particle_cloud.hpp"
 
 namespace sluice::mpm {
 

@@ -5,7 +5,7 @@
 #pragma once
 #include <memory>
 
-#include "framework/run/step_shape.hpp"
+#include "framework/run/component/step_shape.hpp"
 #include "mpm/implicit/equilibrium.hpp"
 #include "mpm/step/outside_forces.hpp"
 

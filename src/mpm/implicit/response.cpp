@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mpm/material/tensor.hpp"
+#include "mpm/material/base/tensor.hpp"
 
 namespace sluice::mpm {
 namespace {

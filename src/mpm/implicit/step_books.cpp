@@ -1,7 +1,7 @@
 #include "mpm/implicit/step_books.hpp"
 
 #include "framework/base/exact_sum.hpp"
-#include "mpm/material/tensor.hpp"
+#include "mpm/material/base/tensor.hpp"
 #include "mpm/step/solid_step.hpp"
 
 namespace sluice::mpm {

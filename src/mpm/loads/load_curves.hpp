@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "mpm/loads/load_surface.hpp"
-#include "mpm/material/material.hpp"
+#include "mpm/material/base/material.hpp"
 
 namespace sluice::mpm {
 

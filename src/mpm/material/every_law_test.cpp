@@ -4,8 +4,8 @@
 #include <random>
 
 #include "framework/base/error.hpp"
-#include "mpm/material/batch_math.hpp"
-#include "mpm/material/law_test_support.hpp"
+#include "mpm/material/base/batch_math.hpp"
+#include "mpm/material/test_support/law_test_support.hpp"
 
 namespace sluice::mpm::every_law {
 namespace {

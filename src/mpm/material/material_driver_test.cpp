@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "framework/base/temporary_folder.hpp"
-#include "mpm/material/law_test_support.hpp"
+#include "mpm/material/test_support/law_test_support.hpp"
 #include "sluice_source_dir.hpp"
 
 namespace sluice::mpm::material_driver {

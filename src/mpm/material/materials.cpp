@@ -8,7 +8,7 @@
 #include "framework/deck/faults.hpp"
 #include "framework/deck/nearest_name.hpp"
 #include "framework/deck/schema_check.hpp"
-#include "mpm/material/failure.hpp"
+#include "mpm/material/failure/failure.hpp"
 
 namespace sluice::mpm {
 

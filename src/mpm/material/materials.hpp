@@ -7,7 +7,7 @@
 
 #include "framework/deck/deck.hpp"
 #include "framework/deck/schema.hpp"
-#include "mpm/material/material_model.hpp"
+#include "mpm/material/base/material_model.hpp"
 
 namespace sluice::mpm {
 

@@ -7,7 +7,7 @@
 #include <filesystem>
 
 #include "framework/scene/deck_values.hpp"
-#include "mpm/material/law_test_support.hpp"
+#include "mpm/material/test_support/law_test_support.hpp"
 
 namespace sluice::mpm::materials {
 namespace {

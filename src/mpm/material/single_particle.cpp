@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "framework/base/error.hpp"
-#include "mpm/material/batch_math.hpp"
+#include "mpm/material/base/batch_math.hpp"
 
 namespace sluice::mpm {
 

@@ -5,8 +5,8 @@
 #include <memory>
 #include <vector>
 
-#include "mpm/material/material.hpp"
-#include "mpm/material/tensor.hpp"
+#include "mpm/material/base/material.hpp"
+#include "mpm/material/base/tensor.hpp"
 
 namespace sluice::mpm {
 

@@ -1,6 +1,6 @@
 // p.pressure: what presses on a particle from all sides, p_ref - tr(sigma)/3.
 #pragma once
-#include "framework/run/particle_method.hpp"
+#include "framework/run/component/particle_method.hpp"
 #include "mpm/step/columns.hpp"
 
 namespace sluice::mpm {

@@ -5,7 +5,7 @@
 #pragma once
 #include <vector>
 
-#include "framework/run/grid_fields.hpp"
+#include "framework/run/component/grid_fields.hpp"
 #include "mpm/step/solid_step.hpp"
 
 namespace sluice::mpm {

@@ -1,6 +1,6 @@
 // p.JThermal: the volume that a particle would have by its temperature alone, over that at rest.
 #pragma once
-#include "framework/run/particle_method.hpp"
+#include "framework/run/component/particle_method.hpp"
 #include "mpm/step/columns.hpp"
 
 namespace sluice::mpm {

@@ -1,7 +1,7 @@
 // Affine maps of places: three by three matrices, row after row.
 #pragma once
 #include "framework/base/vec3.hpp"
-#include "mpm/material/tensor.hpp"
+#include "mpm/material/base/tensor.hpp"
 
 namespace sluice::mpm {
 

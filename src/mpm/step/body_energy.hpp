@@ -1,5 +1,5 @@
 // What a step sums of the energy of one body: for the books of a run and the guard of its energy
-// (framework/run/energy_guard.hpp).
+// (framework/run/simulation/energy_guard.hpp).
 #pragma once
 #include <array>
 
@@ -37,7 +37,7 @@ struct BodyEnergySums {
     lost,
     heat_before,
     contact_heat,  // what contact took and joined the energy lost
-    heat,  // sum m c_v dT, where heat can move
+    heat,          // sum m c_v dT, where heat can move
     // Numbers of particles: those that parted from neighbours (step/parted_neighbours.hpp), all.
     parted,
     particles,

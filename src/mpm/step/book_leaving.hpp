@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "framework/base/communicator.hpp"
-#include "framework/run/event_ledger.hpp"
-#include "framework/run/particle_cloud.hpp"
+#include "framework/run/component/event_ledger.hpp"
+#include "framework/run/levels/particle_cloud.hpp"
 #include "mpm/step/columns.hpp"
 
 namespace sluice::mpm {

@@ -3,7 +3,7 @@
 #pragma once
 #include <optional>
 
-#include "mpm/material/material.hpp"
+#include "mpm/material/base/material.hpp"
 #include "mpm/step/solid_step.hpp"
 
 namespace sluice::mpm {

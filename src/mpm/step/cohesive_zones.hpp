@@ -12,8 +12,8 @@
 #include <array>
 #include <vector>
 
-#include "framework/run/component.hpp"
-#include "framework/run/particle_cloud.hpp"
+#include "framework/run/component/component.hpp"
+#include "framework/run/levels/particle_cloud.hpp"
 #include "mpm/boundary/node_boundary.hpp"
 #include "mpm/loads/cohesive_law.hpp"
 #include "mpm/nodes/node_blocks.hpp"

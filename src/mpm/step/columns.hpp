@@ -3,7 +3,7 @@
 #include <string_view>
 #include <vector>
 
-#include "framework/run/particle_method.hpp"
+#include "framework/run/component/particle_method.hpp"
 #include "mpm/deck/mpm_scene.hpp"
 #include "mpm/transfer/particle_shape.hpp"
 

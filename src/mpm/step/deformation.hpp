@@ -1,6 +1,6 @@
 // The deformation gradient after a step: F <- (I + dt L) F by default (mpm_scheme, section 8).
 #pragma once
-#include "mpm/material/material.hpp"
+#include "mpm/material/base/material.hpp"
 
 namespace sluice::mpm {
 

@@ -12,7 +12,7 @@
 // equal. The transfers are those of the momentum: -V k grad T stands for a row of the stress.
 // Of a concentration C per mass the same with C for T, m D for V k and 1 for c_v.
 #pragma once
-#include "framework/run/step_shape.hpp"
+#include "framework/run/component/step_shape.hpp"
 #include "mpm/boundary/node_boundary.hpp"
 #include "mpm/nodes/node_exchange.hpp"
 #include "mpm/step/columns.hpp"

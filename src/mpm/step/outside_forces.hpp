@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "framework/run/particle_cloud.hpp"
+#include "framework/run/levels/particle_cloud.hpp"
 #include "mpm/loads/corner_loads.hpp"
 #include "mpm/loads/load_curves.hpp"
 #include "mpm/loads/manufactured.hpp"

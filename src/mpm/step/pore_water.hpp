@@ -29,7 +29,7 @@
 #include <memory>
 #include <vector>
 
-#include "framework/run/step_shape.hpp"
+#include "framework/run/component/step_shape.hpp"
 #include "mpm/boundary/node_boundary.hpp"
 #include "mpm/nodes/node_exchange.hpp"
 #include "mpm/step/columns.hpp"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mpm/material/batch_math.hpp"
-#include "mpm/material/material.hpp"
+#include "mpm/material/base/batch_math.hpp"
+#include "mpm/material/base/material.hpp"
 #include "mpm/shape/weights.hpp"
 #include "mpm/step/largest.hpp"
 #include "mpm/transfer/corners.hpp"

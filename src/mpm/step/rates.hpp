@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "framework/run/particle_cloud.hpp"
+#include "framework/run/levels/particle_cloud.hpp"
 #include "mpm/step/columns.hpp"
 
 namespace sluice::mpm {

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "framework/base/exact_sum.hpp"
-#include "framework/run/level_solver.hpp"
-#include "framework/run/particle_cloud.hpp"
-#include "framework/run/step_shape.hpp"
+#include "framework/run/component/step_shape.hpp"
+#include "framework/run/levels/level_solver.hpp"
+#include "framework/run/levels/particle_cloud.hpp"
 #include "mpm/boundary/node_boundary.hpp"
 #include "mpm/contact/contact.hpp"
 #include "mpm/contact/surface_sums.hpp"

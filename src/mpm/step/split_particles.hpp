@@ -1,7 +1,7 @@
 // Particles that are stretched or stressed much become several, once (refine_particles).
 #pragma once
 #include "framework/base/communicator.hpp"
-#include "framework/run/particle_cloud.hpp"
+#include "framework/run/levels/particle_cloud.hpp"
 #include "mpm/step/columns.hpp"
 
 namespace sluice::mpm {

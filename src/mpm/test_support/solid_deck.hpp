@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "framework/deck/framework_schema.hpp"
+#include "framework/deck/format/framework_schema.hpp"
 #include "framework/deck/load_deck.hpp"
 #include "framework/scene/deck_values.hpp"
 #include "framework/scene/scene.hpp"

@@ -8,7 +8,7 @@
 
 #include "framework/archive/archive.hpp"
 #include "framework/base/communicator.hpp"
-#include "framework/run/simulation.hpp"
+#include "framework/run/simulation/simulation.hpp"
 #include "mpm/mpm.hpp"
 #include "mpm/test_support/solid_deck.hpp"
 

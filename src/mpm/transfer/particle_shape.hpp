@@ -3,7 +3,7 @@
 #include <array>
 
 #include "mpm/deck/mpm_scene.hpp"
-#include "mpm/material/material.hpp"
+#include "mpm/material/base/material.hpp"
 #include "mpm/shape/axis.hpp"
 
 namespace sluice::mpm {

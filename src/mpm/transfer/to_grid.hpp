@@ -8,7 +8,7 @@
 #include <array>
 
 #include "mpm/deck/mpm_scene.hpp"
-#include "mpm/material/material.hpp"
+#include "mpm/material/base/material.hpp"
 #include "mpm/transfer/particle_shape.hpp"
 #include "mpm/transfer/window.hpp"
 

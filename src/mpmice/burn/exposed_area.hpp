@@ -8,7 +8,7 @@
 #include <array>
 #include <cmath>
 
-#include "models/steady_burn.hpp"
+#include "models/burn/steady_burn.hpp"
 #include "mpmice/geometry/corner_table.hpp"
 
 namespace sluice::mpmice {

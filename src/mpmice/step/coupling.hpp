@@ -3,7 +3,7 @@
 #pragma once
 #include <memory>
 
-#include "framework/run/step_shape.hpp"
+#include "framework/run/component/step_shape.hpp"
 #include "ice/ice.hpp"
 #include "mpm/levels/solid_levels.hpp"
 #include "mpm/mpm.hpp"

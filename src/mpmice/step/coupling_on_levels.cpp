@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "framework/base/reduction.hpp"
-#include "framework/run/level_solver.hpp"
-#include "framework/run/particle_cloud.hpp"
+#include "framework/run/levels/level_solver.hpp"
+#include "framework/run/levels/particle_cloud.hpp"
 #include "ice/fluid/labels.hpp"
 
 namespace sluice::mpmice {

@@ -1,4 +1,4 @@
-// Explosive that burns and detonates (models/ddt1.hpp), by the cells in which it lies.
+// Explosive that burns and detonates (models/burn/ddt1.hpp), by the cells in which it lies.
 //
 // Cells detonate by their own pressure and share; surfaces burn by the cell that they look into,
 // cracks by the cell of the particle's middle. All is decided before anything is given.

@@ -1,4 +1,4 @@
-// Flames that need time to come to explosive (FlameSpread in models/ddt1.hpp).
+// Flames that need time to come to explosive (FlameSpread in models/burn/ddt1.hpp).
 //
 // A flame sets out to a particle at the surface from hot fluid beside it, to one that is cracked
 // from what burns beside it; in a cell that burns it is there at once. Its way is that of the

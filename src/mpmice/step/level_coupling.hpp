@@ -1,6 +1,6 @@
 // The coupling on one level in D active directions.
 #pragma once
-#include "framework/run/level_solver.hpp"
+#include "framework/run/levels/level_solver.hpp"
 #include "ice/closure/equilibrate.hpp"
 #include "mpm/shape/axis.hpp"
 #include "mpm/transfer/corner_volume.hpp"

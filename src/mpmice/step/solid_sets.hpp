@@ -2,9 +2,9 @@
 #pragma once
 #include <vector>
 
-#include "framework/run/particle_cloud.hpp"
-#include "models/ddt1.hpp"
-#include "models/unsteady_burn.hpp"
+#include "framework/run/levels/particle_cloud.hpp"
+#include "models/burn/ddt1.hpp"
+#include "models/burn/unsteady_burn.hpp"
 #include "mpm/mpm.hpp"
 #include "mpmice/geometry/covered_sides.hpp"
 #include "mpmice/step/solid_fields.hpp"

@@ -7,7 +7,7 @@
 
 #include "framework/base/reduction.hpp"
 #include "framework/particle/particle_map.hpp"
-#include "framework/run/event_ledger.hpp"
+#include "framework/run/component/event_ledger.hpp"
 #include "mpm/transfer/corner_volume.hpp"
 #include "mpmice/burn/vanished_faces.hpp"
 #include "mpmice/step/level_coupling.hpp"

@@ -1,0 +1,132 @@
+// sluice accuracy STUDY: error against time over ladders of resolution and settings.
+//
+// Each run is a process of `sluice run` of its own; its time is that of the steps.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+
+#include "app/command/command_line.hpp"
+#include "app/process/data_folder.hpp"
+#include "app/process/python_tool.hpp"
+#include "app/process/study_process.hpp"
+#include "app/study/study.hpp"
+#include "app/study/study_report.hpp"
+#include "app/study/study_run.hpp"
+#include "framework/base/console.hpp"
+#include "framework/base/error.hpp"
+
+namespace sluice {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct AccuracyRequest {
+  std::string study, folder, json, csv, picture, only;
+  int repeats = 7;
+};
+
+template <class Write>
+void write_file(const fs::path& path, Write&& write) {
+  std::ofstream out(path);
+  write(out);
+  if (!out.flush()) {
+    throw SystemError(
+        fmt::format("cannot write {}: is the disk full or the folder read-only?", path.string()));
+  }
+}
+
+// The work-precision picture; a message instead of a failure when Python cannot draw it, because
+// table, CSV and JSON are complete without.
+void draw(const fs::path& json, const fs::path& picture, const StudyReport& report,
+          const fs::path& log) try {
+  const std::string label = fmt::format("{} error of {}", report.study.norm, report.study.variable);
+  const int status = run_python_tool({"workprecision", json.string(), "-o", picture.string(),
+                                      "--title", report.study.title, "--error-label", label},
+                                     log);
+  if (status == 0)
+    fmt::print("picture: {}\n", picture.string());
+  else
+    fmt::print(stderr, "sluice: warning: no picture: {}\n", last_lines(log, 3));
+  fs::remove(log);
+} catch (const SystemError& missing) {
+  fmt::print(stderr, "sluice: warning: no picture: {}\n", missing.what());
+}
+
+StudyReport measure(const Study& study, const AccuracyRequest& request, const fs::path& folder) {
+  StudyReport report{study, {}};
+  StudyRunner runner;
+  runner.executable = own_executable();
+  runner.folder = folder;
+  runner.repeats = request.repeats;
+  const auto points = points_of(study);
+  if (study.reference) {
+    const StudyResult r = runner.run_reference(study);
+    fmt::print("reference, N {}: {}\n", r.point.cells(), human_duration(r.seconds));
+    std::fflush(stdout);
+  }
+  std::size_t number = 0;
+  for (const StudyPoint& point : points) {
+    ++number;
+    if (!request.only.empty() && !matches(point, request.only)) continue;
+    report.results.push_back(runner.run(study, point));
+    const StudyResult& r = report.results.back();
+    fmt::print("[{}/{}] {}, N {}: {}\n", number, points.size(), point.setting, point.cells(),
+               r.done() ? fmt::format("error {:.3e}, {}{}", r.error, human_duration(r.seconds),
+                                      r.noisy() ? " (noisy)" : "")
+                        : r.status + ": " + r.message);
+    std::fflush(stdout);
+  }
+  if (report.results.empty()) {
+    throw InputError(fmt::format("--only {} matches none of the {} runs; the first is \"{}, N {}\"",
+                                 request.only, points.size(), points[0].setting,
+                                 points[0].cells()));
+  }
+  return report;
+}
+
+int accuracy(const AccuracyRequest& request) {
+  const Study study = read_study(find_data(request.study, "regression/accuracy", ".study"));
+  const std::string stem = fs::path(request.study).stem().string();
+  const fs::path folder = request.folder.empty() ? stem + ".accuracy" : request.folder;
+  std::error_code fault;
+  fs::create_directories(folder, fault);
+  if (fault) {
+    throw SystemError(fmt::format("cannot make the folder {}: {}; name another with -o",
+                                  folder.string(), fault.message()));
+  }
+  fmt::print("{}: {} of {}, {}\n", study.title, study.norm, study.variable, study.deck);
+  const StudyReport report = measure(study, request, folder);
+  fmt::print("\n{}\n{}\n", runs_table(report), targets_table(report));
+
+  const fs::path json = request.json.empty() ? folder / (stem + ".json") : fs::path(request.json);
+  const fs::path csv = request.csv.empty() ? folder / (stem + ".csv") : fs::path(request.csv);
+  write_file(json, [&](std::ostream& out) { out << json_text(report); });
+  write_file(csv, [&](std::ostream& out) { write_csv(out, report); });
+  fmt::print("numbers: {} and {}\n", json.string(), csv.string());
+  draw(json, folder / (stem + ".png"), report, folder / "picture.log");
+  for (const StudyResult& r : report.results) {
+    if (!r.done()) return static_cast<int>(ExitStatus::failed);
+  }
+  return static_cast<int>(ExitStatus::good);
+}
+
+}  // namespace
+
+void declare_accuracy_command(Command& command) {
+  auto request = std::make_shared<AccuracyRequest>();
+  command.option("STUDY", request->study, "Study file (.study), or the name of one of ours: sod")
+      .required();
+  command.option("-o", request->folder, "Folder for the results (STUDY.accuracy)");
+  command.option("--json", request->json, "JSON file (in the folder)");
+  command.option("--csv", request->csv, "CSV file (in the folder)");
+  command.option("--repeat", request->repeats, "Runs of each point at most, for its time")
+      .between(1, 1000);
+  command.option("--only", request->only,
+                 "Only runs whose \"setting, N cells\" holds this text or fits this pattern");
+  command.action([request] { return accuracy(*request); });
+}
+
+}  // namespace sluice

@@ -1,0 +1,192 @@
+// The contract for scripts of info, extract, compare, norms and export: exits, columns, messages.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "app/command/command_line.hpp"
+#include "app/commands/commands.hpp"
+#include "framework/archive/archive_test_support.hpp"
+#include "framework/base/error.hpp"
+
+namespace sluice::archive_commands_test {
+namespace {
+
+using namespace archive_test;
+using ::testing::HasSubstr;
+
+struct Outcome {
+  int status = 0;
+  std::string output, error;
+};
+
+// Runs a command line as main does.
+Outcome run(const std::string& line) {
+  std::istringstream text(line);
+  const std::vector<std::string> words{std::istream_iterator<std::string>(text), {}};
+  CommandLine commands("test", "sluice");
+  for (const CommandKind& kind : command_kinds()) {
+    Command command = commands.add(kind.name, kind.summary);
+    kind.declare(command);
+  }
+  Outcome o;
+  ::testing::internal::CaptureStdout();
+  ::testing::internal::CaptureStderr();
+  try {
+    o.status = commands.run(words);
+  } catch (const Error& e) {
+    o.status = static_cast<int>(e.status());
+    o.error = e.what();
+  }
+  std::fflush(stdout);
+  o.output = ::testing::internal::GetCapturedStdout();
+  o.error += ::testing::internal::GetCapturedStderr();
+  return o;
+}
+
+class ArchiveCommands : public ::testing::Test {
+ protected:
+  ArchiveCommands() {
+    a_ = write(0).string();
+    b_ = write(1e-3).string();
+  }
+  fs::path write(double shift) {
+    const Grid grid = make_grid({6, 4, 1}, {2, 1, 1});
+    ArchiveWriter writer = ArchiveWriter::create(setup_in(folder_.path()));
+    for (int step = 0; step <= 20; step += 10) {
+      Fields fields;
+      fields.add(grid.levels[0], real_label("press_CC"), 0,
+                 [&](IntVec3 c, int m) { return wavy(c, m) + step + shift; });
+      writer.history("TotalMass", -1, step, 0.01 * step, 1);
+      writer.write_output({step, 0.01 * step, 0.01, 0.01, {}}, grid, fields.pieces());
+      writer.write_checkpoint({step, 0.01 * step, 0.01, 0.01, {}}, grid, fields.pieces());
+    }
+    writer.finish();
+    return writer.folder();
+  }
+  TemporaryFolder folder_;
+  std::string a_, b_;
+};
+
+TEST_F(ArchiveCommands, ExtractWritesTheContractsColumns) {
+  const Outcome all = run("extract " + a_ + " --var press_CC");
+  EXPECT_EQ(all.status, 0) << all.error;
+  EXPECT_TRUE(
+      all.output.starts_with("time,level,material,i,j,k,x,y,z,value\n"
+                             "0.20000000000000001,0,0,0,0,0,-0.94999999999999996,0.375,"
+                             "3.25,"));
+  EXPECT_EQ(std::count(all.output.begin(), all.output.end(), '\n'), 25);
+  const Outcome first = run("extract " + a_ + " --var press_CC --time first --csv -");
+  EXPECT_THAT(first.output, HasSubstr("\n0,0,0,0,0,0,"));
+  EXPECT_EQ(run("extract " + a_ + " --var press_CC --time #1").output,
+            run("extract " + a_ + " --var press_CC --time 0.14").output);
+  const Outcome box = run("extract " + a_ +
+                          " --var press_CC --from=-1,0,0 --to=-0.84,0.4,9 --level 0 --material 0");
+  EXPECT_EQ(std::count(box.output.begin(), box.output.end(), '\n'), 3);
+  const std::string file = (folder_.path() / "out.csv").string();
+  EXPECT_EQ(run("extract " + a_ + " --var press_CC --csv " + file).output, "");
+  EXPECT_EQ(read_text(file), all.output);
+}
+
+TEST_F(ArchiveCommands, ExtractRefusesWithExitTwo) {
+  for (const std::string wrong :
+       {"--time 0.31", "--time -0.06", "--time #3", "--time soon", "--level 1", "--level x",
+        "--material 7", "--from 0,0,0", "--from 1,0,0 --to 0,1,1", "--from 0,0 --to 1,1,1"}) {
+    const Outcome o = run("extract " + a_ + " --var press_CC " + wrong);
+    EXPECT_EQ(o.status, 2) << wrong << o.output;
+    EXPECT_FALSE(o.error.empty()) << wrong;
+  }
+  EXPECT_THAT(run("extract " + a_ + " --var rho_CC").error, HasSubstr("it has press_CC"));
+  EXPECT_EQ(run("extract " + a_ + "x --var press_CC").status, 2);
+  EXPECT_EQ(run("extract " + a_).status, 2);
+  EXPECT_EQ(run("extract " + a_ + " --var press_CC --csv /proc/absent/x").status, 3);
+  EXPECT_EQ(run("extract " + a_ + " --var press_CC --csv /dev/full").status, 3);
+}
+
+TEST_F(ArchiveCommands, ArchivesInUintahsRawLayoutAreRefusedByName) {
+  const fs::path raw = folder_.path() / "raw.uda.000";
+  for (const char* format : {"<outputFormat>UDA</outputFormat>", ""}) {
+    fs::create_directories(raw);
+    std::ofstream(raw / "index.xml") << "<?xml version=\"1.0\" encoding=\"iso-8859-1\"?>\n"
+                                     << "<Uintah_DataArchive>\n"
+                                     << format << "<timesteps/></Uintah_DataArchive>\n";
+    for (const std::string& line : {"info " + raw.string(), "compare " + a_ + " " + raw.string(),
+                                    "extract " + raw.string() + " --var press_CC"}) {
+      const Outcome refused = run(line);
+      EXPECT_EQ(refused.status, 2) << line;
+      EXPECT_THAT(refused.error, HasSubstr("raw binary layout; reading it is not supported yet"));
+    }
+  }
+}
+
+TEST_F(ArchiveCommands, CompareExits) {
+  EXPECT_EQ(run("compare " + a_ + " " + a_).status, 0);
+  const Outcome o = run("compare " + a_ + " " + b_);
+  EXPECT_EQ(o.status, 1);
+  EXPECT_THAT(o.output, HasSubstr("24 of 24 values differ"));
+  EXPECT_THAT(o.output,
+              HasSubstr("first:   press_CC of material 0 on level 0 at [0, 0, 0], step 0"));
+  EXPECT_THAT(o.output, HasSubstr("largest: press_CC"));
+  EXPECT_EQ(run("compare " + a_ + " " + b_ + " --abs 0.0011").status, 0);
+  EXPECT_EQ(run("compare " + a_ + " " + b_ + " --checkpoints").status, 1);
+  EXPECT_EQ(run("compare " + a_ + " " + b_ + " --vars nothing").status, 2);
+  EXPECT_EQ(run("compare " + a_ + " " + b_ + " --quiet").output, "");
+  EXPECT_EQ(run("compare " + a_ + " " + a_ + " --histories").status, 0);
+  std::ofstream(fs::path(b_) / "TotalMass.dat", std::ios::app) << "0.3\t1\n";
+  EXPECT_EQ(run("compare " + a_ + " " + b_ + " --abs 1 --histories").status, 2);
+  EXPECT_EQ(run("compare " + a_).status, 2);
+  EXPECT_EQ(run("compare " + a_ + " " + b_ + " --abs -1").status, 2);
+  EXPECT_EQ(run("compare " + a_ + " " + folder_.path().string()).status, 2);
+}
+
+TEST_F(ArchiveCommands, InfoSaysWhatIsThereAndFindsDamage) {
+  const auto j = nlohmann::json::parse(run("info " + a_ + " --json --verify").output);
+  EXPECT_EQ(j["outputs"].size(), 3u);
+  EXPECT_EQ(j["outputs"][1]["step"], 10);
+  EXPECT_EQ(j["checkpoints"].size(), 2u);
+  EXPECT_EQ(j["labels"][0]["name"], "press_CC");
+  EXPECT_EQ(j["levels"][0]["boxes"], 2);
+  EXPECT_EQ(j["histories"][0], "TotalMass.dat");
+  EXPECT_EQ(j["verified"], true);
+  EXPECT_EQ(j["good_values"], 5 * 24);
+  EXPECT_TRUE(j["damage"].empty());
+  const Outcome text = run("info " + a_ + " --verify");
+  EXPECT_EQ(text.status, 0);
+  EXPECT_THAT(text.output, HasSubstr("#1     step 10"));
+  EXPECT_THAT(text.output, HasSubstr("120 values good, nothing damaged"));
+  const fs::path file = fs::path(a_) / "t00010" / "p00000.h5";
+  flip_bit(file, static_cast<std::int64_t>(fs::file_size(file)) / 2);
+  EXPECT_EQ(run("info " + a_).status, 0);  // not read without --verify
+  const Outcome damaged = run("info " + a_ + " --verify");
+  EXPECT_EQ(damaged.status, 1);
+  EXPECT_THAT(damaged.output, HasSubstr("DAMAGED      " + file.string()));
+}
+
+TEST_F(ArchiveCommands, NormsAsTableCsvAndJson) {
+  EXPECT_THAT(run("norms " + a_ + " " + b_).output, HasSubstr("1.000000e-03"));
+  const Outcome csv = run("norms " + a_ + " " + b_ + " --csv - --time last");
+  EXPECT_TRUE(
+      csv.output.starts_with("time,level,material,label,points,L1,L2,Linf\n"
+                             "0.20000000000000001,0,0,press_CC,24,0.001"))
+      << csv.output;
+  const auto j = nlohmann::json::parse(run("norms " + a_ + " " + b_ + " --json -").output);
+  ASSERT_EQ(j.size(), 3u);
+  EXPECT_NEAR(j[2]["Linf"].get<double>(), 1e-3, 1e-12);
+  EXPECT_EQ(run("norms " + a_ + " " + b_ + " --vars nothing").status, 2);
+}
+
+TEST_F(ArchiveCommands, ExportNamesThePvdFile) {
+  const std::string out = (folder_.path() / "paraview").string();
+  const Outcome o = run("export " + a_ + " -o " + out + " --time last");
+  EXPECT_EQ(o.status, 0) << o.error;
+  EXPECT_EQ(o.output, out + "/box.uda.000.pvd\n");
+  EXPECT_TRUE(fs::exists(out + "/t00020.vti"));
+  EXPECT_FALSE(fs::exists(out + "/t00010.vti"));
+  EXPECT_EQ(run("export " + a_ + " -o " + out + " --vars nothing").status, 2);
+}
+
+}  // namespace
+}  // namespace sluice::archive_commands_test

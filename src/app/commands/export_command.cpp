@@ -1,0 +1,40 @@
+// sluice export UDA: files that ParaView and VisIt open.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "app/command/command_line.hpp"
+#include "framework/archive/vtk_export.hpp"
+
+namespace sluice {
+namespace {
+
+struct ExportRequest {
+  std::string archive, folder, only, ignore;
+  ExportOptions options;
+};
+
+void export_archive(ExportRequest& r) {
+  r.options.labels = {split_names(r.only), split_names(r.ignore)};
+  const Archive archive = Archive::open(r.archive);
+  const std::string folder =
+      r.folder.empty() ? archive.folder().filename().string() + ".vtk" : r.folder;
+  fmt::print("{}\n", export_vtk(archive, folder, r.options).string());
+}
+
+}  // namespace
+
+void declare_export_command(Command& command) {
+  auto r = std::make_shared<ExportRequest>();
+  command.option("UDA", r->archive, "The archive").required();
+  command.option("-o,--output", r->folder, "Folder to write into; NAME.uda.NNN.vtk");
+  command.option("--vars", r->only, "Only these labels: a,b,c");
+  command.option("--ignore", r->ignore, "All labels but these: a,b,c");
+  command.option("--time", r->options.time, "One output: last, first, a time, #N; else all");
+  command.action([r] {
+    export_archive(*r);
+    return 0;
+  });
+}
+
+}  // namespace sluice

@@ -1,0 +1,246 @@
+// sluice info UDA: what an archive holds, and with --verify whether every byte is as written.
+#include <fmt/format.h>
+
+#include <memory>
+#include <set>
+
+#include "app/command/command_line.hpp"
+#include "app/process/text_sink.hpp"
+#include "framework/archive/archive.hpp"
+#include "framework/base/console.hpp"
+#include "framework/base/json.hpp"
+
+namespace sluice {
+namespace {
+
+namespace fs = std::filesystem;
+struct Verification {
+  bool done = false;
+  std::int64_t values = 0;
+  std::vector<std::string> damage;
+};
+
+std::int64_t bytes_in(const fs::path& folder) {
+  std::int64_t bytes = 0;
+  std::error_code error;
+  for (const auto& entry : fs::recursive_directory_iterator(folder, error))
+    if (entry.is_regular_file(error)) bytes += static_cast<std::int64_t>(entry.file_size(error));
+  return bytes;
+}
+
+void verify_steps(const std::vector<StepEntry>& entries, const fs::path& folder, Verification& v) {
+  for (const StepEntry& e : entries) {
+    try {
+      require_parent(e, folder);
+      for (std::string& d : ArchiveStep(folder / e.href).verify(v.values))
+        v.damage.push_back(std::move(d));
+    } catch (const Error& error) {
+      v.damage.push_back(error.what());
+    }
+  }
+}
+
+Verification verify(const Archive& archive) {
+  Verification v;
+  v.done = true;
+  v.damage = archive.damage();
+  verify_steps(archive.outputs(), archive.folder(), v);
+  verify_steps(archive.checkpoints(), archive.folder() / "checkpoints", v);
+  return v;
+}
+
+// The last readable state: its grid and labels stand for the archive's.
+std::vector<FieldInfo> all_fields(const ArchiveStep& step) {
+  std::vector<FieldInfo> all = step.fields();
+  all.insert(all.end(), step.particle_fields().begin(), step.particle_fields().end());
+  return all;
+}
+
+std::unique_ptr<ArchiveStep> last_step(const Archive& archive, std::vector<std::string>& damage) {
+  for (const bool outputs : {true, false}) {
+    const auto& entries = outputs ? archive.outputs() : archive.checkpoints();
+    for (auto e = entries.rbegin(); e != entries.rend(); ++e) {
+      try {
+        return std::make_unique<ArchiveStep>(outputs ? archive.read_output(*e)
+                                                     : archive.read_checkpoint(*e));
+      } catch (const Error& error) {
+        damage.push_back(error.what());
+      }
+    }
+  }
+  return nullptr;
+}
+
+std::string axes(const std::array<bool, 3>& flags) {
+  std::string text;
+  for (std::size_t d = 0; d < 3; ++d)
+    if (flags[d]) text += "xyz"[d];
+  return text.empty() ? "none" : text;
+}
+
+Vec3 corner(const Level& l, IntVec3 c) {
+  return {l.anchor.x + c.x * l.spacing.x, l.anchor.y + c.y * l.spacing.y,
+          l.anchor.z + c.z * l.spacing.z};
+}
+
+// For reading; --json has all digits.
+std::string short_text(Vec3 v) {
+  return fmt::format("[{:.6g}, {:.6g}, {:.6g}]", v.x, v.y, v.z);
+}
+
+Json steps_json(const std::vector<StepEntry>& entries) {
+  Json list = Json::array();
+  for (const StepEntry& e : entries) list.push_back({{"step", e.step}, {"time", e.time}});
+  return list;
+}
+
+Json triple_json(Vec3 v) {
+  return {v.x, v.y, v.z};
+}
+Json triple_json(IntVec3 v) {
+  return {v.x, v.y, v.z};
+}
+
+Json to_json(const Archive& archive, const ArchiveStep* step, const Verification& v) {
+  Json j;
+  j["archive"] = archive.folder().string();
+  j["program"] = archive.index().program;
+  j["created"] = archive.index().created;
+  j["ranks"] = archive.index().ranks;
+  j["bytes"] = bytes_in(archive.folder());
+  j["outputs"] = steps_json(archive.outputs());
+  j["checkpoints"] = steps_json(archive.checkpoints());
+  j["restarts"] = Json::array();
+  for (const RestartEntry& r : archive.index().restarts)
+    j["restarts"].push_back({{"from", r.from}, {"step", r.step}});
+  j["histories"] = Json::array();
+  for (const HistoryEntry& h : archive.index().histories) j["histories"].push_back(h.file);
+  j["levels"] = Json::array();
+  j["labels"] = Json::array();
+  if (step) {
+    for (const Level& l : step->grid().levels)
+      j["levels"].push_back({{"cells", l.cell_count()},
+                             {"boxes", l.boxes.size()},
+                             {"spacing", triple_json(l.spacing)},
+                             {"index_low", triple_json(l.domain.lower)},
+                             {"index_high", triple_json(l.domain.upper)},
+                             {"low", triple_json(corner(l, l.domain.lower))},
+                             {"high", triple_json(corner(l, l.domain.upper))},
+                             {"periodic", l.periodic},
+                             {"active", l.active}});
+    for (const FieldInfo& f : all_fields(*step))
+      j["labels"].push_back({{"name", f.name},
+                             {"type", name_of(f.type)},
+                             {"centring", name_of(f.centring)},
+                             {"unit", f.unit},
+                             {"material", f.material},
+                             {"level", f.level},
+                             {"stored", name_of(f.stored)}});
+  }
+  j["verified"] = v.done;
+  if (v.done) j["good_values"] = v.values;
+  j["damage"] = v.damage;
+  return j;
+}
+
+void print_steps(const char* title, const std::vector<StepEntry>& entries) {
+  constexpr std::size_t ends = 4;  // shown at either end of a long list
+  fmt::print("{:<12} {}\n", title, entries.size());
+  for (std::size_t n = 0; n < entries.size(); ++n) {
+    if (entries.size() > 2 * ends + 1 && n == ends) {
+      fmt::print("  ...\n");
+      n = entries.size() - ends;
+    }
+    fmt::print("  #{:<5} step {:<8} time {:.10g}\n", n, entries[n].step, entries[n].time);
+  }
+}
+
+void print_labels(const ArchiveStep& step) {
+  struct Row {
+    FieldInfo info;
+    std::set<int> materials, levels;
+  };
+  std::map<std::string, Row> rows;
+  for (const FieldInfo& f : all_fields(step)) {
+    Row& row = rows.try_emplace(f.name, Row{f, {}, {}}).first->second;
+    row.materials.insert(f.material);
+    row.levels.insert(f.level);
+  }
+  auto list = [](const std::set<int>& items) {
+    std::string text;
+    for (const int i : items) text += (text.empty() ? "" : ",") + std::to_string(i);
+    return text;
+  };
+  TextTable table(
+      {{"label"}, {"type"}, {"centring"}, {"unit"}, {"materials"}, {"levels"}, {"stored"}});
+  for (const auto& [name, row] : rows)
+    table.row({name, std::string(name_of(row.info.type)), std::string(name_of(row.info.centring)),
+               row.info.unit, list(row.materials), list(row.levels),
+               std::string(name_of(row.info.stored))});
+  fmt::print("labels of step {}\n{}", step.info().step, table.text("  "));
+}
+
+void print_text(const Archive& archive, const ArchiveStep* step, const Verification& v) {
+  const ArchiveIndex& index = archive.index();
+  fmt::print("archive      {}\n", archive.folder().string());
+  fmt::print("written by   {}, {}, {} rank{}\n", index.program, index.created, index.ranks,
+             index.ranks == 1 ? "" : "s");
+  fmt::print("size         {}\n", human_bytes(static_cast<double>(bytes_in(archive.folder()))));
+  for (const RestartEntry& r : index.restarts)
+    fmt::print("restarted    from {} at step {}\n", r.from, r.step);
+  print_steps("outputs", archive.outputs());
+  print_steps("checkpoints", archive.checkpoints());
+  for (const HistoryEntry& h : index.histories) fmt::print("history      {}\n", h.file);
+  if (step) {
+    for (const Level& l : step->grid().levels)
+      fmt::print(
+          "level {}      {} cells in {} box{}, {} to {}, spacing {}, active {}, periodic {}\n",
+          l.index, human_count(l.cell_count()), l.boxes.size(), l.boxes.size() == 1 ? "" : "es",
+          short_text(corner(l, l.domain.lower)), short_text(corner(l, l.domain.upper)),
+          short_text(l.spacing), axes(l.active), axes(l.periodic));
+    print_labels(*step);
+  }
+  for (const std::string& d : v.damage) fmt::print("DAMAGED      {}\n", d);
+  if (v.done)
+    fmt::print("verified     {} values good, {}\n", human_count(v.values),
+               v.damage.empty() ? "nothing damaged" : "damage as listed");
+}
+
+int inform(const std::string& path, bool json, bool all) {
+  const Archive archive = Archive::open(path);
+  Verification v;
+  if (all)
+    v = verify(archive);
+  else
+    v.damage = archive.damage();
+  std::vector<std::string> unreadable;
+  const std::unique_ptr<ArchiveStep> step = last_step(archive, unreadable);
+  if (!all) {
+    v.damage.insert(v.damage.end(), unreadable.begin(), unreadable.end());
+    if (step) v.damage.insert(v.damage.end(), step->damage().begin(), step->damage().end());
+  }
+  if (json) {
+    TextSink sink("-");
+    sink.write(to_json(archive, step.get(), v).dump(2) + "\n");
+    sink.close();
+  } else {
+    print_text(archive, step.get(), v);
+  }
+  return v.damage.empty() ? 0 : 1;
+}
+
+}  // namespace
+
+void declare_info_command(Command& command) {
+  struct Request {
+    std::string archive;
+    bool json = false, verify = false;
+  };
+  auto r = std::make_shared<Request>();
+  command.option("UDA", r->archive, "The archive").required();
+  command.flag("--json", r->json, "As JSON");
+  command.flag("--verify", r->verify, "Read everything and check every checksum");
+  command.action([r] { return inform(r->archive, r->json, r->verify); });
+}
+
+}  // namespace sluice

@@ -1,0 +1,87 @@
+// sluice plan DECK: what a run will do and cost, before it.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <memory>
+
+#include "app/command/command_line.hpp"
+#include "app/command/option_values.hpp"
+#include "app/plan/run_plan.hpp"
+#include "app/process/study_process.hpp"
+#include "framework/base/error.hpp"
+
+namespace sluice {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct PlanRequest {
+  RunOptionValues run;
+  std::string deck, graph;
+  int ranks = 1;
+  bool json = false;
+};
+
+void write_file(const fs::path& path, const std::string& text) {
+  std::ofstream out(path);
+  out << text;
+  if (!out.flush())
+    throw SystemError(
+        fmt::format("cannot write {}; is its folder there and writable?", path.string()));
+}
+
+void write_graph(const std::string& file, const std::string& dot) {
+  const fs::path path = file;
+  if (path.extension() == ".dot") {
+    write_file(path, dot);
+    return;
+  }
+  if (path.extension() != ".svg")
+    throw InputError(fmt::format("--graph {}: the name must end in .dot or .svg", file));
+  constexpr const char* program = "/usr/bin/dot";
+  if (::access(program, X_OK) != 0)
+    throw SystemError(
+        fmt::format("--graph {}: an SVG needs Graphviz ({}; on Debian: apt-get "
+                    "install graphviz); a .dot file does not",
+                    file, program));
+  const fs::path source = path.string() + ".dot";
+  write_file(source, dot);
+  ProcessRequest request;
+  request.words = {program, "-Tsvg", "-o", path.string(), source.string()};
+  const int status = run_process(request);
+  fs::remove(source);
+  if (status != 0) throw SystemError(fmt::format("{} ended with status {}", program, status));
+}
+
+int plan(const PlanRequest& o) {
+  if (o.ranks < 1) throw InputError("--ranks takes a number of at least 1");
+  check_run_options(o.run);
+  const auto loaded =
+      load_scene(o.deck, o.run.overrides, o.run.scene_options(o.ranks), o.run.warnings());
+  PlanOptions options;
+  options.ranks = o.ranks;
+  options.threads = o.run.threads;
+  options.force_all = o.run.force_all;
+  options.output = !o.run.no_output;
+  options.block = o.run.block_extents();
+  const RunPlan plan = plan_run(*loaded, options);
+  if (!o.graph.empty()) write_graph(o.graph, plan.dot);
+  fmt::print("{}", o.json ? plan_json(plan) : plan_text(plan));
+  return 0;
+}
+
+}  // namespace
+
+void declare_plan_command(Command& command) {
+  auto o = std::make_shared<PlanRequest>();
+  command.option("DECK", o->deck, "Deck (.ups)").required();
+  command.flag("--json", o->json, "As JSON, for scripts");
+  command.option("--graph", o->graph, "Write the task graph to FILE.dot or FILE.svg");
+  command.option("--ranks", o->ranks, "Plan for so many ranks");
+  add_run_options(command, o->run);
+  command.action([o] { return plan(*o); });
+}
+
+}  // namespace sluice

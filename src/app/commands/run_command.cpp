@@ -1,0 +1,182 @@
+// sluice run DECK: from deck to archive.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "app/command/command_line.hpp"
+#include "app/command/effect_table.hpp"
+#include "app/command/option_values.hpp"
+#include "app/command/run_ending.hpp"
+#include "app/loading/scene_loader.hpp"
+#include "app/loading/switched_parts.hpp"
+#include "app/plan/memory_check.hpp"
+#include "app/process/text_sink.hpp"
+#include "framework/base/communicator.hpp"
+#include "framework/base/json.hpp"
+#include "framework/run/simulation/simulation.hpp"
+#include "sluice_version.hpp"
+
+namespace sluice {
+namespace {
+
+struct RunRequest {
+  RunOptionValues run;
+  std::string deck, restart, json, progress = "auto";
+  std::string parent = ".";
+  std::optional<int> step, max_steps;
+  std::optional<double> wall_limit;  // seconds
+  bool copy = false, costs = false, plot = false, any_memory = false;
+};
+
+// The deck of the run: as named, or the one that the archive keeps.
+std::string deck_file(const RunRequest& o) {
+  if (o.restart.empty()) {
+    if (o.deck.empty()) throw InputError("name a deck, or an archive with --restart");
+    return o.deck;
+  }
+  if (!o.deck.empty()) return o.deck;
+  const std::filesystem::path kept = std::filesystem::path(o.restart) / "input.xml";
+  if (!std::filesystem::exists(kept))
+    throw InputError(fmt::format("--restart {}: there is no archive ({} does not exist)", o.restart,
+                                 kept.string()));
+  return kept.string();
+}
+
+void check_numbers(const RunRequest& o) {
+  check_run_options(o.run);
+  if (o.max_steps && *o.max_steps < 1)
+    throw InputError(fmt::format(
+        "--max-steps is {}; it takes a step number of at least 1 (leave it out for no limit)",
+        *o.max_steps));
+  if (o.wall_limit && !(*o.wall_limit > 0))
+    throw InputError(fmt::format(
+        "--wall-limit is {:g}; it takes seconds greater than 0 (leave it out for no limit)",
+        *o.wall_limit));
+  if (o.step && o.restart.empty())
+    throw InputError("--step names a checkpoint of an archive; give that archive with --restart");
+  if (o.step && *o.step < 0)
+    throw InputError(
+        fmt::format("--step is {}; it takes the number of a checkpoint's step, which "
+                    "sluice info lists",
+                    *o.step));
+  if (o.json == "-" && (o.costs || o.plot))
+    throw InputError(
+        "--json - leaves no room on standard output for --costs and --plot; name a "
+        "file, or leave them out (the report holds the costs)");
+}
+
+// The report alone on standard output, so that a program can read it.
+ProgressMode progress_of(const RunRequest& o) {
+  const ProgressMode asked = progress_mode_from(o.progress);
+  return o.json == "-" ? ProgressMode::none : asked;
+}
+
+// Of a run that ended before its end: the command that goes on, or why there is none.
+std::string continuation(const RunRequest& o, const RunReport& report) {
+  if (!report.archive || report.last_checkpoint < 0)
+    return "no checkpoint was written: this run cannot be continued\n";
+  ContinueWords words;
+  words.archive = *report.archive;
+  words.parent = o.parent;
+  words.ranks = report.ranks;
+  words.threads = o.run.threads;
+  words.force_directions = o.run.force_directions;
+  words.program = program_word();
+  return "the run goes on with\n" + command_to_continue(words) + "\n";
+}
+
+// Rank 0, the archive complete.
+void tell_end(const RunRequest& o, const RunReport& report, ProgressMode progress) {
+  if (progress != ProgressMode::none) {
+    fmt::print("{}", summary(report));
+    if (report.archive && report.status != RunStatus::failed)
+      fmt::print("{}", error_lines(*report.archive));
+  }
+  if (o.costs) fmt::print("{}", measured_effect_table(report.effects));
+  if (o.plot && !report.archive)
+    fmt::print("no archive was written: there is nothing to draw\n");
+  else if (o.plot && report.status != RunStatus::failed)
+    fmt::print("picture: {}\n", draw_picture(*report.archive).string());
+  if (ended_early(report.status))
+    fmt::print(progress == ProgressMode::none ? stderr : stdout, "{}", continuation(o, report));
+}
+
+int run_on(Communicator& ranks, const RunRequest& o) {
+  check_numbers(o);
+  const std::unique_ptr<LoadedScene> loaded = load_scene(
+      deck_file(o), o.run.overrides, o.run.scene_options(ranks.size()), o.run.warnings());
+  RunOptions options;
+  options.parent = o.parent;
+  options.output = !o.run.no_output;
+  options.threads = threads_to_use(o.run.threads);
+  if (!o.any_memory) require_memory(*loaded, ranks, options.threads, o.run.block_extents());
+  options.force_all = o.run.force_all;
+  options.limits.max_steps = o.max_steps.value_or(0);
+  options.limits.wall_seconds = o.wall_limit.value_or(0);
+  options.progress = progress_of(o);
+  options.limits.tell = !o.run.quiet && options.progress != ProgressMode::none;
+  options.program = fmt::format("sluice {}", version::kText);
+  options.successors = successors_of(*loaded);
+  options.kept_files = keep_files_of(*loaded);
+  options.other_decks = name_subdecks(*loaded);
+  options.deck_xml = to_xml(*loaded->deck.root);
+  // A link to the newest archive will lead to the one that this run makes.
+  if (!o.restart.empty()) options.restart = std::filesystem::canonical(o.restart);
+  options.restart_step = o.step.value_or(-1);
+  options.copy_earlier = o.copy;
+  options.block = o.run.block_extents();
+  // Opened before the run: a path that cannot be written must not cost a run.
+  std::optional<TextSink> json;
+  if (ranks.is_root() && !o.json.empty()) json.emplace(o.json);
+  Simulation simulation(loaded->scene, *loaded->component, ranks, options);
+  const RunReport report = simulation.run();
+  if (ranks.is_root()) {
+    if (json) {
+      json->write(to_json(report).dump(2) + "\n");
+      json->close();
+    }
+    if (!report.message.empty()) fmt::print(stderr, "sluice: error: {}\n", report.message);
+    tell_end(o, report, options.progress);
+  }
+  return exit_status_of(report.status);
+}
+
+// Several ranks end together, whether well, in a failure that all know of, or in one that a single
+// rank met while the others wait for its messages.
+int run(const RunRequest& o) {
+  Communicator& ranks = world();
+  if (!ranks.uses_mpi()) return run_on(ranks, o);
+  try {
+    ranks.exit_together(static_cast<ExitStatus>(run_on(ranks, o)));
+  } catch (const Error& e) {
+    ranks.abort(e.status(), fmt::format("sluice: error: {}", e.what()));
+  } catch (const std::exception& e) {
+    ranks.abort(ExitStatus::system, fmt::format("sluice: error: {}", e.what()));
+  }
+}
+
+}  // namespace
+
+void declare_run_command(Command& command) {
+  auto o = std::make_shared<RunRequest>();
+  command.option("DECK", o->deck, "Deck (.ups); with --restart: the archive's own by default");
+  command.option("-o,--output", o->parent, "Parent folder of the archive");
+  command.option("--max-steps", o->max_steps, "Stop with a checkpoint when this step is done");
+  command.option("--wall-limit", o->wall_limit, "Stop with a checkpoint after so many seconds");
+  command.option("--restart", o->restart, "Go on from the last checkpoint of this archive");
+  command.option("--step", o->step, "With --restart: from the checkpoint of this step");
+  command.flag("--copy", o->copy, "With --restart: copy earlier outputs, do not refer to them");
+  command.flag("--any-memory", o->any_memory,
+               "Start even where the memory that is planned is more than there is");
+  command.option("--json", o->json,
+                 "Write the report of the run to this file; -: to standard output");
+  command.option("--progress", o->progress, "auto, plain or none (warnings and errors only)");
+  add_run_options(command, o->run);
+  command.flag("--costs", o->costs, "Print the measured share of time of each effect");
+  command.flag("--plot", o->plot, "Draw the last output at the end, with the exact solution");
+  command.action([o] { return run(*o); });
+}
+
+}  // namespace sluice

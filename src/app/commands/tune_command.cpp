@@ -1,0 +1,238 @@
+// sluice tune DECK: which linear solver is fastest on the deck's own systems.
+#include <fmt/format.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+
+#include "app/command/command_line.hpp"
+#include "app/command/option_values.hpp"
+#include "app/loading/scene_loader.hpp"
+#include "app/process/python_tool.hpp"
+#include "app/process/study_process.hpp"
+#include "app/process/text_sink.hpp"
+#include "app/tune/tune_deck.hpp"
+#include "app/tune/tune_report.hpp"
+#include "framework/base/communicator.hpp"
+#include "framework/base/console.hpp"
+#include "framework/base/error.hpp"
+#include "framework/base/temporary_folder.hpp"
+#include "framework/run/simulation/simulation.hpp"
+
+namespace sluice {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct TuneRequest {
+  std::vector<std::string> overrides;
+  std::string deck, json, apply, picture;
+  double budget = 60;  // seconds
+  int steps = 20, systems = 3, threads = 1;
+  bool quiet = false;
+};
+
+// Of the budget for the run that makes the systems.
+constexpr double share_of_run = 0.3;
+// Of the budget for the picture, where one is asked for.
+constexpr double share_of_picture = 0.25;
+constexpr std::size_t most_right_sides = 4;  // of a system
+constexpr std::size_t most_curves = 6;
+
+double seconds_now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+// Of all threads.
+double processor_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+// Where a person looks on: one line that is overwritten.
+class ProgressLine {
+ public:
+  explicit ProgressLine(bool quiet) : shown_(!quiet && is_terminal(stderr)) {}
+  ~ProgressLine() { clear(); }
+  void show(const std::string& text) {
+    if (!shown_) return;
+    const auto width = static_cast<std::size_t>(terminal_width(stderr)) - 1;
+    fmt::print(stderr, "\r\033[K{}", text.substr(0, width));
+    std::fflush(stderr);
+    written_ = true;
+  }
+  void clear() {
+    if (written_) fmt::print(stderr, "\r\033[K");
+    written_ = false;
+  }
+
+ private:
+  bool shown_, written_ = false;
+};
+
+void check(const TuneRequest& o) {
+  if (!(o.budget > 0))
+    throw InputError(fmt::format("--budget is {:g}; it takes seconds greater than 0", o.budget));
+  if (o.steps < 1)
+    throw InputError(fmt::format("--steps is {}; it takes a number of at least 1", o.steps));
+  if (o.systems < 1)
+    throw InputError(fmt::format("--systems is {}; it takes a number of at least 1", o.systems));
+  if (o.threads < 1) throw InputError("--threads takes a number of at least 1");
+  std::error_code none;
+  if (!o.apply.empty() && fs::equivalent(o.apply, o.deck, none))
+    throw InputError("--apply names the deck itself; the tuned copy needs a name of its own");
+}
+
+// The first system, the last one of so many steps, and others evenly between.
+std::vector<int> wanted_numbers(int steps, int systems) {
+  std::vector<int> numbers;
+  for (int n = 0; n < systems; ++n) {
+    const int number = systems == 1 ? steps : 1 + (steps - 1) * n / (systems - 1);
+    if (numbers.empty() || numbers.back() < number) numbers.push_back(number);
+  }
+  return numbers;
+}
+
+void need_solve(const Deck& deck) {
+  if (deck.root->find("CFD/ICE/ImplicitSolver") != nullptr || deck.root->child("SolverTest"))
+    return;
+  throw InputError(
+      fmt::format("{} solves no linear system: sluice tune is for decks with <ImplicitSolver> in "
+                  "<CFD><ICE>",
+                  deck.file));
+}
+
+// Runs the first steps of the deck; what they solve for is kept.
+CapturedSystems capture(const LoadedScene& loaded, const TuneRequest& o, TuneReport& report) {
+  solve::SystemCapture captured(wanted_numbers(o.steps, o.systems), most_right_sides);
+  RunOptions options;
+  options.output = false;
+  options.threads = threads_to_use(o.threads);
+  options.limits.max_steps = o.steps;
+  options.limits.wall_seconds = share_of_run * o.budget;
+  options.limits.tell = false;
+  options.progress = ProgressMode::none;
+  const double before = processor_seconds();
+  Simulation simulation(loaded.scene, *loaded.component, world(), options);
+  const RunReport run = simulation.run();
+  const double spent = processor_seconds() - before;
+  CapturedSystems systems = captured.take();
+  if (systems.empty())
+    throw PhysicsError(run.message.empty()
+                           ? "the deck's first steps solve no system with a right-hand side"
+                           : run.message);
+  if (run.status == RunStatus::failed && !o.quiet)
+    fmt::print(stderr, "sluice: warning: the run ended: {}\n", run.message);
+  report.own = captured.settings();
+  report.steps = run.steps;
+  report.step_seconds = run.steps > 0 && o.threads == 1 ? spent / run.steps : 0;
+  for (const auto& system : systems) {
+    report.numbers.push_back(system->number());
+    report.right_sides.push_back(system->right_sides());
+  }
+  report.unknowns = systems.back()->unknowns();
+  report.levels = systems.back()->levels();
+  return systems;
+}
+
+std::string bytes_of(const std::string& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+// The copy is loaded, as a run of it would.
+void write_copy(const TuneRequest& o, const TuneReport& report) {
+  std::string text = bytes_of(o.deck);
+  if (report.worth_it()) text = tuned_deck(text, o.deck, report.own, report.best()->settings);
+  TextSink sink(o.apply);
+  sink.write(text);
+  sink.close();
+  load_scene(o.apply, o.overrides, {}, Warnings::hidden);
+  fmt::print("{}: {}\n", report.worth_it() ? "tuned deck" : "copy of the deck", o.apply);
+}
+
+// A message instead of a failure where Python cannot draw: the table is complete without.
+void draw(const TuneRequest& o, const TuneReport& report) try {
+  const TemporaryFolder folder(TemporaryFolder::Place::disk);
+  const fs::path json = folder / "tune.json", log = folder / "log";
+  std::ofstream(json) << tune_json(report);
+  const int status = run_python_tool({"residuals", json.string(), "-o", o.picture}, log);
+  if (status == 0)
+    fmt::print("picture: {}\n", o.picture);
+  else
+    fmt::print(stderr, "sluice: warning: no picture: {}\n", last_lines(log, 3));
+} catch (const SystemError& missing) {
+  fmt::print(stderr, "sluice: warning: no picture: {}\n", missing.what());
+}
+
+int tune(const TuneRequest& o) {
+  check(o);
+  if (world().size() > 1) throw InputError("sluice tune runs on one rank; start it without mpirun");
+  const auto loaded =
+      load_scene(o.deck, o.overrides, {}, o.quiet ? Warnings::hidden : Warnings::told);
+  if (!loaded->later.empty())
+    throw InputError("sluice tune runs one component; name the deck of one of the switcher's");
+  need_solve(loaded->deck);
+  const double begin = seconds_now();
+  const auto clock = [begin] { return seconds_now() - begin; };
+  ProgressLine line(o.quiet);
+  TuneReport report;
+  report.deck = loaded->deck.file;
+  report.title = loaded->scene.title;
+  report.budget = o.budget;
+  line.show(fmt::format("running {} steps of the deck, at most {}", o.steps,
+                        human_duration(share_of_run * o.budget)));
+  const CapturedSystems systems = capture(*loaded, o, report);
+  const double for_search = o.picture.empty() ? o.budget : (1 - share_of_picture) * o.budget;
+  TuneSearch search(
+      systems, solver_candidates(report.own, systems), clock, for_search,
+      [&](const TuneProgress& p) {
+        line.show(fmt::format("[{}/{}] {}; {} spent, about {} left", p.done + 1, p.all, p.doing,
+                              human_duration(p.seconds), human_duration(p.left)));
+      });
+  report.ranking = search.run();
+  report.ranked_by = search.systems_done();
+  if (!o.picture.empty()) {
+    line.show("residuals against time, for the picture");
+    report.curve_goal = relative_tolerance(report.own, systems);
+    report.curves = search.curves(report.ranking, report.curve_goal, most_curves, o.budget);
+  }
+  report.seconds = clock();
+  line.clear();
+  if (!o.json.empty()) {
+    TextSink sink(o.json);
+    sink.write(tune_json(report));
+    sink.close();
+  }
+  if (o.json != "-") fmt::print("{}", tune_text(report));
+  if (!o.picture.empty()) draw(o, report);
+  if (!o.apply.empty()) write_copy(o, report);
+  return static_cast<int>(report.best() == nullptr ? ExitStatus::failed : ExitStatus::good);
+}
+
+}  // namespace
+
+void declare_tune_command(Command& command) {
+  auto o = std::make_shared<TuneRequest>();
+  command.option("DECK", o->deck, "Deck (.ups) with <ImplicitSolver>").required();
+  command.option("--budget", o->budget, "Seconds that the search may take (60)");
+  command.option("--steps", o->steps, "Steps of the deck that are run for their systems (20)");
+  command.option("--systems", o->systems,
+                 "Systems to keep: the first, the last, and others evenly between (3)");
+  command.option("--apply", o->apply,
+                 "Write a copy of the deck with the best solver; every other byte stays");
+  command.option("--picture", o->picture,
+                 "Draw residual against time of the best (.png, .svg or .pdf)");
+  command.option("--json", o->json, "Write all measurements to this file; -: to standard output");
+  command.option("--set", o->overrides, "Override PATH=VALUE (may be repeated)").repeatable();
+  command.option("--threads", o->threads, "Threads of the run (solvers take one)");
+  command.flag("--quiet", o->quiet, "Drop warnings of the deck and the progress line");
+  command.action([o] { return tune(*o); });
+}
+
+}  // namespace sluice

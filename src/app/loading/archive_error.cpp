@@ -1,0 +1,224 @@
+#include "app/loading/archive_error.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+
+#include "exact/exact_solutions.hpp"
+#include "framework/base/error.hpp"
+
+namespace sluice {
+namespace {
+
+// Cells of `level` that lie under the next finer one.
+bool covered(const Grid& grid, std::size_t level, IntVec3 c) {
+  if (level + 1 >= grid.levels.size()) return false;
+  const Level& fine = grid.levels[level + 1];
+  const IntVec3 low = c * fine.ratio;
+  for (const GridBox& box : fine.boxes) {
+    if (box.cells.contains(low)) return true;
+  }
+  return false;
+}
+
+struct CellRequest {
+  const std::string& variable;
+  int component, material, level;
+};
+
+// Of one material, in the order of for_each_cell.
+std::vector<double> values_of(const ArchiveStep& step, const CellRequest& asked,
+                              const IndexBox& cells) {
+  const FieldInfo* field = step.find(asked.variable, asked.material, asked.level);
+  if (!field || field->centring != Centring::cell || asked.component >= field->components()) {
+    throw InputError(fmt::format(
+        "{}: no cell variable '{}' with component {} of material {} on level {}; save it with "
+        "<save label=\"{}\"/>",
+        step.folder().string(), asked.variable, asked.component, asked.material, asked.level,
+        asked.variable));
+  }
+  const DenseField values = step.read(*field, cells);
+  std::vector<double> out;
+  for_each_cell(cells, [&](IntVec3 c) { out.push_back(values.at(c, asked.component)); });
+  return out;
+}
+
+// uncovered(cell, its number among values_of its box) of a level.
+template <class F>
+void for_uncovered(const Grid& grid, std::size_t level, const GridBox& box, F&& uncovered) {
+  std::size_t n = 0;
+  for_each_cell(box.cells, [&](IntVec3 c) {
+    if (!covered(grid, level, c)) uncovered(c, n);
+    ++n;
+  });
+}
+
+// How many cells of a finer level lie along a cell.
+IntVec3 cells_within(const Level& level, const Level& finer, const std::string& folder) {
+  IntVec3 ratio;
+  for (int d = 0; d < 3; ++d) {
+    const double cells = level.spacing[d] / finer.spacing[d];
+    ratio[d] = static_cast<int>(std::lround(cells));
+    if (ratio[d] < 1 || std::fabs(cells - ratio[d]) > 1e-6 * cells)
+      throw InputError(fmt::format(
+          "{}: {:g} cells of the reference lie along one of a run, along {}; a whole number is "
+          "needed",
+          folder, cells, "xyz"[d]));
+  }
+  return ratio;
+}
+
+// Of all materials together: the density is their sum, the velocity their mean by mass.
+std::vector<double> mixture_values(const ArchiveStep& step, CellRequest asked,
+                                   const IndexBox& cells) {
+  if (asked.variable == "press_CC" || asked.variable == "vol_frac_CC")
+    return values_of(step, asked, cells);
+  const bool velocity = asked.variable == "vel_CC";
+  if (!velocity && asked.variable != "rho_CC") {
+    throw InputError(fmt::format(
+        "a run of several materials has no exact '{}'; known are rho_CC, vel_CC (of the mixture), "
+        "press_CC, vol_frac_CC",
+        asked.variable));
+  }
+  std::vector<double> mass, sum;
+  for (asked.material = 0;; ++asked.material) {
+    if (asked.material > 0 && !step.find("rho_CC", asked.material, asked.level)) break;
+    const auto rho = values_of(step, {"rho_CC", 0, asked.material, asked.level}, cells);
+    const auto factor = velocity ? values_of(step, asked, cells) : std::vector<double>{};
+    mass.resize(rho.size());
+    sum.resize(rho.size());
+    for (std::size_t n = 0; n < rho.size(); ++n) {
+      mass[n] += rho[n];
+      if (velocity && rho[n] > 0) sum[n] += rho[n] * factor[n];
+    }
+  }
+  if (!velocity) return mass;
+  for (std::size_t n = 0; n < sum.size(); ++n) sum[n] /= mass[n];
+  return sum;
+}
+
+}  // namespace
+
+std::optional<DeckReference> reference_of_deck(const DeckNode& root) {
+  const DeckNode* node = root.find("Meta/exact_solution");
+  if (!node) return std::nullopt;
+  std::map<std::string, std::string> values;
+  for (const auto& child : node->children) values[child->name] = child->text;
+  DeckReference reference;
+  try {
+    reference.solution =
+        exact::make_exact_solution({node->attribute("type").value_or(""), std::move(values)});
+  } catch (const InputError& fault) {
+    throw InputError(fmt::format("{}: {}", to_string(node->where), fault.what()));
+  }
+  if (const DeckNode* heat = root.find("MaterialProperties/ICE/material/specific_heat")) {
+    reference.specific_heat = heat->as_real();
+  }
+  return reference;
+}
+
+std::optional<DeckReference> reference_of_archive(const Archive& archive) {
+  const Deck deck = read_deck((archive.folder() / "input.xml").string());
+  if (!deck.root) return std::nullopt;
+  return reference_of_deck(*deck.root);
+}
+
+exact::ErrorNorms place_error(const ArchiveStep& step, const DeckReference& reference,
+                              int material) {
+  std::vector<double> off, far, volumes;
+  for (int level = 0; level < static_cast<int>(step.grid().levels.size()); ++level) {
+    const FieldInfo* place = step.find_particles("p.x", material, level);
+    const FieldInfo* moved = step.find_particles("p.displacement", material, level);
+    const FieldInfo* volume = step.find_particles("p.volume", material, level);
+    if (place == nullptr || moved == nullptr) continue;
+    const auto x = step.read_particles(*place), u = step.read_particles(*moved);
+    for (std::size_t p = 0; p < x[0].size(); ++p) {
+      const Vec3 now{x[0][p], x[1][p], x[2][p]};
+      const Vec3 exact =
+          reference.solution->place(now - Vec3{u[0][p], u[1][p], u[2][p]}, step.info().time);
+      const Vec3 d = now - exact;
+      far.push_back(std::sqrt(dot(exact, exact)));
+      off.push_back(far.back() + std::sqrt(dot(d, d)));
+    }
+    if (volume == nullptr) continue;
+    const auto V = step.read_particles(*volume);
+    volumes.insert(volumes.end(), V[0].begin(), V[0].end());
+  }
+  if (off.empty())
+    throw InputError(
+        fmt::format("{}: errors of places need p.x and p.displacement of material {}; save both",
+                    step.folder().string(), material));
+  return exact::error_norms(off, far, volumes);
+}
+
+exact::ErrorNorms archive_error(const ArchiveStep& step, const DeckReference& reference,
+                                const std::string& variable, int component, int material) {
+  if (reference.solution->has_places()) {
+    if (variable == "p.x") return place_error(step, reference, material);
+    throw InputError(fmt::format("the exact solution is a motion: it knows p.x, not {}", variable));
+  }
+  const bool mixture = reference.solution->materials() > 1;
+  const Grid& grid = step.grid();
+  const double time = step.info().time;
+  std::vector<double> computed, exact, volumes;
+  for (std::size_t level = 0; level < grid.levels.size(); ++level) {
+    for (const GridBox& box : grid.levels[level].boxes) {
+      const CellRequest request{variable, component, material, static_cast<int>(level)};
+      const std::vector<double> values =
+          mixture ? mixture_values(step, request, box.cells) : values_of(step, request, box.cells);
+      for_uncovered(grid, level, box, [&](IntVec3 c, std::size_t n) {
+        const exact::State state = reference.solution->at(grid.levels[level].centre(c), time);
+        computed.push_back(values[n]);
+        exact.push_back(variable == "vol_frac_CC" ? (state.material == material ? 1.0 : 0.0)
+                                                  : exact::exact_value(state, variable, component,
+                                                                       reference.specific_heat));
+        volumes.push_back(grid.levels[level].cell_volume());
+      });
+    }
+  }
+  if (grid.levels.size() == 1) volumes.clear();
+  return exact::error_norms(computed, exact, volumes);
+}
+
+exact::ErrorNorms archive_error(const ArchiveStep& step, const ArchiveStep& reference,
+                                const std::string& variable, int component, int material) {
+  const double time = step.info().time, late = reference.info().time;
+  if (!(std::fabs(time - late) <= 1e-9 * std::fabs(late)))
+    throw InputError(
+        fmt::format("{}: its last output is of time {:g}, that of a run of {:g}; give both the "
+                    "same, by maxTime",
+                    reference.folder().string(), late, time));
+  const Level& finest = reference.grid().levels.front();
+  const std::string folder = reference.folder().string();
+  if (reference.grid().levels.size() > 1)
+    throw InputError(folder + ": a reference has one level, this one has several");
+  std::vector<double> computed, exact, volumes;
+  const Grid& grid = step.grid();
+  for (std::size_t l = 0; l < grid.levels.size(); ++l) {
+    const Level& level = grid.levels[l];
+    const IntVec3 ratio = cells_within(level, finest, folder);
+    for (const GridBox& box : level.boxes) {
+      const CellRequest request{variable, component, material, static_cast<int>(l)};
+      const std::vector<double> values = values_of(step, request, box.cells);
+      const IndexBox fine_box{box.cells.lower * ratio, box.cells.upper * ratio};
+      const std::vector<double> fine =
+          values_of(reference, {variable, component, material, 0}, fine_box);
+      const IntVec3 size = fine_box.size();
+      for_uncovered(grid, l, box, [&](IntVec3 c, std::size_t n) {
+        const IntVec3 low = (c - box.cells.lower) * ratio;
+        double sum = 0;
+        for_each_cell({low, low + ratio}, [&](IntVec3 f) {
+          sum += fine[static_cast<std::size_t>(f.x + size.x * (f.y + size.y * f.z))];
+        });
+        computed.push_back(values[n]);
+        exact.push_back(sum / (ratio.x * ratio.y * ratio.z));
+        volumes.push_back(level.cell_volume());
+      });
+    }
+  }
+  if (grid.levels.size() == 1) volumes.clear();
+  return exact::error_norms(computed, exact, volumes);
+}
+
+}  // namespace sluice

@@ -1,0 +1,43 @@
+// The exact solution that a deck names, and the error of an archived state against it.
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "exact/base/error_norms.hpp"
+#include "exact/base/exact_solution.hpp"
+#include "framework/archive/archive.hpp"
+#include "framework/deck/deck.hpp"
+
+namespace sluice {
+
+struct DeckReference {
+  std::unique_ptr<exact::ExactSolution> solution;
+  double specific_heat = 1;  // of the first ICE material, for temperatures
+};
+
+// Nothing when the deck has no <Meta><exact_solution>; InputError when it makes no sense.
+std::optional<DeckReference> reference_of_deck(const DeckNode& root);
+
+// The same of the deck that an archive keeps as input.xml.
+std::optional<DeckReference> reference_of_archive(const Archive& archive);
+
+// Error norms of a cell variable of a material (component 0, 1, 2 of a vector) at the cell centres,
+// each point counted once, on the finest level there. Where the exact solution has several
+// materials, density and velocity are those of the mixture of all, whatever `material` says;
+// vol_frac_CC is that of `material`.
+exact::ErrorNorms archive_error(const ArchiveStep& step, const DeckReference& reference,
+                                const std::string& variable, int component, int material);
+
+// Distances of the particles of a material from where a motion has them, by volume; relative_l1:
+// over their mean distance from the origin. The step holds p.x and p.displacement (and p.volume,
+// else all count alike).
+exact::ErrorNorms place_error(const ArchiveStep& step, const DeckReference& reference,
+                              int material);
+
+// The same against another state of the same scene, on one level: its mean over each cell. Throws
+// InputError where its cells do not divide those of `step`, or its time is another.
+exact::ErrorNorms archive_error(const ArchiveStep& step, const ArchiveStep& reference,
+                                const std::string& variable, int component, int material);
+
+}  // namespace sluice

@@ -1,0 +1,32 @@
+// Graphs of a step, compiled without running them.
+#pragma once
+#include <map>
+#include <set>
+
+#include "framework/run/component/component.hpp"
+#include "framework/task/graph.hpp"
+
+namespace sluice {
+
+// A graph with some outputs wanted.
+struct PlannedGraph {
+  TaskList list;
+  SweepPlan plan;
+};
+
+// Of a step of a kind of blocks; -1: the general one, which is right for every block.
+PlannedGraph plan_step_graph(const Component& component, const Level& level,
+                             const std::set<Label>& wanted, int kind = -1);
+// Of what is computed from a state.
+PlannedGraph plan_diagnostic_graph(const Component& component, const Level& level,
+                                   const std::set<Label>& wanted);
+
+// The materials that have each label among the outputs of these tasks.
+using MaterialsOfLabels = std::map<Label, std::set<int>>;
+void add_outputs(const TaskList& list, MaterialsOfLabels& materials);
+std::set<Label> output_labels(const TaskList& list);
+
+// Components of the state, over all slots.
+double state_components(const Component& component);
+
+}  // namespace sluice

@@ -1,0 +1,199 @@
+#include "app/study/study_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <numeric>
+
+#include "app/loading/archive_error.hpp"
+#include "app/process/study_process.hpp"
+#include "framework/archive/archive.hpp"
+#include "framework/base/error.hpp"
+#include "framework/base/json.hpp"
+
+namespace sluice {
+namespace {
+
+namespace fs = std::filesystem;
+
+double in_norm(const exact::ErrorNorms& norms, const std::string& norm) {
+  if (norm == "l2") return norms.l2;
+  if (norm == "linf") return norms.linf;
+  if (norm == "relative_l1") return norms.relative_l1;
+  return norms.l1;
+}
+
+std::vector<std::string> run_words(const StudyRunner& runner, const Study& study,
+                                   const StudyPoint& point) {
+  std::vector<std::string> words = {runner.executable.string(), "run", study.deck};
+  for (const std::string& one : point.overrides) {
+    words.emplace_back("--set");
+    words.push_back(one);
+  }
+  return words;
+}
+
+// For a person's shell: words with blanks or brackets in quotes.
+std::string shell_text(const std::vector<std::string>& words) {
+  std::string out = "sluice";
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    const bool plain = words[i].find_first_of(" []*?$'\"@=") == std::string::npos;
+    out += plain ? " " + words[i] : " '" + words[i] + "'";
+  }
+  return out;
+}
+
+ArchiveStep last_output(const Study& study, const Archive& archive) {
+  if (archive.outputs().empty())
+    throw InputError(fmt::format("{}: the run of {} wrote no output", study.file, study.deck));
+  return archive.read_output(archive.select_output("last"));
+}
+
+// What transfer, integration and contact took (or gave) and did not become heat, over the scale.
+exact::ErrorNorms lost_energy(const Study& study, const Json& told) {
+  const Json& account = told.at("energy_account");
+  if (account.empty())
+    throw InputError(
+        fmt::format("{}: the run of {} has no account of energy: no solids in it deform "
+                    "in explicit steps",
+                    study.file, study.deck));
+  double lost = 0;
+  for (const auto& [name, value] : account.members())
+    if (name != "within particles") lost += value.get<double>();
+  const double scale = told.at("conservation").at("total energy").at("scale").get<double>();
+  const double share = scale > 0 ? std::fabs(lost) / scale : 0;
+  return {share, share, share, share};
+}
+
+}  // namespace
+
+// What one process gave.
+struct StudyRunner::Once {
+  std::string status = "failed", message;
+  int steps = 0;
+  double seconds = 0, wall_seconds = 0;
+  exact::ErrorNorms norms;
+  std::string archive;  // empty: none was written
+};
+
+exact::ErrorNorms StudyRunner::measure(const Study& study, const std::string& path) const {
+  const Archive archive = Archive::open(path);
+  const ArchiveStep step = last_output(study, archive);
+  if (study.reference) {
+    const Archive finer = Archive::open(reference_);
+    return archive_error(step, last_output(study, finer), study.variable, study.component,
+                         study.material);
+  }
+  const auto reference = reference_of_archive(archive);
+  if (!reference)
+    throw InputError(
+        fmt::format("{}: the deck names no <Meta><exact_solution>, and the study no "
+                    "\"reference\"; it needs one of them to measure errors",
+                    study.deck));
+  return archive_error(step, *reference, study.variable, study.component, study.material);
+}
+
+Timing timing_of(std::vector<double> seconds) {
+  if (seconds.empty()) return {};
+  std::sort(seconds.begin(), seconds.end());
+  const auto at = [&](double share) {  // linear between the sorted values
+    const double place = share * static_cast<double>(seconds.size() - 1);
+    const auto low = static_cast<std::size_t>(place);
+    const std::size_t high = std::min(low + 1, seconds.size() - 1);
+    return seconds[low] + (place - static_cast<double>(low)) * (seconds[high] - seconds[low]);
+  };
+  const double median = at(0.5);
+  return {median, median > 0 ? (at(0.75) - at(0.25)) / median : 0};
+}
+
+StudyRunner::Once StudyRunner::run_once(const Study& study, const StudyPoint& point,
+                                        bool measure_error) const {
+  const fs::path here = folder / "run";
+  fs::remove_all(here);
+  fs::create_directories(here);
+  const fs::path json = here / "run.json", log = here / "run.log";
+  ProcessRequest request;
+  request.words = run_words(*this, study, point);
+  for (const std::string& word : {std::string("-o"), here.string(), std::string("--json"),
+                                  json.string(), std::string("--progress"), std::string("none")}) {
+    request.words.push_back(word);
+  }
+  request.output = log;
+  Once once;
+  const int exit_status = run_process(request);
+  if (exit_status == static_cast<int>(ExitStatus::bad_input)) {
+    throw InputError(fmt::format("{} does not run:\n{}", shell_text(run_words(*this, study, point)),
+                                 last_lines(log, 20)));
+  }
+  std::ifstream in(json);
+  const Json told = Json::parse_or_null({std::istreambuf_iterator<char>(in), {}});
+  if (!told.is_object()) {
+    once.message = fmt::format("exit status {}: {}", exit_status, last_lines(log, 5));
+    return once;
+  }
+  once.status = told.value("status", std::string("failed"));
+  once.steps = told.value("steps", 0);
+  once.wall_seconds = told.value("wall_s", 0.0);
+  once.seconds = told.value("stepping_s", once.wall_seconds);
+  if (once.status != "done") once.message = last_lines(log, 5);
+  if (once.status != "done") return once;
+  if (!told.contains("archive") || !told.at("archive").is_text())
+    throw InputError(fmt::format("{}: the run of {} wrote no archive", study.file, study.deck));
+  once.archive = told.at("archive").get<std::string>();
+  if (measure_error)
+    once.norms = is_of_energy(study) ? lost_energy(study, told) : measure(study, once.archive);
+  return once;
+}
+
+StudyResult StudyRunner::run_reference(const Study& study) {
+  StudyResult result;
+  result.point = reference_point(study);
+  const Once once = run_once(study, result.point, false);
+  if (once.status != "done")
+    throw InputError(
+        fmt::format("{}: the reference is {}: {}", study.file, once.status, once.message));
+  reference_ = folder / "reference";
+  fs::remove_all(reference_);
+  fs::rename(once.archive, reference_);
+  fs::remove_all(folder / "run");
+  result.status = once.status;
+  result.steps = once.steps;
+  result.seconds = once.seconds;
+  result.wall_seconds = once.wall_seconds;
+  return result;
+}
+
+StudyResult StudyRunner::run(const Study& study, const StudyPoint& point) const {
+  StudyResult result;
+  result.point = point;
+  result.command = shell_text(run_words(*this, study, point));
+  std::vector<double> seconds, wall_seconds;
+  double spent = 0;
+  Timing timing;
+  for (int repeat = 0; repeat < std::max(1, repeats); ++repeat) {
+    const Once once = run_once(study, point, repeat == 0);
+    if (repeat == 0) {
+      result.status = once.status;
+      result.message = once.message;
+      result.steps = once.steps;
+      result.norms = once.norms;
+      result.error = in_norm(once.norms, study.norm);
+    }
+    seconds.push_back(once.seconds);
+    wall_seconds.push_back(once.wall_seconds);
+    spent += once.wall_seconds;
+    timing = timing_of(seconds);
+    if (!result.done() || spent > patience) break;
+    if (repeat >= 2 && timing.spread <= 0.05) break;
+  }
+  result.seconds = timing.median;
+  result.wall_seconds = timing_of(wall_seconds).median;
+  result.spread = timing.spread;
+  result.repeats = static_cast<int>(seconds.size());
+  fs::remove_all(folder / "run");
+  return result;
+}
+
+}  // namespace sluice

@@ -1,0 +1,59 @@
+// One run of a study: `sluice run` as a process of its own, its error and its time.
+//
+// The time that counts is that of the steps: start-up and writing the archive (which waits for the
+// disk) do not depend on the setting and would hide what small runs cost.
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "app/study/study.hpp"
+#include "exact/base/error_norms.hpp"
+
+namespace sluice {
+
+struct StudyResult {
+  StudyPoint point;
+  std::string status = "failed";  // as the run's JSON says; "done" is good
+  std::string message;            // why it is not done
+  std::string command;            // repeats the run
+  int steps = 0;
+  double seconds = 0;       // of the steps alone, median of the repeats
+  double wall_seconds = 0;  // with start and output, median of the repeats
+  double spread = 0;        // of the repeats, relative; 0 of a single one
+  int repeats = 0;
+  exact::ErrorNorms norms;
+  double error = 0;  // in the study's norm
+
+  bool done() const { return status == "done"; }
+  // Timing too uneven, or not repeated.
+  bool noisy() const { return repeats < 2 || spread > 0.05; }
+};
+
+struct StudyRunner {
+  std::filesystem::path executable;  // sluice
+  std::filesystem::path folder;      // for archives and logs; archives are removed when measured
+  int repeats = 7;                   // at most; stops when the spread falls to 5 %
+  double patience = 20;              // no more repeats once they took so many seconds in all
+
+  // Before run(), of a study with a reference: its run, whose archive stays in the folder. Throws
+  // InputError if it does not come to its end.
+  StudyResult run_reference(const Study& study);
+  StudyResult run(const Study& study, const StudyPoint& point) const;
+
+ private:
+  struct Once;
+  exact::ErrorNorms measure(const Study& study, const std::string& archive) const;
+  Once run_once(const Study& study, const StudyPoint& point, bool measure_error) const;
+
+  std::filesystem::path reference_;  // archive
+};
+
+// Middle of the values, and (third quartile - first quartile) / middle.
+struct Timing {
+  double median = 0, spread = 0;
+};
+Timing timing_of(std::vector<double> seconds);
+
+}  // namespace sluice

@@ -1,0 +1,456 @@
+// When samples are taken, of which labels on which levels; their files to disk.
+#include "framework/run/analysis/analysis_recorder.hpp"
+#include "framework/run/analysis/analysis_nodes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "framework/analysis/line.hpp"
+#include "framework/analysis/plane.hpp"
+#include "framework/analysis/probe.hpp"
+#include "framework/base/json.hpp"
+#include "framework/deck/faults.hpp"
+#include "framework/run/component/refuse_label.hpp"
+
+namespace sluice {
+namespace {
+
+constexpr std::size_t most_pending_lines = 50000;  // in memory before they are written
+
+// Names in an archive's folder that belong to others.
+bool is_reserved(const std::string& name) {
+  static const std::set<std::string> others = {
+      "MinMax",    "planeAverage",    "planarAveTurbFluxes", "points",     "checkpoints",
+      "index.xml", "particleExtract", "input.xml",           "levels.txt", "run.json"};
+  return others.count(name) > 0 || (name.size() > 1 && name[0] == 't' &&
+                                    name.find_first_not_of("0123456789", 1) == name.npos);
+}
+
+void sort_once(std::vector<Label>& labels) {
+  std::sort(labels.begin(), labels.end());
+  labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
+}
+
+// InputError where what passes through surfaces is not summed.
+void check_accounts(const AnalysisModule& m, const Component& component) {
+  if (component.first_volume_sum() < 0)
+    throw DeckError(
+        m.where,
+        fmt::format("<Module name=\"{}\">: {} keeps no account of what passes through control "
+                    "volumes with this scheme or so many materials",
+                    m.name, component.name()),
+        "planeAverage and lineExtract work");
+}
+
+}  // namespace
+
+AnalysisRecorder::AnalysisRecorder(const Scene& scene, Hierarchy& hierarchy,
+                                   Communicator& communicator)
+    : hierarchy_(&hierarchy),
+      communicator_(&communicator),
+      heat_(VolumeSums(hierarchy.component().first_volume_sum(),
+                       hierarchy.component().material_count())) {
+  std::set<std::string> names;
+  std::vector<Level> levels;
+  for (int l = 0; l < hierarchy.possible_levels(); ++l)
+    levels.push_back(hierarchy.level(l).level());
+  int volumes = 0;
+  for (const AnalysisModule& m : scene.analysis.modules) {
+    const int first_volume = volumes;
+    volumes += static_cast<int>(m.volumes.size());
+    if (takes_heat(m)) {
+      check_places(m, names);
+      add_planes_of_heat(m, first_volume, scene);
+    }
+    if (follows_particles(m)) add_particles(m);
+    const bool fields = keeps_statistics(m) || averages_cells(m);
+    if (!samples_levels(m) && !keeps_budgets(m) && !fields) continue;
+    // Extremes are taken of what nodes have too.
+    const FindQuantity find = [this, nodes = m.name == "minMax"](const AnalysedVariable& v) {
+      const std::optional<Label> label = find_label(v.label);
+      return nodes && label && is_of_nodes(*hierarchy_, *label)
+                 ? node_quantity(*hierarchy_, v, *label)
+                 : find_quantity(v);
+    };
+    check_fields(m, find);
+    check_places(m, names);
+    Module module;
+    module.settings = &m;
+    module.levels = make_samplers(m, levels, find);
+    if (keeps_budgets(m)) module.budgets = make_budgets(m, first_volume);
+    if (keeps_statistics(m)) {
+      module.statistics = std::make_unique<Statistics>(m, find, hierarchy, communicator.rank());
+      check_labels(module.statistics->labels(), m);
+    }
+    if (averages_cells(m)) {
+      module.averages = std::make_unique<CellAverages>(m, find, hierarchy, communicator.rank());
+      check_labels(module.averages->labels(), m);
+    }
+    if (module.budgets || fields ||
+        std::any_of(module.levels.begin(), module.levels.end(), [](auto& s) { return !!s; }))
+      modules_.push_back(std::move(module));
+  }
+}
+
+// Two modules of a material would write the same files; materials have no id in common.
+void AnalysisRecorder::add_particles(const AnalysisModule& m) {
+  Module module;
+  module.settings = &m;
+  module.levels.resize(static_cast<std::size_t>(hierarchy_->possible_levels()));
+  module.particles = std::make_unique<ParticleHistories>(m, hierarchy_->component().particles());
+  for (const Module& other : modules_)
+    if (other.particles != nullptr && other.settings->material == m.material)
+      throw DeckError(
+          m.where,
+          fmt::format("a second <Module name=\"{}\"> of this material would write the same files",
+                      m.name),
+          "put its variables into the first");
+  modules_.push_back(std::move(module));
+}
+
+// The materials that have a field, as the component declares it.
+std::vector<int> AnalysisRecorder::materials_of(Label label) const {
+  const Component& component = hierarchy_->component();
+  TaskList list;
+  StepVariant general;
+  general.kind = component.step_kinds() - 1;
+  component.declare_step(list, general);
+  component.declare_diagnostics(list, 0);
+  std::vector<int> materials;
+  for (const Variable& v : list.variables())
+    if (v.storage == Storage::output && v.label == label) materials.push_back(v.material);
+  return materials;
+}
+
+AnalysedQuantity AnalysisRecorder::find_quantity(const AnalysedVariable& v) const {
+  const LevelSolver& solver = hierarchy_->level(0);  // labels are the same on all levels
+  const std::optional<Label> label = find_label(v.label);
+  if (label && (solver.is_step_label(*label) || solver.is_diagnostic_label(*label))) {
+    const std::vector<int> materials = materials_of(*label);
+    if (std::find(materials.begin(), materials.end(), v.material) != materials.end())
+      return {*label, v.material, component_count(label->info().type)};
+    throw DeckError(v.where,
+                    fmt::format("<analyze label=\"{}\">: there is none of material {}, but of {}",
+                                v.label, v.material, fmt::join(materials, ", ")),
+                    "say which with matl");
+  }
+  std::vector<std::string> names;
+  for (Label l : all_labels())
+    if (solver.is_step_label(l) || solver.is_diagnostic_label(l)) names.push_back(l.name());
+  refuse_label(v.where, LabelUse::analyse, v.label, names);
+}
+
+void AnalysisRecorder::check_place(const char* kind, const std::string& name, const Location& where,
+                                   bool outside, bool clipped, std::set<std::string>& names) {
+  if (is_reserved(name) || !names.insert(name).second)
+    throw DeckError(
+        where,
+        fmt::format("<{} name=\"{}\">: another one or a part of the archive has this name", kind,
+                    name),
+        "choose another name");
+  warn_of_place(kind, name, where, outside, clipped);
+}
+
+void AnalysisRecorder::warn_of_place(const char* kind, const std::string& name,
+                                     const Location& where, bool outside, bool clipped) {
+  if (outside)
+    add_warning(warnings_, where,
+                fmt::format("{} '{}' lies outside the domain: nothing is taken", kind, name));
+  else if (clipped)
+    add_warning(
+        warnings_, where,
+        fmt::format("{} '{}' leaves the domain: only the part inside is taken", kind, name));
+}
+
+void AnalysisRecorder::check_places(const AnalysisModule& m, std::set<std::string>& names) {
+  const Level& level = hierarchy_->level(0).level();
+  if (writes_one_set_of_files(m) && !names.insert(m.name).second)
+    throw DeckError(m.where,
+                    fmt::format("a second <Module name=\"{}\"> would write the same files", m.name),
+                    "put its variables into the first");
+  for (const AnalysedLine& line : m.lines) {
+    const LineCells found = cells_on_line(line, level);
+    check_place("line", line.name, line.where, found.cells.empty(), found.clipped, names);
+  }
+  const bool own_names = m.name == "controlVolFluxes";
+  for (const ControlVolume& volume : m.volumes) {
+    const VolumeCells found = cells_of(volume, level);
+    const std::optional<Label> label = find_label(volume.name);
+    if (own_names && label && label->info().centring == Centring::reduction)
+      throw DeckError(
+          volume.where,
+          fmt::format("<box label=\"{0}\">: histories of this label have the file {0}.dat",
+                      volume.name),
+          "choose another name");
+    if (volume.flat < 0)
+      check_place("volume", volume.name, volume.where, found.cells.empty(), found.clipped, names);
+    else
+      warn_of_place("plane", volume.name, volume.where, found.cells.empty(), found.clipped);
+  }
+  for (const AnalysedPoint& p : m.points)
+    check_place("point", p.name, p.where, stencil_around(p.position, level).cells.empty(), false,
+                names);
+  for (const AnalysedPlane& plane : m.planes) {
+    const PlaneCells found = cells_in_plane(plane, level);
+    check_place("plane", plane.name, plane.where, found.cells.empty(), found.clipped, names);
+  }
+}
+
+void AnalysisRecorder::add_planes_of_heat(const AnalysisModule& m, int first, const Scene& scene) {
+  check_accounts(m, hierarchy_->component());
+  const Level& level = hierarchy_->level(0).level();
+  for (std::size_t n = 0; n < m.volumes.size(); ++n) {
+    const ControlVolume& plane = m.volumes[n];
+    if (!level.active[static_cast<std::size_t>(plane.flat)])
+      throw DeckError(plane.where,
+                      fmt::format("<plane>: nothing passes along {}, which is no dimension of this "
+                                  "run",
+                                  "xyz"[plane.flat]),
+                      "put it across another direction, or give this one more than a cell");
+    heat_.add(first + static_cast<int>(n), plane);
+  }
+  const Label label = total_heat_rate();
+  const auto& saves = scene.output.saves;
+  if (std::none_of(saves.begin(), saves.end(),
+                   [&](const SaveRequest& r) { return r.label == label.name(); }))
+    add_warning(
+        warnings_, m.where,
+        fmt::format("<Module name=\"{}\"> writes nothing: {} is not saved", m.name, label.name()));
+}
+
+std::unique_ptr<VolumeBudgets> AnalysisRecorder::make_budgets(const AnalysisModule& m, int first) {
+  check_accounts(m, hierarchy_->component());
+  if (m.material >= hierarchy_->component().material_count())
+    throw DeckError(m.where,
+                    fmt::format("<Module name=\"{}\">: material {} is none of {}", m.name,
+                                m.material, hierarchy_->component().name()),
+                    "materials count from 0");
+  return std::make_unique<VolumeBudgets>(m, first, *hierarchy_, *communicator_);
+}
+
+void AnalysisRecorder::open(const std::filesystem::path& folder) {
+  folder_ = folder;
+}
+
+void AnalysisRecorder::adopt(const std::filesystem::path& earlier, double time) {
+  on_root([&] {
+    for (const Module& m : modules_)
+      for (const auto& sampler : m.levels)
+        if (sampler != nullptr) sampler->adopt(earlier, folder_, time);
+    for (const Module& m : modules_) {
+      if (m.budgets != nullptr) m.budgets->adopt(earlier, folder_, time);
+      if (m.particles != nullptr) m.particles->adopt(earlier, folder_, time);
+    }
+  });
+}
+
+std::vector<Label> AnalysisRecorder::step_labels(double end) const {
+  std::vector<Label> labels;
+  for (const Module& m : modules_) {
+    if (!m.due(end)) continue;
+    for (const auto& sampler : m.levels)
+      if (sampler != nullptr)
+        for (const AnalysedQuantity& q : sampler->quantities())
+          if (hierarchy_->level(0).is_step_label(q.label)) labels.push_back(q.label);
+    if (m.statistics != nullptr)
+      for (const AnalysedQuantity& q : m.statistics->quantities())
+        if (hierarchy_->level(0).is_step_label(q.label)) labels.push_back(q.label);
+  }
+  sort_once(labels);
+  return labels;
+}
+
+void AnalysisRecorder::visit(const std::vector<Module*>& modules, const Visit& work) const {
+  for (const Module* m : modules)
+    for (int l = 0; l < hierarchy_->level_count(); ++l)
+      if (LevelSampler* sampler = m->levels[static_cast<std::size_t>(l)].get()) work(l, *sampler);
+}
+
+// Where the cells of lines lie now.
+void AnalysisRecorder::lay_out() {
+  if (layouts_ == hierarchy_->layouts()) return;
+  layouts_ = hierarchy_->layouts();
+  for (const Module& m : modules_)
+    for (std::size_t l = 0; l < m.levels.size(); ++l)
+      if (m.levels[l] != nullptr)
+        m.levels[l]->lay_out(hierarchy_->level(static_cast<int>(l)).level());
+  for (const Module& m : modules_)
+    if (m.budgets != nullptr) m.budgets->lay_out();
+  for (const Module& m : modules_)
+    if (m.statistics != nullptr) m.statistics->follow_levels();
+}
+
+// Labels that are functions of the state, on the levels that are asked for them.
+bool AnalysisRecorder::compute_labels(const std::vector<Module*>& due, double time) {
+  std::vector<std::vector<Label>> labels(static_cast<std::size_t>(hierarchy_->level_count()));
+  visit(due, [&](int l, LevelSampler& sampler) {
+    for (const AnalysedQuantity& q : sampler.quantities())
+      if (!hierarchy_->level(l).is_step_label(q.label) && !is_of_nodes(*hierarchy_, q.label))
+        labels[static_cast<std::size_t>(l)].push_back(q.label);
+  });
+  for (const Module* m : due)
+    if (m->statistics != nullptr)
+      for (const AnalysedQuantity& q : m->statistics->quantities())
+        if (!hierarchy_->level(0).is_step_label(q.label))
+          for (std::vector<Label>& of_level : labels) of_level.push_back(q.label);
+  if (std::all_of(labels.begin(), labels.end(), [](auto& of_level) { return of_level.empty(); }))
+    return false;
+  hierarchy_->fill_ghosts(time);
+  for (std::size_t l = 0; l < labels.size(); ++l) {
+    sort_once(labels[l]);
+    hierarchy_->level(static_cast<int>(l)).compute_diagnostics(time, labels[l]);
+  }
+  return true;
+}
+
+void AnalysisRecorder::account(double dt, const std::vector<double>& sums) {
+  for (const Module& m : modules_)
+    if (m.budgets != nullptr) m.budgets->account(dt, sums);
+  if (heat_.any()) heat_.account(dt, sums);
+}
+
+std::optional<double> AnalysisRecorder::history(Label label) const {
+  if (!heat_.any() || label != total_heat_rate()) return std::nullopt;
+  return heat_.rate();
+}
+
+bool AnalysisRecorder::sample(int step, double time) {
+  std::vector<Module*> due;
+  for (Module& m : modules_)
+    if (m.due(time)) due.push_back(&m);
+  if (due.empty()) return false;
+  lay_out();
+  const bool filled = compute_labels(due, time);
+  std::vector<AnalysedQuantity> sampled;
+  visit(due, [&](int, LevelSampler& sampler) {
+    sampled.insert(sampled.end(), sampler.quantities().begin(), sampler.quantities().end());
+  });
+  store_node_quantities(*hierarchy_, sampled);
+  std::vector<double> mine;
+  visit(due, [&](int l, LevelSampler& sampler) {
+    sampler.pack(hierarchy_->level(l).outputs(), communicator_->rank(), mine);
+    pending_lines_ += sampler.lines();
+  });
+  RankNumbers numbers(communicator_->gather(
+      std::string(reinterpret_cast<const char*>(mine.data()), mine.size() * sizeof(double))));
+  if (communicator_->is_root())
+    visit(due, [&](int, LevelSampler& sampler) { sampler.write(numbers, step, time); });
+  if (communicator_->is_root())
+    visit(due, [&](int, LevelSampler& sampler) { sampler.end_sample(step, time); });
+  for (Module* m : due) {
+    m->last = time;
+    if (m->statistics != nullptr) m->statistics->sample();
+    if (m->particles != nullptr) {
+      m->particles->sample(*hierarchy_->particles(), time, *communicator_);
+      pending_lines_ += m->particles->lines();
+    }
+    if (m->budgets == nullptr) continue;
+    m->budgets->sample(time);
+    pending_lines_ += m->budgets->lines();
+  }
+  if (pending_lines_ > most_pending_lines) flush();
+  return filled;
+}
+
+void AnalysisRecorder::flush() {
+  if (!any()) return;
+  pending_lines_ = 0;
+  on_root([&] {
+    for (const Module& m : modules_)
+      for (const auto& sampler : m.levels)
+        if (sampler != nullptr) sampler->flush(folder_);
+    for (const Module& m : modules_) {
+      if (m.budgets != nullptr) m.budgets->flush(folder_);
+      if (m.particles != nullptr) m.particles->flush(folder_);
+    }
+  });
+}
+
+void AnalysisRecorder::on_root(const std::function<void()>& work) const {
+  std::string problem;
+  if (communicator_->is_root()) try {
+      work();
+    } catch (const SystemError& e) {
+      problem = e.what();
+    }
+  problem = communicator_->broadcast(problem);
+  if (!problem.empty()) throw SystemError(problem);
+}
+
+std::vector<Label> AnalysisRecorder::field_labels() const {
+  std::vector<Label> labels;
+  for (const Module& m : modules_)
+    for (const std::vector<Label>& own :
+         {m.statistics != nullptr ? m.statistics->labels() : std::vector<Label>{},
+          m.averages != nullptr ? m.averages->labels() : std::vector<Label>{}})
+      labels.insert(labels.end(), own.begin(), own.end());
+  return labels;
+}
+
+// Two modules may not both be the source of a label.
+void AnalysisRecorder::check_labels(const std::vector<Label>& labels,
+                                    const AnalysisModule& m) const {
+  const std::vector<Label> others = field_labels();
+  for (const Label l : labels)
+    if (std::find(others.begin(), others.end(), l) != others.end())
+      throw DeckError(
+          m.where,
+          fmt::format("<Module name=\"{}\">: another module makes {} already", m.name, l.name()),
+          "analyse the variable in one");
+}
+
+void AnalysisRecorder::store_fields(const std::vector<Label>& wanted, double time) {
+  lay_out();
+  for (const Module& m : modules_) {
+    if (m.statistics != nullptr) m.statistics->store(wanted);
+    if (m.averages != nullptr) m.averages->store(wanted, time);
+  }
+}
+
+std::vector<Label> AnalysisRecorder::sources_of(const std::vector<Label>& wanted) const {
+  std::vector<Label> labels;
+  for (const Module& m : modules_) {
+    if (m.averages == nullptr) continue;
+    const std::vector<Label> own = m.averages->sources(wanted);
+    labels.insert(labels.end(), own.begin(), own.end());
+  }
+  sort_once(labels);
+  return labels;
+}
+
+void AnalysisRecorder::add_checkpoint_pieces(std::vector<FieldPiece>& pieces) const {
+  for (const Module& m : modules_)
+    if (m.statistics != nullptr) m.statistics->add_checkpoint_pieces(pieces);
+}
+
+std::string AnalysisRecorder::state() const {
+  Json kept = Json::array();
+  for (const Module& m : modules_) {
+    Json last = m.last ? Json(*m.last) : Json(nullptr);
+    if (m.budgets != nullptr)
+      kept.push_back({{"last", last}, {"passed", m.budgets->state()}});
+    else if (m.statistics != nullptr)
+      kept.push_back({{"last", last}, {"samples", m.statistics->samples()}});
+    else
+      kept.push_back(last);
+  }
+  return kept.dump();
+}
+
+void AnalysisRecorder::restore(const std::string& json_text, const ArchiveStep* checkpoint) {
+  lay_out();
+  const Json kept = Json::parse(json_text);
+  for (std::size_t n = 0; n < modules_.size() && n < kept.size(); ++n) {
+    Module& m = modules_[n];
+    const bool more = kept.at(n).is_object();
+    const Json& last = more ? kept.at(n).at("last") : kept.at(n);
+    if (last.is_number()) m.last = last.get<double>();
+    if (more && m.budgets != nullptr && kept.at(n).contains("passed"))
+      m.budgets->restore(kept.at(n).at("passed").get<std::vector<std::vector<double>>>());
+    if (more && m.statistics != nullptr && kept.at(n).contains("samples") && checkpoint != nullptr)
+      m.statistics->restore(*checkpoint, kept.at(n).at("samples").get<int>());
+  }
+}
+
+}  // namespace sluice

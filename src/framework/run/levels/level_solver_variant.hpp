@@ -1,0 +1,14 @@
+// A compiled graph of a level's step or diagnostics; for the files of LevelSolver alone.
+#pragma once
+#include "framework/run/levels/level_solver.hpp"
+
+namespace sluice {
+
+struct LevelSolver::Variant {
+  std::vector<std::unique_ptr<TaskList>> lists;  // by kind, those that were met
+  std::unique_ptr<SweepExecutor> executor;
+  int layout = -1;  // of the level when it was last bound
+  int boxes = -1;   // likewise, without what joints change
+};
+
+}  // namespace sluice

@@ -1,0 +1,69 @@
+// What a run tells when it ends.
+#include "framework/base/json.hpp"
+#include "framework/base/memory.hpp"
+#include "framework/run/simulation/simulation.hpp"
+
+namespace sluice {
+
+RunReport Simulation::report() const {
+  RunReport r;
+  r.status = status_;
+  r.message = message_;
+  if (output_ != nullptr) r.archive = output_->archive_folder();
+  r.steps = steps_;
+  r.last_step = time_.state().step;
+  r.last_checkpoint = last_checkpoint_step_;
+  r.time = time_.state().time;
+  r.cells = hierarchy_->cell_count();
+  r.ranks = communicator_->size();
+  r.threads = options_.threads;
+  r.wall_seconds = control_.wall_seconds();
+  r.stepping_seconds = stepping_seconds_;
+  r.start_seconds = start_seconds_;
+  r.output_seconds = output_ != nullptr ? output_->seconds() : 0.0;
+  r.peak_memory_bytes = peak_resident_bytes_of_all(*communicator_);
+  r.step_limit = limit_.reason;
+  r.levels = hierarchy_->costs();
+  if (const ParticleCloud* particles = hierarchy_->particles()) r.particles = particles->counts();
+  r.regrids = hierarchy_->regrids();
+  r.regrid_seconds = hierarchy_->regrid_seconds();
+  r.balances = hierarchy_->balances();
+  r.balance_seconds = hierarchy_->balance_seconds();
+  for (const LevelCost& level : r.levels) r.cell_updates += level.updates;
+  std::vector<double> seconds(static_cast<std::size_t>(component_->effects().size()), 0.0);
+  for (int l = 0; l < hierarchy_->possible_levels(); ++l) {
+    const LevelSolver& solver = hierarchy_->level(l);
+    r.blocks_run += solver.blocks_run();
+    r.blocks_asleep += solver.blocks_asleep();
+    r.updates_asleep += solver.cells_asleep();
+    const std::vector<double> own = solver.effect_seconds();
+    for (std::size_t e = 0; e < own.size(); ++e) seconds[e] += own[e];
+  }
+  Reduction of_all;
+  const auto run = of_all.add_count(r.blocks_run), asleep = of_all.add_count(r.blocks_asleep),
+             updates = of_all.add_count(r.updates_asleep),
+             particles_moved = of_all.add_count(particle_updates_);
+  communicator_->reduce(of_all);
+  r.blocks_run = of_all.count(run);
+  r.blocks_asleep = of_all.count(asleep);
+  r.updates_asleep = of_all.count(updates);
+  r.particle_updates = of_all.count(particles_moved);
+  r.particles_alone = component_->particles() != nullptr && component_->state_slots().empty();
+  const std::vector<int> tasks = hierarchy_->level(0).effect_tasks();
+  const std::vector<double> doubles = hierarchy_->level(0).effect_doubles();
+  for (int e = 0; e < component_->effects().size(); ++e) {
+    const auto n = static_cast<std::size_t>(e);
+    r.effects.push_back({component_->effects()[e], tasks[n],
+                         doubles[n] * static_cast<double>(sizeof(double)), seconds[n]});
+  }
+  r.events_json = ledger_.to_json().dump();
+  r.conservation_json = conservation_.to_json().dump();
+  r.worst_drift = conservation_.worst_drift();
+  r.account = component_->account(tallies_);
+  r.solids_json = energies_.to_json().dump();
+  r.solids_text = energies_.summary(component_->better_for_energy()) + parted_.summary();
+  r.energy_scale = conservation_.scale(component_->material_count() + 3);
+  return r;
+}
+
+}  // namespace sluice

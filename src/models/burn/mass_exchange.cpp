@@ -1,0 +1,64 @@
+// Model "Test": its law, and how a deck says it.
+#include "models/burn/mass_exchange.hpp"
+
+#include <cmath>
+
+#include "framework/deck/schema.hpp"
+#include "framework/scene/deck_values.hpp"
+
+namespace sluice::models {
+
+double MassExchange::share(double time, double dt) const {
+  return -std::expm1(-rate * when.overlap(time, dt));
+}
+
+TagSpec mass_exchange_tag() {
+  return tag("Test", "mass of one material becomes another's at a constant rate")
+      .with_children(
+          {tag("fromMaterial", "name of the material that gives its mass").once().text(),
+           tag("toMaterial",
+               "name of the material that gets it, with its momentum, energy and "
+               "volume")
+               .once()
+               .text(),
+           tag("rate", "share of the mass that passes, m' = -rate m")
+               .once()
+               .real()
+               .at_least(0)
+               .unit("1/time"),
+           tag("startTime", "from when on").real().at_least(0).unit("time").by_default("0")});
+}
+
+namespace {
+
+MassExchange read_materials(const DeckNode& parameters, const MaterialNames& names) {
+  MassExchange m;
+  const Reactant reactant = read_reactant(parameters, names);
+  m.from = reactant.from;
+  m.to = reactant.to;
+  m.where = parameters.where;
+  return m;
+}
+
+}  // namespace
+
+MassExchange read_mass_exchange(const DeckNode& parameters, const MaterialNames& names) {
+  MassExchange m = read_materials(parameters, names);
+  m.rate = parameters.real("rate");
+  m.when.start = real_or(parameters, "startTime", 0);
+  return m;
+}
+
+MassExchange read_jwlpp(const DeckNode& parameters, const MaterialNames& names) {
+  MassExchange m = read_materials(parameters, names);
+  m.by_pressure = read_jwlpp_law(parameters);
+  return m;
+}
+
+MassExchange read_light_time(const DeckNode& parameters, const MaterialNames& names) {
+  MassExchange m = read_materials(parameters, names);
+  m.by_front = read_light_time_law(parameters);
+  return m;
+}
+
+}  // namespace sluice::models

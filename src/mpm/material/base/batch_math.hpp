@@ -1,0 +1,119 @@
+// Arithmetic of laws over batches: straight-line functions of numbers that compilers turn into
+// vectors, so no branch, no table, no call of the mathematical library.
+#pragma once
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+
+#include "mpm/material/base/material.hpp"
+
+namespace sluice::mpm {
+
+// x^(-1/3) for x > 0, within 2 units in the last place; some number for other x.
+inline double inverse_cube_root(double x) {
+  // A third of the logarithm, read off the bits; the shift by 12 makes them exact as a number.
+  constexpr double two_52 = 4503599627370496.0;
+  const auto bits = std::bit_cast<std::uint64_t>(x);
+  const double scaled =
+      std::bit_cast<double>((bits >> 12) | 0x4330000000000000ull) - two_52;  // bits / 2^12
+  constexpr double middle = 4.0 / 3 * 1099511627776.0 * (1023 - 0.045);      // .045: mean error
+  const double third = (middle - scaled * (1.0 / 3.0)) + two_52;
+  double y =
+      std::bit_cast<double>((std::bit_cast<std::uint64_t>(third) & 0xfffffffffffffull) << 12);
+  // Two steps of order four: the error .05 becomes 1e-6, then none.
+  for (int k = 0; k < 2; ++k) {
+    const double r = 1 - x * y * y * y;
+    y += y * r * (1.0 / 3 + r * (2.0 / 9 + r * (14.0 / 81)));
+  }
+  return y;
+}
+
+// ln J and (J^2 - 1)/2 - ln J, the latter without cancellation near J = 1. For J > 0.
+struct VolumeLogs {
+  double ln;
+  double energy;
+};
+inline VolumeLogs volume_logs(double J) {
+  // J = 2^e m with m in [sqrt(1/2), sqrt 2); ln m = 2 atanh s, s = (m - 1)/(m + 1).
+  constexpr std::uint64_t lowest = 0x3FE6A09E667F3BCDull;  // sqrt(1/2)
+  constexpr std::uint64_t one = 0x3FF0000000000000ull;
+  const std::uint64_t shifted = std::bit_cast<std::uint64_t>(J) - lowest + one;
+  const double e =
+      std::bit_cast<double>((shifted >> 52) | 0x4330000000000000ull) - (4503599627370496.0 + 1023);
+  const double m = std::bit_cast<double>((shifted & 0xfffffffffffffull) + lowest);
+  const double s = (m - 1) / (m + 1), t = s * s;
+  double q = 1.0 / 23;
+  q = q * t + 1.0 / 21;
+  q = q * t + 1.0 / 19;
+  q = q * t + 1.0 / 17;
+  q = q * t + 1.0 / 15;
+  q = q * t + 1.0 / 13;
+  q = q * t + 1.0 / 11;
+  q = q * t + 1.0 / 9;
+  q = q * t + 1.0 / 7;
+  q = q * t + 1.0 / 5;
+  q = q * t + 1.0 / 3;
+  constexpr double ln2 = 0.69314718055994530942;
+  const double tail = 2 * s * t * q, d = J - 1;
+  const double head = e == 0 ? d * s : d - 2 * s - e * ln2;  // d - (2 s + e ln 2)
+  return {e * ln2 + 2 * s + tail, 0.5 * d * d + head - tail};
+}
+
+inline double determinant(const std::array<double, 9>& F) {
+  return F[0] * (F[4] * F[8] - F[5] * F[7]) - F[1] * (F[3] * F[8] - F[5] * F[6]) +
+         F[2] * (F[3] * F[7] - F[4] * F[6]);
+}
+
+// F of particle i; the columns as a copy in the loop's function, that their addresses are kept.
+inline std::array<double, 9> at(const Nine<const double>& F, int i) {
+  return {F[0][i], F[1][i], F[2][i], F[3][i], F[4][i], F[5][i], F[6][i], F[7][i], F[8][i]};
+}
+inline std::array<double, 6> at(const Six<const double>& s, int i) {
+  return {s[0][i], s[1][i], s[2][i], s[3][i], s[4][i], s[5][i]};
+}
+
+// F F^T as xx, yy, zz, yz, xz, xy.
+inline std::array<double, 6> left_cauchy_green(const std::array<double, 9>& F) {
+  return {F[0] * F[0] + F[1] * F[1] + F[2] * F[2], F[3] * F[3] + F[4] * F[4] + F[5] * F[5],
+          F[6] * F[6] + F[7] * F[7] + F[8] * F[8], F[3] * F[6] + F[4] * F[7] + F[5] * F[8],
+          F[0] * F[6] + F[1] * F[7] + F[2] * F[8], F[0] * F[3] + F[1] * F[4] + F[2] * F[5]};
+}
+
+// R S R^T of a symmetric S: turned by a rotation, or pushed forward.
+inline std::array<double, 6> pushed(const std::array<double, 6>& S,
+                                    const std::array<double, 9>& R) {
+  const double a0 = R[0] * S[0] + R[1] * S[5] + R[2] * S[4];
+  const double a1 = R[0] * S[5] + R[1] * S[1] + R[2] * S[3];
+  const double a2 = R[0] * S[4] + R[1] * S[3] + R[2] * S[2];
+  const double b0 = R[3] * S[0] + R[4] * S[5] + R[5] * S[4];
+  const double b1 = R[3] * S[5] + R[4] * S[1] + R[5] * S[3];
+  const double b2 = R[3] * S[4] + R[4] * S[3] + R[5] * S[2];
+  const double c0 = R[6] * S[0] + R[7] * S[5] + R[8] * S[4];
+  const double c1 = R[6] * S[5] + R[7] * S[1] + R[8] * S[3];
+  const double c2 = R[6] * S[4] + R[7] * S[3] + R[8] * S[2];
+  return {a0 * R[0] + a1 * R[1] + a2 * R[2], b0 * R[3] + b1 * R[4] + b2 * R[5],
+          c0 * R[6] + c1 * R[7] + c2 * R[8], b0 * R[6] + b1 * R[7] + b2 * R[8],
+          a0 * R[6] + a1 * R[7] + a2 * R[8], a0 * R[3] + a1 * R[4] + a2 * R[5]};
+}
+
+// No eigenvalue of a symmetric matrix is further from their mean than this: 2 sqrt(J2 / 3), exact
+// where two of them are equal; without the cosine of its angle.
+inline double eigenvalue_reach(const std::array<double, 6>& s, double mean) {
+  const double a = s[0] - mean, b = s[1] - mean, c = s[2] - mean;
+  const double J2 = 0.5 * (a * a + b * b + c * c) + s[3] * s[3] + s[4] * s[4] + s[5] * s[5];
+  return 2 * std::sqrt(J2 * (1.0 / 3));
+}
+
+// (1 + alpha (T - T_room))^3: volume of the free body at T.
+inline double thermal_volume(double alpha, double T, double T_room) {
+  const double stretch = 1 + alpha * (T - T_room);
+  return stretch * stretch * stretch;
+}
+
+// The first particle with det F <= 0 or not finite.
+std::optional<BatchFault> fault_of_volume(const Batch& batch);
+
+}  // namespace sluice::mpm

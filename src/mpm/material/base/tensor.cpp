@@ -1,0 +1,107 @@
+// Small dense algebra of one particle.
+#include "mpm/material/base/tensor.hpp"
+
+#include <algorithm>
+#include <Eigen/Eigenvalues>
+
+namespace sluice::mpm {
+
+namespace {
+
+// R <- (R + R^-T)/2 in every lane until it has stopped there, so that a lane knows nothing of the
+// others. R: F without its change of volume, which takes fewer steps.
+template <int width>
+void turn(double (&R)[9][width]) {
+  constexpr int most_steps = 40;
+  double goes[width];
+  for (double& x : goes) x = 1;
+  for (int step = 0; step < most_steps; ++step) {
+    for (int l = 0; l < width; ++l) {
+      Matrix old;
+      for (std::size_t m = 0; m < 9; ++m) old[m] = R[m][l];
+      const Matrix inverted = inverse(old);
+      double change = 0;
+      for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < 3; ++j) {
+          const double x = old[3 * i + j], next = 0.5 * (x + inverted[3 * j + i]);
+          change = std::max(change, std::abs(next - x));
+          R[3 * i + j][l] = goes[l] != 0 ? next : x;
+        }
+      // After 3e-8 the step has taken its square of that: round-off.
+      goes[l] = change < 3e-8 ? 0 : goes[l];
+    }
+    if (std::all_of(goes, goes + width, [](double x) { return x == 0; })) return;
+  }
+}
+
+}  // namespace
+
+Polar polar(const Matrix& F) {
+  const double scale = inverse_cube_root(determinant(F));
+  double R[9][1];
+  for (std::size_t m = 0; m < 9; ++m) R[m][0] = F[m] * scale;
+  turn(R);
+  Matrix turned;
+  for (std::size_t m = 0; m < 9; ++m) turned[m] = R[m][0];
+  return {turned, symmetric(product(transposed(turned), F))};
+}
+
+void polar(const Nine<const double>& F, int from, int count, std::span<Polar> found) {
+  double R[9][polar_lanes];
+  for (int l = 0; l < polar_lanes; ++l) {
+    const Matrix here = l < count ? at(F, from + l) : identity;
+    const double scale = inverse_cube_root(determinant(here));
+    for (std::size_t m = 0; m < 9; ++m) R[m][l] = here[m] * scale;
+  }
+  turn(R);
+  for (int l = 0; l < count; ++l) {
+    Polar& here = found[static_cast<std::size_t>(l)];
+    for (std::size_t m = 0; m < 9; ++m) here.R[m] = R[m][l];
+    here.U = symmetric(product(transposed(here.R), at(F, from + l)));
+  }
+}
+
+Symmetric strain_between(const Symmetric& U_0, const Symmetric& U_1) {
+  return symmetric(
+      product(full(combined(1, U_1, -1, U_0)), inverse(full(combined(.5, U_0, .5, U_1)))));
+}
+
+Principal principal(const Symmetric& S) {
+  Eigen::Matrix3d full_matrix;
+  full_matrix << S[0], S[5], S[4], S[5], S[1], S[3], S[4], S[3], S[2];
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(full_matrix);
+  Principal found;
+  for (int k = 0; k < 3; ++k) {
+    found.values[static_cast<std::size_t>(k)] = solver.eigenvalues()[k];
+    for (int i = 0; i < 3; ++i)
+      found.vectors[static_cast<std::size_t>(3 * k + i)] = solver.eigenvectors()(i, k);
+  }
+  return found;
+}
+
+Matrix rotation(const std::array<double, 3>& axis, double angle) {
+  const double size = std::hypot(axis[0], axis[1], axis[2]);
+  const double x = axis[0] / size, y = axis[1] / size, z = axis[2] / size;
+  const double c = std::cos(angle), s = std::sin(angle), v = 1 - c;
+  return {c + v * x * x,     v * x * y - s * z, v * x * z + s * y, v * x * y + s * z, c + v * y * y,
+          v * y * z - s * x, v * x * z - s * y, v * y * z + s * x, c + v * z * z};
+}
+
+Matrix exponential(const Matrix& a) {
+  double size = 0;
+  for (double x : a) size = std::max(size, std::abs(x));
+  int halvings = 0;
+  for (; size > 0.1; size /= 2) ++halvings;
+  Matrix scaled = a;
+  for (double& x : scaled) x = std::ldexp(x, -halvings);
+  Matrix sum = identity, term = identity;
+  for (int k = 1; k < 16; ++k) {
+    term = product(term, scaled);
+    for (double& x : term) x /= k;
+    for (std::size_t m = 0; m < 9; ++m) sum[m] += term[m];
+  }
+  for (int k = 0; k < halvings; ++k) sum = product(sum, sum);
+  return sum;
+}
+
+}  // namespace sluice::mpm

@@ -1,0 +1,62 @@
+// The forms of <damage_model>: functions of one particle.
+#pragma once
+#include <cstdint>
+#include <string>
+
+#include "mpm/material/base/tensor.hpp"
+
+namespace sluice::mpm {
+
+enum class DamageForm { none, johnson_cook, hancock_mackenzie, threshold, brittle };
+enum class Criterion { principal_stress, principal_strain, mohr_coulomb };
+enum class Distribution { constant, uniform, gauss, weibull };
+
+struct DamageConstants {
+  DamageForm form = DamageForm::none;
+  // johnson_cook, hancock_mackenzie
+  double initial_mean = 0, initial_deviation = 0;
+  double D1 = 0, D2 = 0, D3 = 0, D4 = 0, D5 = 0;
+  double room = 294, melt = 1e300;
+  // threshold
+  Criterion criterion = Criterion::principal_stress;
+  Distribution distribution = Distribution::constant;
+  double mean = 0, deviation = 0, exponent = 0, reference_volume = 0;  // 0: no scaling by volume
+  std::uint64_t seed = 0;
+  double friction = 0, cutoff = 1e10;  // angle, rad; tension over cohesion
+  // brittle
+  double r_0 = 0, fracture_energy = 0, d = 0, most_rise = 0.1, recovery = 0;
+  double young = 0;  // E of the law
+};
+
+// Mean over equivalent stress, at most 1.5.
+double triaxiality(const Symmetric& stress);
+// d D of a plastic strain:
+//   johnson_cook       d eps_p/{[D1 + D2 exp(D3 s)][1 + D4 ln max(rate, 1/s)][1 + D5 T*]}
+//   hancock_mackenzie  d eps_p exp(1.5 s)/1.65,   s the triaxiality
+double more_damage(const DamageConstants& c, const Symmetric& stress, double more_strain,
+                   double rate, double temperature);
+double damage_at_start(const DamageConstants& c, std::int64_t id);
+
+// The particle's threshold: of the mean and deviation (weibull: of the mean and modulus, by
+// (V_ref/V)^(1/n) where scaled by its volume).
+double drawn_threshold(const DamageConstants& c, std::int64_t id, double volume);
+// 0 for a sound particle, 1 failed in tension, 2 in shear:
+//   principal_stress  sigma_1 > threshold
+//   principal_strain  (1 - 1/b_1)/2 > threshold, of Almansi
+//   mohr_coulomb      (sigma_1 - sigma_3)/2 > c cos phi - (sigma_1 + sigma_3)/2 sin phi, c the
+//                     threshold; sigma_1 > cutoff c
+int failed_by_threshold(const DamageConstants& c, double threshold, const Symmetric& stress,
+                        const Matrix& F);
+
+// Brittle (MAT159 of LS-DYNA): in tension tau = E^(1/2) eps_max, of Almansi; beyond the greatest
+// tau so far,
+//   D = (.999/d) [(1 + d)/(1 + d exp(-C (tau - r_0))) - 1],
+//   C = r_0 V^(1/3) (1 + d) ln(1 + d)/(G_f d),   D up by no more than <max_damage_increment>.
+// `greatest` is r_0 at the start.
+struct BrittleState {
+  double damage, greatest;
+};
+BrittleState brittle(const DamageConstants& c, const BrittleState& old, const Symmetric& stress,
+                     const Matrix& F, double volume);
+
+}  // namespace sluice::mpm

@@ -1,0 +1,423 @@
+// elastic_plastic, elastic_plastic_hp, rf_elastic_plastic: metals that yield by von Mises (or
+// Gurson) with a strength that depends on strain, rate, temperature and pressure. One step of a
+// particle:
+//
+//   Sigma = R_0^T sigma R_0, strain = strain_between(U_0, U_1)     in the body's own axes
+//   S_tr  = S + 2 mu strain' (or relaxed by <deviatoric_stress_model>, metal_deviator.hpp),
+//     mu and T_m of p, T at the start; T > T_m: S_tr = 0 (do_melting)
+//   |S_tr| > (2/3)^(1/2) sigma_y: |S_tr| - 2 mu x - (2/3)^(1/2) sigma_y(x) = 0 for x = dgamma,
+//     S = S_tr (1 - 2 mu x/|S_tr|),   eps_p += (2/3)^(1/2) x
+//   p     by <equation_of_state>, with the work of the stress
+//   dT/dt = chi sigma_y d eps_p/(rho C dt), and -T Gamma_0 dJ/dt with mie_gruneisen
+//   sigma = R_1 (S - p I) R_1^T
+// Only F enters, so turning the body changes nothing. <objective>false</objective>: dt sym L is
+// added in axes that stand still.
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+#include "framework/deck/faults.hpp"
+#include "mpm/material/base/batch_math.hpp"
+#include "mpm/material/base/cell_pressure_tag.hpp"
+#include "mpm/material/base/history_labels.hpp"
+#include "mpm/material/base/material_model.hpp"
+#include "mpm/material/base/metal_parts.hpp"
+#include "mpm/material/base/plastic_root.hpp"
+#include "mpm/material/metal/flow_isotropic.hpp"
+#include "mpm/material/metal/flow_johnson_cook.hpp"
+#include "mpm/material/metal/flow_mts.hpp"
+#include "mpm/material/metal/flow_preston_tonks_wallace.hpp"
+#include "mpm/material/metal/flow_steinberg_guinan.hpp"
+#include "mpm/material/metal/flow_zerilli_armstrong.hpp"
+#include "mpm/material/metal/metal_deviator.hpp"
+#include "mpm/material/metal/metal_failure.hpp"
+#include "mpm/material/metal/metal_moduli.hpp"
+#include "mpm/material/metal/metal_pressure.hpp"
+
+namespace sluice::mpm {
+namespace {
+
+using Flow = std::variant<IsotropicHardening, JohnsonCook, MechanicalThreshold, ZerilliArmstrong,
+                          SteinbergGuinan, PrestonTonksWallace>;
+
+struct MetalConstants {
+  double bulk = 0, density = 0;
+  ShearModulus shear;
+  MeltingTemperature melting;
+  SpecificHeat heat;
+  MetalPressure pressure;
+  YieldCondition yield;
+  MaxwellElements elements;
+  Pores pores;
+  Stability stability = Stability::none;
+  double taylor_quinney = 0.9, room = 294;
+  bool melts = true, check_pores = true, erodes = false, objective = true;
+};
+
+const double root_2_3 = std::sqrt(2.0 / 3);
+
+class Metal final : public Material {
+ public:
+  Metal(const MetalConstants& constants, Flow flow) : c_(constants), flow_(std::move(flow)) {
+    history_ = {{plastic_strain_label(), 1},
+                {plastic_strain_rate_label(), 1},
+                {history_label("p.strainRate"), 1}};
+    if (c_.pores.evolve || c_.yield.porous) {
+      porosity_at_ = columns();
+      history_.push_back({history_label("p.porosity"), 1});
+    }
+    if (c_.erodes) {
+      failed_at_ = columns();
+      history_.push_back({localized_label(), 1});
+    }
+    if (c_.pressure.form == MetalPressure::Form::hypo && c_.pressure.expansion != 0) {
+      temperature_at_ = columns();
+      history_.push_back({strain_temperature_label(), 1});
+    }
+    if (!c_.elements.none()) {
+      elements_at_ = columns();
+      history_.push_back({history_label("p.maxwellDeviators"), c_.elements.columns()});
+    }
+  }
+
+  std::span<const HistoryColumn> history() const override { return history_; }
+  double bulk_modulus() const override { return c_.bulk; }
+  bool has_shock_equation() const override {
+    return c_.pressure.form == MetalPressure::Form::mie_gruneisen;
+  }
+  double shear_modulus() const override { return c_.shear.mu_0; }
+  int failed_column() const override { return failed_at_; }
+
+  void start(const Batch& b) const override {
+    for (int i = 0; i < b.count; ++i) {
+      for (double* column : b.history) column[i] = 0;
+      if (porosity_at_ >= 0) b.history[porosity_at_][i] = c_.pores.at_start(b.id[i]);
+      if (temperature_at_ >= 0) b.history[temperature_at_][i] = b.temperature[i];
+      for (double* column : b.stress) column[i] = 0;
+      b.energy[i] = 0;
+      const double J = determinant(at(b.F, i));
+      const MetalState state = state_at(J, 0, b.temperature[i]);
+      const MetalPressure::Result p =
+          c_.pressure({J, J, 0, 0, 0, b.temperature[i], b.temperature[i]});
+      b.wave_speed[i] = wave_speed(p.modulus, state.shear, J);
+    }
+  }
+
+  std::optional<BatchFault> update(const Batch& batch) const override {
+    if (const auto fault = fault_of_volume(batch)) return fault;
+    return std::visit([&](const auto& flow) { return steps(flow, batch); }, flow_);
+  }
+
+ private:
+  int columns() const { return static_cast<int>(history_.size()); }
+
+  double wave_speed(double modulus, double shear, double J) const {
+    return std::sqrt(std::max(modulus + 4.0 / 3 * shear, 1e-3 * c_.bulk) * J / c_.density);
+  }
+
+  MetalState state_at(double J, double p, double T) const {
+    MetalState state;
+    state.temperature = T;
+    state.pressure = p;
+    state.compression = 1 / J;
+    state.density = c_.density / J;
+    state.melt = c_.melting(state);
+    state.shear = c_.shear(state);
+    return state;
+  }
+
+  template <class F>
+  std::optional<BatchFault> steps(const F& flow, const Batch& b) const {
+    for (int from = 0; from < b.count; from += polar_lanes) {
+      const int count = std::min(b.count - from, polar_lanes);
+      std::array<Motion, polar_lanes> moves;
+      find_motions(b, from, count, moves);
+      for (int i = from; i < from + count; ++i)
+        if (!step(flow, b, i, moves[static_cast<std::size_t>(i - from)]))
+          return BatchFault{i, "past the pole of Mie-Grueneisen", volume(b, i)};
+    }
+    return std::nullopt;
+  }
+  static double volume(const Batch& b, int i) { return determinant(at(b.F, i)); }
+
+  struct Motion {
+    Matrix R_0 = identity, R_1 = identity;
+    Symmetric strain;
+  };
+  void find_motions(const Batch& b, int from, int count, std::span<Motion> moves) const {
+    if (!c_.objective) {
+      for (int k = 0; k < count; ++k) {
+        Matrix L = at(b.L, from + k);
+        for (double& x : L) x *= b.dt;
+        moves[static_cast<std::size_t>(k)] = {identity, identity, symmetric(L)};
+      }
+      return;
+    }
+    std::array<Polar, polar_lanes> old, now;
+    polar(b.old_F, from, count, old);
+    polar(b.F, from, count, now);
+    for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k)
+      moves[k] = {old[k].R, now[k].R, strain_between(old[k].U, now[k].U)};
+  }
+
+  // The return of a trial deviator: what it leaves of it, and the plastic strain.
+  struct Return {
+    double keep = 1;         // S = keep S_tr
+    double more_strain = 0;  // d eps_p
+    double yield = 0;        // sigma_y at the end
+    bool soft = false;       // sigma_y <= 0
+  };
+  template <class F, class Here>
+  Return returned(const F& flow, const Here& here, double size, double mu, double strain,
+                  double last_rate, double trace_of_stress, double porosity, double dt) const {
+    const auto strength = [&](double x) {
+      const double more = root_2_3 * x;
+      const double f = flow.stress(here, strain + more, more / dt);
+      return f > 0 ? f * c_.yield.share(f, trace_of_stress, porosity) : 0;
+    };
+    Return r;
+    r.yield = strength(0);
+    r.soft = !(r.yield > 0);
+    const double over = size - root_2_3 * r.yield;
+    if (!(over > 0)) return r;
+    const auto f = [&](double x) { return size - 2 * mu * x - root_2_3 * strength(x); };
+    // Where the strength does not fall the root lies before over/(2 mu), else before size/(2 mu).
+    const double high = over / (2 * mu), last = last_rate * dt / root_2_3;
+    const double guess = last > 0 && last < high ? last : 0.9 * high, tolerance = 1e-11 * size;
+    double x = secant_root(f, over, high, guess, tolerance);
+    if (x < 0) x = falling_root(f, over, f(high) > 0 ? size / (2 * mu) : high, guess, tolerance);
+    r.keep = 1 - 2 * mu * x / size;
+    r.more_strain = root_2_3 * x;
+    r.yield = r.keep * size / root_2_3;
+    return r;
+  }
+
+  template <class F>
+  bool step(const F& flow, const Batch& b, int i, const Motion& move) const {
+    const Matrix F_0 = at(b.old_F, i), F_1 = at(b.F, i);
+    const double J_0 = determinant(F_0), J_1 = determinant(F_1), dt = b.dt;
+    const Symmetric old = pushed(at(b.old_stress, i), transposed(move.R_0));
+    const Symmetric S_0 = deviator(old), strain = deviator(move.strain);
+    const double p_0 = -trace(old) / 3, T = b.temperature[i];
+    const MetalState state = state_at(J_1, p_0, T);
+    const double old_strain = b.old_history[0][i];
+    const double old_porosity = porosity_at_ >= 0 ? b.old_history[porosity_at_][i] : 0;
+
+    MaxwellElements::Trial trial{{}, state.shear};
+    if (elements_at_ < 0)
+      trial.S = combined(1, S_0, 2 * state.shear, strain);
+    else
+      trial = c_.elements.trial(b.old_history.subspan(static_cast<std::size_t>(elements_at_)), i,
+                                state.shear, dt, strain);
+    Symmetric S = trial.S;
+    const double size = std::sqrt(double_dot(S, S));
+    const auto here = flow.at(state);
+    Return r;
+    const bool liquid = T > state.melt;
+    if (liquid && c_.melts) {
+      r.keep = 0;
+    } else {
+      r = returned(flow, here, size, trial.mu, old_strain, b.old_history[1][i], -3 * p_0,
+                   old_porosity, dt);
+    }
+    const Symmetric direction = combined(1 / (size + 1e-300), S, 0, S);
+    for (double& x : S) x *= r.keep;
+
+    const double work = 0.5 * (J_0 * double_dot(S_0, strain) + J_1 * double_dot(S, strain));
+    const double E_0 = b.old_energy[i] / b.volume_0[i];
+    const double rest = temperature_at_ >= 0 ? b.old_history[temperature_at_][i] : c_.room;
+    const double heat = b.heat != nullptr ? b.heat[i] / b.volume_0[i] : 0;
+    const MetalPressure::Result pressure = c_.pressure({J_0, J_1, p_0, E_0 + heat, work, rest, T});
+    if (!pressure.good) return false;
+    b.energy[i] = b.volume_0[i] * (E_0 + work - 0.5 * (p_0 + pressure.p) * (J_1 - J_0));
+    b.wave_speed[i] = wave_speed(pressure.modulus, state.shear, J_1);
+
+    Symmetric sigma = S;
+    for (std::size_t k = 0; k < 3; ++k) sigma[k] -= pressure.p;
+    sigma = pushed(sigma, move.R_1);
+    for (std::size_t k = 0; k < 6; ++k) b.stress[k][i] = sigma[k];
+
+    const double C = c_.heat(T);
+    if (elements_at_ >= 0)
+      b.heating[i] += relaxed(b, i, state.shear, strain, trial, r, liquid && c_.melts) /
+                      (state.density * C * dt);
+    b.heating[i] += c_.taylor_quinney * r.yield * r.more_strain / (state.density * C * dt);
+    if (c_.pressure.form == MetalPressure::Form::mie_gruneisen)
+      b.heating[i] += T * std::expm1(-c_.pressure.Gamma_0 * (J_1 - J_0)) / dt;
+
+    b.history[0][i] = old_strain + r.more_strain;
+    b.history[1][i] = r.more_strain / dt;
+    b.history[2][i] = root_2_3 * std::sqrt(double_dot(move.strain, move.strain)) / dt;
+    double porosity = old_porosity;
+    if (porosity_at_ >= 0) {
+      if (c_.pores.evolve)
+        porosity = c_.pores.grown(old_porosity, std::log(J_1 / J_0), old_strain, r.more_strain);
+      b.history[porosity_at_][i] = porosity;
+    }
+    if (temperature_at_ >= 0) b.history[temperature_at_][i] = T;
+    if (failed_at_ >= 0)
+      b.history[failed_at_][i] = b.old_history[failed_at_][i] != 0
+                                     ? b.old_history[failed_at_][i]
+                                     : failed(flow, here, state, move.strain, direction, r,
+                                              old_strain, porosity, C, dt, liquid);
+    return true;
+  }
+
+  // Writes the Maxwell elements; what they turned into heat, J/m^3.
+  double relaxed(const Batch& b, int i, double mu, const Symmetric& strain,
+                 const MaxwellElements::Trial& trial, const Return& r, bool melted) const {
+    const auto at_first = static_cast<std::size_t>(elements_at_);
+    const std::span<double* const> now = b.history.subspan(at_first);
+    if (melted) {
+      for (double* column : now) column[i] = 0;
+      return 0;
+    }
+    // Less the plastic strain, (1 - keep) S_tr/(2 mu).
+    const Symmetric rest = combined(1, strain, -(1 - r.keep) / (2 * trial.mu), trial.S);
+    return c_.elements.take(b.old_history.subspan(at_first), now, i, mu, b.dt, rest);
+  }
+
+  // 1 where the particle fails in this step.
+  template <class F, class Here>
+  double failed(const F& flow, const Here& here, const MetalState& state, const Symmetric& strain,
+                const Symmetric& N, const Return& r, double old_strain, double porosity, double C,
+                double dt, bool liquid) const {
+    if (liquid || r.soft) return 1;
+    if (c_.check_pores && porosity_at_ >= 0 && porosity > c_.pores.critical) return 1;
+    if (c_.stability == Stability::none || !(r.more_strain > 0)) return 0;
+    // d sigma_f/d eps_p with the heat that the strain makes.
+    const double more = 1e-4, rate = r.more_strain / dt;
+    MetalState warmer = state;
+    warmer.temperature += c_.taylor_quinney * r.yield * more / (state.density * C);
+    const double hardening = (flow.stress(flow.at(warmer), old_strain + more, rate) -
+                              flow.stress(here, old_strain, rate)) /
+                             more;
+    return unstable(c_.stability, strain, N, state.shear, c_.bulk, hardening) ? 1 : 0;
+  }
+
+  MetalConstants c_;
+  Flow flow_;
+  std::vector<HistoryColumn> history_;
+  int porosity_at_ = -1, failed_at_ = -1, temperature_at_ = -1, elements_at_ = -1;
+};
+
+const std::vector<Part>& flows() {
+  static const std::vector<Part> list = {{"isotropic_hardening", IsotropicHardening::tags()},
+                                         {"johnson_cook", JohnsonCook::tags()},
+                                         {"mts_model", MechanicalThreshold::tags()},
+                                         {"zerilli_armstrong", ZerilliArmstrong::tags()},
+                                         {"steinberg_cochran_guinan", SteinbergGuinan::tags()},
+                                         {"preston_tonks_wallace", PrestonTonksWallace::tags()}};
+  return list;
+}
+const std::vector<std::string> flows_not_supported = {"zerilli_armstrong_polymer"};
+std::optional<Flow> read_flow(const Parameters& model) {
+  const ChosenPart chosen = choose_part(model, "flow_model", flows(), flows_not_supported);
+  if (chosen.index < 0) return std::nullopt;
+  const Parameters p =
+      inside_part(model, "flow_model", flows()[static_cast<std::size_t>(chosen.index)]);
+  if (!p.good()) return std::nullopt;
+  switch (chosen.index) {
+    case 0:
+      return IsotropicHardening::read(p);
+    case 1:
+      return JohnsonCook::read(p);
+    case 2:
+      return MechanicalThreshold::read(p);
+    case 3:
+      return ZerilliArmstrong::read(p);
+    case 4:
+      return SteinbergGuinan::read(p);
+    default:
+      return PrestonTonksWallace::read(p);
+  }
+}
+
+std::shared_ptr<const Material> make(const Parameters& p) {
+  MetalConstants c;
+  c.bulk = p.real("bulk_modulus");
+  c.density = p.constants().density;
+  c.shear = read_shear_modulus(p, p.real("shear_modulus"));
+  c.melting = read_melting(p);
+  c.heat = read_specific_heat(p);
+  if (!p.flag("compute_specific_heat")) c.heat.form = SpecificHeat::Form::constant;
+  if (c.heat.form == SpecificHeat::Form::constant && !(c.heat.value > 0))
+    p.error("specific_heat_model", "<specific_heat> of the material must be greater than 0");
+  c.pressure = read_metal_pressure(p, c.bulk);
+  c.pressure.expansion = p.real("coeff_thermal_expansion");
+  c.yield = read_yield_condition(p);
+  c.stability = read_stability(p);
+  c.pores = read_pores(p);
+  c.taylor_quinney = p.real("taylor_quinney_coeff");
+  c.room = p.real("initial_material_temperature");
+  c.melts = p.flag("do_melting");
+  c.check_pores = p.flag("check_TEPLA_failure_criterion");
+  c.erodes = p.context().erodes;
+  c.objective = p.flag("objective");
+  c.elements = read_deviator(p, p.real("shear_modulus"));
+  if (p.word("plastic_convergence_algo") == "biswajit")
+    add_warning(p.faults(), p.block("plastic_convergence_algo")->where,
+                "biswajit is an older return algorithm; radialReturn is used", "remove the tag");
+  const std::optional<Flow> flow = read_flow(p);
+  return flow ? std::make_shared<Metal>(c, *flow) : nullptr;
+}
+
+Tags tags() {
+  Tags list = {
+      positive("bulk_modulus", "K, Pa: for the first time step, and the default of the parts"),
+      positive("shear_modulus", "mu, Pa: likewise"),
+      number("coeff_thermal_expansion", "linear, 1/K; of default_hypo and default_hyper", 0),
+      number("taylor_quinney_coeff", "chi, share of the plastic work that becomes heat", 0.9)
+          .at_least(0)
+          .at_most(1),
+      positive_or("initial_material_temperature", "temperature without thermal strain, K", 294),
+      choice("do_melting", "whether a particle above its melting temperature is a liquid", true),
+      choice("compute_specific_heat", "whether <specific_heat_model> counts", false),
+      choice("check_TEPLA_failure_criterion",
+             "whether a particle fails at <critical_porosity>; "
+             "with <erosion>",
+             true),
+      part_tag("flow_model", "the flow stress", flows(), flows_not_supported).once(),
+      metal_pressure_tag(),
+      shear_modulus_tag(),
+      melting_tag(),
+      specific_heat_tag(),
+      yield_condition_tag(),
+      stability_tag(),
+      deviator_tag(),
+      tag("plastic_convergence_algo", "radialReturn is the one there is")
+          .words({"radialReturn", "biswajit"})
+          .by_default("radialReturn"),
+      number("tolerance", "accepted without effect: the return is solved to round-off", 1e-10),
+      cell_pressure_tag("useModifiedEOS"),
+      choice("isothermal", "accepted without effect", false),
+      choice("evolve_damage", "accepted without effect: <damage_model> says it", false),
+      choice("check_max_stress_failure", "accepted without effect", false),
+      number("critical_stress", "accepted without effect", 0),
+      objective_tag()};
+  for (TagSpec& t : pore_tags()) list.push_back(std::move(t));
+  return list;
+}
+
+}  // namespace
+
+MaterialModel elastic_plastic_model() {
+  return {"elastic_plastic",
+          {"elasticplastic"},
+          "metal whose strength depends on strain, rate, temperature and pressure",
+          tags(),
+          make};
+}
+MaterialModel elastic_plastic_hp_model() {
+  return {"elastic_plastic_hp", {}, "the same metal under its other name", tags(), make};
+}
+MaterialModel rf_elastic_plastic_model() {
+  Tags list = tags();
+  list.push_back(
+      number("volume_expansion_coeff", "strain by what diffuses; 0 alone is supported", 0)
+          .at_least(0)
+          .at_most(0));
+  return {"rf_elastic_plastic", {}, "the same metal, in axes that turn with it", list, make};
+}
+
+}  // namespace sluice::mpm
