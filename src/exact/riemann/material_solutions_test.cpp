@@ -147,14 +147,14 @@ TEST(MirroredMaterials, ShockTubesAreMirrorImages) {
     MaterialSide left, right;
     double interface, end;
   };
-  for (const Tube& tube : {Tube{gas(1.4, 1, 0, 1), gas(1.667, .125, 0, .1), .5, .2},
-                           Tube{gas(1.4, 1, 0, 500), gas(1.667, 1, 0, .2), .5, .01},
-                           Tube{water(1000, 0, 1e9), gas(1.4, 1.2, 0, 1e5), .7, 1.2e-4},
-                           Tube{gas(1.4, 6.26, 1000, 2e6), water(1000, 0, 1e5), .4, 3e-4}}) {
-    SCOPED_TRACE(tube.end);
-    const MaterialRiemann riemann(tube.left, tube.right);
-    expect_mirror_image(TwoMaterials(riemann, {.position = tube.interface}),
-                        TwoMaterials(riemann, mirrored(tube.interface)), tube.end);
+  for (const Tube& one : {Tube{gas(1.4, 1, 0, 1), gas(1.667, .125, 0, .1), .5, .2},
+                          Tube{gas(1.4, 1, 0, 500), gas(1.667, 1, 0, .2), .5, .01},
+                          Tube{water(1000, 0, 1e9), gas(1.4, 1.2, 0, 1e5), .7, 1.2e-4},
+                          Tube{gas(1.4, 6.26, 1000, 2e6), water(1000, 0, 1e5), .4, 3e-4}}) {
+    SCOPED_TRACE(one.end);
+    const MaterialRiemann riemann(one.left, one.right);
+    expect_mirror_image(TwoMaterials(riemann, {.position = one.interface}),
+                        TwoMaterials(riemann, mirrored(one.interface)), one.end);
   }
 }
 
