@@ -11,14 +11,20 @@
 #include "framework/deck/rule_tools.hpp"
 #include "framework/deck/schema.hpp"
 #include "framework/scene/deck_values.hpp"
+#include "models/burn/ddt1.hpp"
 #include "models/burn/jwlpp.hpp"
 #include "models/burn/light_time.hpp"
+#include "models/burn/simple_burn.hpp"
+#include "models/burn/steady_burn.hpp"
+#include "models/burn/unsteady_burn.hpp"
 #include "models/deck/material_name.hpp"
 #include "models/gases/adiabatic_table.hpp"
 #include "models/gases/binary_properties.hpp"
+#include "models/gases/combustion.hpp"
 #include "models/gases/flame_sheet.hpp"
 #include "models/gases/gas_combustion.hpp"
 #include "models/gases/mixture_scalar.hpp"
+#include "models/scalars/transported_scalar.hpp"
 
 namespace sluice::models {
 namespace {
@@ -31,18 +37,26 @@ struct Reading {
   std::vector<Fault>& faults;
 };
 
-// One type of model: the word in <Model type=>, and the element that holds its parameters.
+// One type of model: the word in <Model type=>, the element that holds its parameters, and what it
+// is asked; null: it has nothing to say there.
 struct Entry {
   const char* type;
   TagSpec parameters;
   void (*check)(const DeckNode& parameters, const MaterialNames& names, std::vector<Fault>& faults);
-  void (*read)(const DeckNode& parameters, const Reading& to);
-  // Names of variables that it brings; null: none.
+  // What it does in fluids.
+  void (*read)(const DeckNode& parameters, const Reading& to) = nullptr;
+  // Where the reactant is a solid: its law of burning.
+  std::shared_ptr<const BurnLaw> (*burn)(const DeckNode& parameters,
+                                         const MaterialNames& names) = nullptr;
+  // Names of variables that it brings.
   std::vector<std::string> (*labels)(const DeckNode& parameters) = nullptr;
-  bool mixes = false;  // the gas
+  bool mixes_gas = false;
   std::optional<double> (*coefficient)(const DeckNode& parameters, Coefficient) = nullptr;
-  // Where the reactant is a solid.
-  SolidBurn (*burn)(const DeckNode& parameters, const MaterialNames& names) = nullptr;
+  // The tag that names the material of which this model may be written once alone, and why.
+  const char* once_for = nullptr;
+  const char* once_reason = nullptr;
+  // Brings older forms of its element up to date, with warnings.
+  void (*update)(DeckNode& parameters, std::vector<Fault>& faults) = nullptr;
 };
 
 // A mixed gas and its scalars; `constants`: the element with <diffusivity>.
@@ -78,80 +92,149 @@ void add_exchange(const DeckNode& parameters, const Reading& to,
     to.list.mass_exchanges.push_back(read(parameters, to.names));
 }
 
-template <auto read>
-SolidBurn burn(const DeckNode& parameters, const MaterialNames& names) {
-  const Reactant reactant = read_reactant(parameters, names);
-  return {reactant.from, reactant.to, read(parameters, names), parameters.where};
+// Regions of a passive scalar beside its <initialization>, as older decks have them: moved into it.
+void put_regions_into_start(DeckNode& parameters, std::vector<Fault>& faults) {
+  DeckNode* scalar = parameters.child("scalar");
+  if (scalar == nullptr) return;
+  std::vector<std::unique_ptr<DeckNode>> regions;
+  for (auto& child : scalar->children)
+    if (child->name == "geom_object") regions.push_back(std::move(child));
+  std::erase(scalar->children, nullptr);
+  if (regions.empty()) return;
+  add_warning(faults, regions.front()->where,
+              "<geom_object> in <scalar> is obsolete; read as inside <initialization>");
+  DeckNode* start = scalar->child("initialization");
+  if (start == nullptr) {
+    auto made = std::make_unique<DeckNode>();
+    made->name = "initialization";
+    made->where = regions.front()->where;
+    start = scalar->children.emplace_back(std::move(made)).get();
+  }
+  for (auto& region : regions) start->children.push_back(std::move(region));
 }
+
+constexpr const char* one_alone_moves = "particles can follow one of them alone";
 
 const std::vector<Entry>& table() {
   static const std::vector<Entry> entries = {
-      {"Test", mass_exchange_tag(), check_reactant,
-       [](const DeckNode& parameters, const Reading& to) {
-         add_exchange(parameters, to, read_mass_exchange);
-       },
-       nullptr, false, nullptr, burn<read_mass_exchange>},
-      {"JWLpp", jwlpp_tag(), check_reactant,
-       [](const DeckNode& parameters, const Reading& to) {
-         add_exchange(parameters, to, read_jwlpp);
-       },
-       nullptr, false, nullptr, burn<read_jwlpp>},
-      {"LightTime", light_time_tag(), check_fluid_reactant,
-       [](const DeckNode& parameters, const Reading& to) {
-         add_exchange(parameters, to, read_light_time);
-       },
-       [](const DeckNode& /*parameters*/) {
-         return std::vector<std::string>{front_gradient_label().name()};
+      {.type = "Test",
+       .parameters = mass_exchange_tag(),
+       .check = check_reactant,
+       .read = [](const DeckNode& parameters,
+                  const Reading& to) { add_exchange(parameters, to, read_mass_exchange); },
+       .burn = read_solid_exchange},
+      {.type = "JWLpp",
+       .parameters = jwlpp_tag(),
+       .check = check_reactant,
+       .read = [](const DeckNode& parameters,
+                  const Reading& to) { add_exchange(parameters, to, read_jwlpp); },
+       .burn = read_solid_jwlpp},
+      {.type = "LightTime",
+       .parameters = light_time_tag(),
+       .check = check_fluid_reactant,
+       .read = [](const DeckNode& parameters,
+                  const Reading& to) { add_exchange(parameters, to, read_light_time); },
+       .labels =
+           [](const DeckNode& /*parameters*/) {
+             return std::vector<std::string>{front_gradient_label().name()};
+           }},
+      {.type = "Simple_Burn",
+       .parameters = simple_burn_tag(),
+       .check = check_solid_reactant,
+       .burn = read_simple_burn},
+      {.type = "Steady_Burn",
+       .parameters = steady_burn_tag(),
+       .check = check_solid_reactant,
+       .burn = read_steady_burn},
+      {.type = "Unsteady_Burn",
+       .parameters = unsteady_burn_tag(),
+       .check = check_solid_reactant,
+       .burn = read_unsteady_burn,
+       .once_for = "fromMaterial",
+       .once_reason = one_alone_moves},
+      {.type = "DDT1",
+       .parameters = ddt1_tag(),
+       .check = check_ddt1,
+       .burn = read_ddt1,
+       .once_for = "fromMaterial",
+       .once_reason = one_alone_moves},
+      {.type = "mass_momentum_energy_src",
+       .parameters = fixed_values_tag(),
+       .check = of_fluids<check_fixed_values>,
+       .read =
+           [](const DeckNode& parameters, const Reading& to) {
+             for (FixedValues& v :
+                  read_fixed_values(parameters, to.materials, to.geometry, to.faults))
+               to.list.fixed_values.push_back(std::move(v));
+           }},
+      {.type = "PassiveScalar",
+       .parameters = passive_scalar_tag(),
+       .check = of_fluids<check_passive_scalar>,
+       .read =
+           [](const DeckNode& parameters, const Reading& to) {
+             to.list.scalars.push_back(
+                 read_passive_scalar(parameters, to.materials, to.geometry, to.faults));
+           },
+       .labels = scalar_labels,
+       .update = put_regions_into_start},
+      {.type = "BinaryProperties",
+       .parameters = binary_properties_tag(),
+       .check = of_fluids<check_binary_properties>,
+       .read =
+           [](const DeckNode& parameters, const Reading& to) {
+             add_gas(parameters, "constants", read_binary_properties(parameters, to.materials), to);
+           },
+       .labels = scalar_labels,
+       .mixes_gas = true,
+       .coefficient = largest_binary_coefficient},
+      {.type = "AdiabaticTable",
+       .parameters = adiabatic_table_tag(),
+       .check = of_fluids<check_adiabatic_table>,
+       .read =
+           [](const DeckNode& parameters, const Reading& to) {
+             add_gas(parameters, "constants",
+                     read_adiabatic_table(parameters, to.materials, to.faults), to);
+           },
+       .labels = mixing_labels,
+       .mixes_gas = true,
+       .coefficient = [](const DeckNode&, Coefficient) -> std::optional<double> {
+         return infinity;
        }},
-      {"Simple_Burn", simple_burn_tag(), check_solid_reactant,
-       [](const DeckNode& /*parameters*/, const Reading& /*to*/) {}, nullptr, false, nullptr,
-       burn<read_simple_burn>},
-      {"Steady_Burn", steady_burn_tag(), check_solid_reactant,
-       [](const DeckNode& /*parameters*/, const Reading& /*to*/) {}, nullptr, false, nullptr,
-       burn<read_steady_burn>},
-      {"Unsteady_Burn", unsteady_burn_tag(), check_solid_reactant,
-       [](const DeckNode& /*parameters*/, const Reading& /*to*/) {}, nullptr, false, nullptr,
-       burn<read_unsteady_burn>},
-      {"DDT1", ddt1_tag(), check_ddt1, [](const DeckNode& /*parameters*/, const Reading& /*to*/) {},
-       nullptr, false, nullptr, burn<read_ddt1>},
-      {"mass_momentum_energy_src", fixed_values_tag(), of_fluids<check_fixed_values>,
-       [](const DeckNode& parameters, const Reading& to) {
-         for (FixedValues& v : read_fixed_values(parameters, to.materials, to.geometry, to.faults))
-           to.list.fixed_values.push_back(std::move(v));
-       }},
-      {"PassiveScalar", passive_scalar_tag(), of_fluids<check_passive_scalar>,
-       [](const DeckNode& parameters, const Reading& to) {
-         to.list.scalars.push_back(
-             read_passive_scalar(parameters, to.materials, to.geometry, to.faults));
-       },
-       scalar_labels},
-      {"BinaryProperties", binary_properties_tag(), of_fluids<check_binary_properties>,
-       [](const DeckNode& parameters, const Reading& to) {
-         add_gas(parameters, "constants", read_binary_properties(parameters, to.materials), to);
-       },
-       scalar_labels, true, largest_binary_coefficient},
-      {"AdiabaticTable", adiabatic_table_tag(), of_fluids<check_adiabatic_table>,
-       [](const DeckNode& parameters, const Reading& to) {
-         add_gas(parameters, "constants", read_adiabatic_table(parameters, to.materials, to.faults),
-                 to);
-       },
-       mixing_labels, true,
-       [](const DeckNode&, Coefficient) -> std::optional<double> { return infinity; }},
-      {"flameSheet_rxn", flame_sheet_tag(), of_fluids<check_flame_sheet>,
-       [](const DeckNode& parameters, const Reading& to) {
-         add_gas(parameters, "reaction_constants", read_flame_sheet(parameters, to.materials), to);
-       },
-       mixing_labels, true},
-      {"gasCombustion", gas_combustion_tag(), of_fluids<check_gas_combustion>, add_species,
-       species_labels, true, species_coefficient},
-      {"hydrogenBurke", hydrogen_burke_tag(), of_fluids<check_gas_combustion>, add_species,
-       species_labels, true, species_coefficient},
-      {"TracerParticles", tracer_particles_tag(), of_fluids<check_tracer_particles>,
-       [](const DeckNode& parameters, const Reading& to) {
-         to.list.tracers.push_back(
-             read_tracer_particles(parameters, to.materials, to.geometry, to.faults));
-       },
-       tracer_labels},
+      {.type = "flameSheet_rxn",
+       .parameters = flame_sheet_tag(),
+       .check = of_fluids<check_flame_sheet>,
+       .read =
+           [](const DeckNode& parameters, const Reading& to) {
+             add_gas(parameters, "reaction_constants", read_flame_sheet(parameters, to.materials),
+                     to);
+           },
+       .labels = mixing_labels,
+       .mixes_gas = true},
+      {.type = "gasCombustion",
+       .parameters = gas_combustion_tag(),
+       .check = of_fluids<check_gas_combustion>,
+       .read = add_species,
+       .labels = species_labels,
+       .mixes_gas = true,
+       .coefficient = species_coefficient},
+      {.type = "hydrogenBurke",
+       .parameters = hydrogen_burke_tag(),
+       .check = of_fluids<check_gas_combustion>,
+       .read = add_species,
+       .labels = species_labels,
+       .mixes_gas = true,
+       .coefficient = species_coefficient},
+      {.type = "TracerParticles",
+       .parameters = tracer_particles_tag(),
+       .check = of_fluids<check_tracer_particles>,
+       .read =
+           [](const DeckNode& parameters, const Reading& to) {
+             to.list.tracers.push_back(
+                 read_tracer_particles(parameters, to.materials, to.geometry, to.faults));
+           },
+       .labels = tracer_labels,
+       .once_for = "material",
+       .once_reason = "write the regions of both into one"},
   };
   return entries;
 }
@@ -162,32 +245,11 @@ const Entry* find(const std::string& type) {
   return nullptr;
 }
 
-// Known to the format.
-std::vector<std::string> not_built() {
-  std::vector<std::string> types = {"AdiabaticTable",
-                                    "BinaryProperties",
-                                    "ConstantSources",
-                                    "DDT0",
-                                    "DDT1",
-                                    "IandG",
-                                    "JWLpp",
-                                    "LightTime",
-                                    "MesoBurn",
-                                    "PassiveScalar",
-                                    "Radiation",
-                                    "Simple_Burn",
-                                    "Steady_Burn",
-                                    "TracerParticles",
-                                    "SolidReactionModel",
-                                    "Unsteady_Burn",
-                                    "ZeroOrder",
-                                    "ethyleneDetonation",
-                                    "flameSheet_rxn",
-                                    "gasCombustion",
-                                    "hydrogenBurke"};
-  std::erase_if(types, [](const std::string& type) { return find(type) != nullptr; });
-  return types;
-}
+// Known to the format, and not supported.
+const std::vector<std::string> not_supported = {"ConstantSources", "DDT0",
+                                                "IandG",           "MesoBurn",
+                                                "Radiation",       "SolidReactionModel",
+                                                "ZeroOrder",       "ethyleneDetonation"};
 
 // Calls f(entry, parameters) for every model of the deck that is built and has its element.
 template <class F>
@@ -205,7 +267,7 @@ void for_each_model(const DeckNode& root, F&& f) {
 
 bool mixes_gas(const std::string& type) {
   const Entry* entry = find(type);
-  return entry != nullptr && entry->mixes;
+  return entry != nullptr && entry->mixes_gas;
 }
 
 std::optional<double> own_coefficient(const DeckNode& model, Coefficient coefficient) {
@@ -231,7 +293,7 @@ TagSpec models_tag() {
                                       "its own")
                                 .once()
                                 .words(types)
-                                .not_built(not_built()))
+                                .not_built(not_supported))
                  .with_children(elements));
 }
 
@@ -251,25 +313,6 @@ void put_into_element(DeckNode& model, const std::string& element_name,
       fmt::format("write <{}> around them", element_name));
 }
 
-// Regions of a passive scalar, likewise.
-void put_regions_into_start(DeckNode& scalar, std::vector<Fault>& faults) {
-  std::vector<std::unique_ptr<DeckNode>> regions;
-  for (auto& child : scalar.children)
-    if (child->name == "geom_object") regions.push_back(std::move(child));
-  std::erase(scalar.children, nullptr);
-  if (regions.empty()) return;
-  add_warning(faults, regions.front()->where,
-              "<geom_object> in <scalar> is obsolete; read as inside <initialization>");
-  DeckNode* start = scalar.child("initialization");
-  if (start == nullptr) {
-    auto made = std::make_unique<DeckNode>();
-    made->name = "initialization";
-    made->where = regions.front()->where;
-    start = scalar.children.emplace_back(std::move(made)).get();
-  }
-  for (auto& region : regions) start->children.push_back(std::move(region));
-}
-
 }  // namespace
 
 void move_parameters(DeckNode& root, std::vector<Fault>& faults) {
@@ -283,9 +326,8 @@ void move_parameters(DeckNode& root, std::vector<Fault>& faults) {
         return model->child(other.parameters.name) != nullptr;
       });
       if (!of_another && !model->children.empty()) put_into_element(*model, element, faults);
-      if (element != "PassiveScalar") continue;
-      if (DeckNode* parameters = model->child(element))
-        if (DeckNode* scalar = parameters->child("scalar")) put_regions_into_start(*scalar, faults);
+      DeckNode* parameters = model->child(element);
+      if (parameters != nullptr && entry->update != nullptr) entry->update(*parameters, faults);
     }
   }
 }
@@ -293,23 +335,19 @@ void move_parameters(DeckNode& root, std::vector<Fault>& faults) {
 void check_models(const DeckNode& root, const MaterialNames& materials,
                   std::vector<Fault>& faults) {
   std::set<std::string> labels;
-  std::set<int> traced;
-  std::set<std::pair<std::string, int>> remembering;
+  std::set<std::pair<std::string, int>> written;
   const auto& of_all_particles = particle_variables();
   for_each_model(root, [&](const Entry& entry, const DeckNode& parameters) {
     entry.check(parameters, materials, faults);
-    if ((parameters.name == "Unsteady_Burn" || parameters.name == "DDT1") &&
-        !remembering
-             .insert({parameters.name, read_material(parameters, "fromMaterial", materials.all())})
-             .second)
+    // What burns is a solid or a fluid, all else is a fluid.
+    const std::vector<std::string> names =
+        entry.burn != nullptr ? materials.all() : materials.fluids;
+    if (entry.once_for != nullptr &&
+        !written.insert({entry.type, read_material(parameters, entry.once_for, names)}).second)
       return add_error(faults, parameters.where,
                        fmt::format("two <{}> of the same material", parameters.name),
-                       "particles can follow one of them alone");
+                       entry.once_reason);
     if (entry.labels == nullptr) return;
-    if (entry.labels == tracer_labels &&
-        !traced.insert(read_material(parameters, "material", materials.fluids)).second)
-      return add_error(faults, parameters.where, "two <TracerParticles> of the same material",
-                       "write the regions of both into one");
     for (const std::string& label : entry.labels(parameters))
       if (std::find(of_all_particles.begin(), of_all_particles.end(), label) ==
               of_all_particles.end() &&
@@ -319,9 +357,9 @@ void check_models(const DeckNode& root, const MaterialNames& materials,
                          "give each scalar a name of its own");
   });
   const std::vector<std::string> scalars = scalar_variables(root);
-  for_each_model(root, [&](const Entry& entry, const DeckNode& parameters) {
+  for_each_model(root, [&](const Entry& /*entry*/, const DeckNode& parameters) {
     const DeckNode* clones = parameters.child("cloneVariables");
-    if (entry.labels != tracer_labels || clones == nullptr) return;
+    if (clones == nullptr) return;
     for (const DeckNode* clone : clones->all("CCVarLabel")) {
       const std::string label = clone->attribute("label").value_or("");
       if (!label.starts_with("scalar-") ||
@@ -340,7 +378,8 @@ ModelList read_models(const DeckNode& root, const MaterialNames& materials,
   ModelList list;
   if (const DeckNode* models = root.child("Models")) list.where = models->where;
   for_each_model(root, [&](const Entry& entry, const DeckNode& parameters) {
-    entry.read(parameters, {materials.fluids, materials, geometry, list, faults});
+    if (entry.read != nullptr)
+      entry.read(parameters, {materials.fluids, materials, geometry, list, faults});
   });
   return list;
 }
@@ -348,10 +387,24 @@ ModelList read_models(const DeckNode& root, const MaterialNames& materials,
 std::vector<SolidBurn> read_burns(const DeckNode& root, const MaterialNames& materials) {
   std::vector<SolidBurn> burns;
   for_each_model(root, [&](const Entry& entry, const DeckNode& parameters) {
-    if (entry.burn != nullptr && read_reactant(parameters, materials).solid)
-      burns.push_back(entry.burn(parameters, materials));
+    if (entry.burn == nullptr) return;
+    const Reactant reactant = read_reactant(parameters, materials);
+    if (reactant.solid)
+      burns.push_back(
+          {reactant.from, reactant.to, entry.burn(parameters, materials), parameters.where});
   });
   return burns;
+}
+
+void declare_labels() {
+  TransportedScalar scalar;
+  scalar.name = "NAME";
+  scalar.declare_labels();
+  front_gradient_label();
+  reaction_labels();
+  TracerScalar of_tracers;
+  of_tracers.name = "p.NAME";
+  of_tracers.label();
 }
 
 bool all_built(const DeckNode& root) {

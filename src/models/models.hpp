@@ -3,18 +3,15 @@
 // A model's law, tags, checks and reader stand in a file of its own; its row in the table of
 // models.cpp makes it known. What the laws do to a state is the component's part.
 #pragma once
+#include <memory>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "framework/deck/deck.hpp"
 #include "framework/scene/geometry_reader.hpp"
-#include "models/burn/ddt1.hpp"
+#include "models/burn/burn_law.hpp"
 #include "models/burn/mass_exchange.hpp"
-#include "models/burn/simple_burn.hpp"
-#include "models/burn/steady_burn.hpp"
-#include "models/burn/unsteady_burn.hpp"
 #include "models/deck/reactant.hpp"
 #include "models/gases/mixed_gas.hpp"
 #include "models/scalars/passive_scalar.hpp"
@@ -27,11 +24,11 @@ struct TagSpec;
 
 namespace sluice::models {
 
-// A solid that becomes a fluid, by any of these laws.
+// A solid that becomes a fluid.
 struct SolidBurn {
   int solid = 0;    // among the solids
   int product = 0;  // among the fluids
-  std::variant<MassExchange, SimpleBurn, SteadyBurn, UnsteadyBurn, Ddt1> law;
+  std::shared_ptr<const BurnLaw> law;
   Location where;
 };
 
@@ -65,6 +62,9 @@ ModelList read_models(const DeckNode& root, const MaterialNames& materials,
                       const GeometryReader& geometry, std::vector<Fault>& faults);
 // What of it solids give to fluids: no part of that list.
 std::vector<SolidBurn> read_burns(const DeckNode& root, const MaterialNames& materials);
+
+// Declares the labels that models bring, with NAME for the name of a scalar of a deck.
+void declare_labels();
 
 // Whether all models that the deck names are built: what others would bring nobody can judge.
 bool all_built(const DeckNode& root);

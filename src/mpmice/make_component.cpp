@@ -17,9 +17,8 @@ namespace {
 void check_cracks(const std::vector<models::SolidBurn>& burns, const MpmIce& component,
                   std::vector<Fault>& faults) {
   for (const models::SolidBurn& burn : burns) {
-    const auto* ddt = std::get_if<models::Ddt1>(&burn.law);
     const auto solid = static_cast<std::size_t>(burn.solid);
-    if (ddt == nullptr || !ddt->cracks ||
+    if (!burn.law->burns_cracks() ||
         mpm::column_of(component.solids().carried()[solid], "p.crackRad") >= 0)
       continue;
     add_error(faults, burn.where,

@@ -38,9 +38,9 @@ mpm::MpmScene with_corners(mpm::MpmScene solids, const std::vector<models::Solid
   for (const models::SolidBurn& burn : burns) {
     mpm::SolidMaterial& solid = solids.materials[static_cast<std::size_t>(burn.solid)];
     solid.burns = true;
-    const auto* ddt = std::get_if<models::Ddt1>(&burn.law);
-    solid.awaits_flames |= ddt != nullptr && ddt->spread.has_value();
-    solid.surface_remembers |= std::holds_alternative<models::UnsteadyBurn>(burn.law);
+    const models::BurningMemory memory = burn.law->memory();
+    solid.awaits_flames |= memory.flame;
+    solid.surface_remembers |= memory.surface;
   }
   solids.carry_corners(level.active);
   solids.whole_kicks = true;
@@ -179,8 +179,7 @@ int MpmIce::reduction_sums() const {
 std::vector<OutputSwitch> MpmIce::output_switches() const {
   std::vector<OutputSwitch> switches;
   for (const models::SolidBurn& burn : burns_)
-    if (const auto* ddt = std::get_if<models::Ddt1>(&burn.law))
-      for (const models::Ddt1::Switch& s : ddt->switches) switches.push_back(s.to);
+    for (const OutputSwitch& to : burn.law->output_switches()) switches.push_back(to);
   return switches;
 }
 

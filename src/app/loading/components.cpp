@@ -1,10 +1,13 @@
 #include "app/loading/components.hpp"
 
 #include "examples/burger.hpp"
+#include "examples/labels.hpp"
 #include "examples/linear_solve.hpp"
 #include "examples/poisson.hpp"
 #include "examples/repeated_poisson.hpp"
 #include "examples/wave.hpp"
+#include "framework/deck/faults.hpp"
+#include "framework/run/component/particle_method.hpp"
 #include "framework/scene/deck_values.hpp"
 #include "ice/deck/schema.hpp"
 #include "ice/fluid/labels.hpp"
@@ -12,6 +15,7 @@
 #include "models/models.hpp"
 #include "mpm/deck/read_mpm_scene.hpp"
 #include "mpm/deck/schema.hpp"
+#include "mpm/declare_labels.hpp"
 #include "mpm/histories.hpp"
 #include "mpm/implicit_mpm.hpp"
 #include "mpm/loads/check_motions.hpp"
@@ -75,38 +79,137 @@ std::vector<std::string> residual(const DeckNode& /*root*/) {
   return {"residual"};
 }
 
-constexpr ComponentKind kinds[] = {
-    // type  tags          made by, histories
-    {"ice", add_ice_tags, make_ice, histories_of_fluid},
-    {"mpm", mpm::add_mpm_tags, make_mpm, histories_of_solids, true},
-    {"amrmpm", nullptr, make_mpm, histories_of_solids, true},
-    {"impm", nullptr, make_mpm, histories_of_solids, true},
-    {"sfmpm", nullptr, make_mpm, histories_of_solids, true},
-    {"shmpm", nullptr, make_mpm, histories_of_solids, true},
-    {"mpmice", nullptr, make_mpmice, histories_of_both},
-    {"rmpmice", nullptr, make_mpmice, histories_of_both},
-    {"rigidmpmice", nullptr, make_mpmice, histories_of_both},
-    // Examples of components: docs/your_own_component.md.
-    {"poisson1", examples::add_poisson_tags, examples::make_poisson, residual},
-    {"benchmark", nullptr, examples::make_poisson, residual},
-    {"poisson2", nullptr, examples::make_repeated_poisson, residual},
-    {"poisson3", nullptr, examples::make_poisson_on_levels, residual},
-    {"solvertest", examples::add_solver_test_tags, examples::make_solver_test},
-    {"burger", examples::add_burger_tags, examples::make_burger},
-    {"wave", examples::add_wave_tags, examples::make_wave},
-};
+void declare_fluid_labels() {
+  ice::labels();  // declares them
+  models::declare_labels();
+}
+
+std::unique_ptr<DeckNode> make_node(const char* name, const Location& where, const char* text) {
+  auto node = std::make_unique<DeckNode>();
+  node->name = name;
+  node->text = text;
+  node->where = where;
+  return node;
+}
+
+// Decks of poisson3 leave it to the component that its levels step together.
+void step_levels_together(DeckNode& root, std::vector<Fault>& faults) {
+  const DeckNode* grid = root.child("Grid");
+  if (grid == nullptr || grid->all("Level").size() < 2) return;
+  const Location where = root.child("SimulationComponent")->where;
+  if (root.child("AMR") == nullptr) root.children.push_back(make_node("AMR", where, ""));
+  DeckNode& amr = *root.child("AMR");
+  if (amr.child("useLockStep") != nullptr) return;
+  amr.children.push_back(make_node("useLockStep", amr.where, "true"));
+  add_warning(faults, amr.where, "no <useLockStep> in <AMR>: the levels of poisson3 step together");
+}
+
+const std::vector<ComponentKind>& kinds() {
+  static const std::vector<ComponentKind> all = {
+      {.type = "ice",
+       .spellings = {"ICE"},
+       .add_tags = add_ice_tags,
+       .make = make_ice,
+       .histories = histories_of_fluid,
+       .declare_labels = declare_fluid_labels},
+      {.type = "mpm",
+       .spellings = {"MPM"},
+       .add_tags = mpm::add_mpm_tags,
+       .make = make_mpm,
+       .histories = histories_of_solids,
+       .declare_labels = mpm::declare_labels,
+       .takes_gaps = true,
+       .in_turn = true},
+      {.type = "amrmpm",
+       .spellings = {"AMRMPM", "AMRmpm"},
+       .make = make_mpm,
+       .histories = histories_of_solids,
+       .takes_gaps = true},
+      {.type = "impm",
+       .spellings = {"IMPM"},
+       .make = make_mpm,
+       .histories = histories_of_solids,
+       .takes_gaps = true,
+       .in_turn = true},
+      {.type = "sfmpm",
+       .spellings = {"SFMPM", "SFmpm"},
+       .make = make_mpm,
+       .histories = histories_of_solids,
+       .takes_gaps = true},
+      {.type = "shmpm",
+       .spellings = {"SHMPM"},
+       .make = make_mpm,
+       .histories = histories_of_solids,
+       .takes_gaps = true},
+      {.type = "mpmice",
+       .spellings = {"MPMICE"},
+       .make = make_mpmice,
+       .histories = histories_of_both},
+      {.type = "rmpmice", .make = make_mpmice, .histories = histories_of_both},
+      {.type = "rigidmpmice",
+       .spellings = {"RIGIDMPMICE"},
+       .make = make_mpmice,
+       .histories = histories_of_both},
+      // Examples of components: docs/your_own_component.md.
+      {.type = "poisson1",
+       .spellings = {"POISSON1"},
+       .add_tags = examples::add_poisson_tags,
+       .make = examples::make_poisson,
+       .histories = residual,
+       .declare_labels = examples::declare_labels},
+      {.type = "poisson2",
+       .spellings = {"POISSON2"},
+       .make = examples::make_repeated_poisson,
+       .histories = residual},
+      {.type = "poisson3",
+       .spellings = {"POISSON3"},
+       .make = examples::make_poisson_on_levels,
+       .histories = residual,
+       .complete = step_levels_together},
+      {.type = "solvertest",
+       .spellings = {"SOLVERTEST"},
+       .add_tags = examples::add_solver_test_tags,
+       .make = examples::make_solver_test},
+      {.type = "burger",
+       .spellings = {"BURGER"},
+       .add_tags = examples::add_burger_tags,
+       .make = examples::make_burger},
+      {.type = "wave",
+       .spellings = {"WAVE"},
+       .add_tags = examples::add_wave_tags,
+       .make = examples::make_wave},
+      {.type = "benchmark",
+       .spellings = {"BENCHMARK"},
+       .make = examples::make_poisson,
+       .histories = residual},
+  };
+  return all;
+}
 
 }  // namespace
 
 std::span<const ComponentKind> component_kinds() {
-  return kinds;
+  return kinds();
 }
 
-const ComponentKind* component_kind(const Deck& deck) {
-  const DeckNode* named = deck.root->child("SimulationComponent");
+std::vector<ComponentWord> component_words() {
+  std::vector<ComponentWord> words;
+  for (const ComponentKind& kind : kinds())
+    words.push_back({kind.type, {kind.spellings.begin(), kind.spellings.end()}, kind.in_turn});
+  return words;
+}
+
+void declare_all_labels() {
+  particle_labels();
+  for (const ComponentKind& kind : kinds())
+    if (kind.declare_labels != nullptr) kind.declare_labels();
+}
+
+const ComponentKind* component_kind(const DeckNode& root) {
+  const DeckNode* named = root.child("SimulationComponent");
   if (named == nullptr) return nullptr;
   const std::string type = named->attribute("type").value_or("");
-  for (const ComponentKind& kind : kinds)
+  for (const ComponentKind& kind : kinds())
     if (type == kind.type) return &kind;
   return nullptr;
 }

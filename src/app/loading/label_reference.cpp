@@ -5,19 +5,8 @@
 
 #include <functional>
 
-#include "examples/labels.hpp"
+#include "app/loading/components.hpp"
 #include "framework/field/label.hpp"
-#include "framework/run/component/particle_method.hpp"
-#include "ice/fluid/labels.hpp"
-#include "models/burn/light_time.hpp"
-#include "models/gases/combustion.hpp"
-#include "models/scalars/tracer_particles.hpp"
-#include "models/scalars/transported_scalar.hpp"
-#include "mpm/histories.hpp"
-#include "mpm/material/base/history_labels.hpp"
-#include "mpm/saved/mean_pressure.hpp"
-#include "mpm/saved/node_fields.hpp"
-#include "mpm/step/labels.hpp"
 
 namespace sluice {
 namespace {
@@ -59,24 +48,6 @@ std::string table(const char* title, const char* text, const std::function<bool(
 }
 
 }  // namespace
-
-void declare_all_labels() {
-  ice::labels();  // declares them
-  examples::declare_labels();
-  models::TransportedScalar scalar;
-  scalar.name = "NAME";
-  scalar.declare_labels();
-  particle_labels();
-  models::front_gradient_label();
-  models::reaction_labels();
-  mpm::solid_labels();
-  mpm::declare_history_labels();
-  mpm::mean_pressure_of({}, 0);
-  mpm::is_history(mpm::node_labels().front());
-  models::TracerScalar tracer_scalar;
-  tracer_scalar.name = "p.NAME";
-  tracer_scalar.label();
-}
 
 std::string label_reference() {
   declare_all_labels();

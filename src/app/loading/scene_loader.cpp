@@ -63,7 +63,7 @@ std::unique_ptr<Component> read_component(const Deck& deck, const SceneOptions& 
                                           Scene& scene, std::vector<Fault>& faults) {
   scene = read_scene(deck, options, faults);
   if (any_error(faults)) return nullptr;
-  const ComponentKind* kind = component_kind(deck);
+  const ComponentKind* kind = component_kind(*deck.root);
   if (kind == nullptr)
     throw std::logic_error("a deck without a component passed the schema's check");
   check_gaps(scene, *kind, faults);

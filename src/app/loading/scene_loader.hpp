@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "framework/deck/switcher.hpp"
+#include "framework/deck/format/switcher.hpp"
 #include "framework/run/component/component.hpp"
 #include "framework/scene/scene.hpp"
 

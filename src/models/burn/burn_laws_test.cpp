@@ -80,7 +80,7 @@ TEST(SteadyBurn, SolvesTheEquationsOfSurfaceAndFlame) {
   const SteadyBurn law = hmx();
   for (const double p : {5e4, 1e5, 1e6, 7e6, 5e7, 1e9})
     for (const double T0 : {250., 298., 420.}) {
-      const SteadyBurn::Surface s = law.surface(p, T0, density);
+      const BurningSurface s = law.surface(p, T0, density);
       EXPECT_NEAR(s.flux / flux_of_the_solid(law, s.temperature, T0), 1, 1e-9) << p;
       EXPECT_NEAR(s.temperature / temperature_by_the_flame(law, s.flux, p, T0), 1, 1e-9) << p;
     }

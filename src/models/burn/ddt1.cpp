@@ -138,7 +138,41 @@ void check_ddt1(const DeckNode& parameters, const MaterialNames& names,
         "burning begins at the smaller pressure");
 }
 
-Ddt1 read_ddt1(const DeckNode& parameters, const MaterialNames& names) {
+namespace {
+
+class Ddt1Law final : public BurnLaw {
+ public:
+  explicit Ddt1Law(Ddt1 law) : law_(std::move(law)) {}
+  bool burn(BurningForms& step) const override { return step.burn_explosive(law_); }
+  // Of what detonates; what burns has the heat of the flame.
+  double heat_of_reaction() const override { return law_.detonation.heat; }
+  std::vector<int> products(int product) const override {
+    if (law_.surface_product == product) return {product};
+    return {product, law_.surface_product};
+  }
+  BurningMemory memory() const override { return {.flame = law_.spread.has_value()}; }
+  std::vector<BurningOutput> outputs() const override {
+    return {{BurningValue::detonates, "detonating"},
+            {BurningValue::kind, "burning"},
+            {BurningValue::share, "F"},
+            {BurningValue::gain, "delF"},
+            {BurningValue::delay, "inductionTime"},
+            {BurningValue::waited, "countTime"}};
+  }
+  std::vector<OutputSwitch> output_switches() const override {
+    std::vector<OutputSwitch> all;
+    for (const Ddt1::Switch& s : law_.switches) all.push_back(s.to);
+    return all;
+  }
+  bool burns_cracks() const override { return law_.cracks; }
+
+ private:
+  Ddt1 law_;
+};
+
+}  // namespace
+
+std::shared_ptr<const BurnLaw> read_ddt1(const DeckNode& parameters, const MaterialNames& names) {
   Ddt1 m;
   m.flame = read_surface_and_flame(parameters, "ThresholdPressureSB");
   m.detonation.threshold_pressure = parameters.real("ThresholdPressureJWL");
@@ -164,7 +198,7 @@ Ddt1 read_ddt1(const DeckNode& parameters, const MaterialNames& names) {
     if (const DeckNode* node = adjust->child("DetonationDetected"))
       m.switches.push_back({0, read_intervals(*node)});
   }
-  return m;
+  return std::make_shared<Ddt1Law>(std::move(m));
 }
 
 }  // namespace sluice::models

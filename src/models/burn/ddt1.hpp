@@ -15,10 +15,12 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "framework/scene/output_switch.hpp"
+#include "models/burn/burn_law.hpp"
 #include "models/burn/jwlpp.hpp"
 #include "models/burn/steady_burn.hpp"
 
@@ -93,6 +95,6 @@ struct Ddt1 {
 
 void check_ddt1(const DeckNode& parameters, const MaterialNames& names, std::vector<Fault>& faults);
 TagSpec ddt1_tag();
-Ddt1 read_ddt1(const DeckNode& parameters, const MaterialNames& names);
+std::shared_ptr<const BurnLaw> read_ddt1(const DeckNode& parameters, const MaterialNames& names);
 
 }  // namespace sluice::models

@@ -55,6 +55,48 @@ MassExchange read_jwlpp(const DeckNode& parameters, const MaterialNames& names) 
   return m;
 }
 
+namespace {
+
+// A constant rate, in every cell.
+class ConstantRateLaw final : public CellLaw {
+ public:
+  explicit ConstantRateLaw(MassExchange law) : law_(std::move(law)) {}
+  double heat_of_reaction() const override { return 0; }
+  bool depends_on_state() const override { return false; }
+  double share(const CellState& /*cell*/, double time, double dt) const override {
+    return law_.share(time, dt);
+  }
+
+ private:
+  MassExchange law_;
+};
+
+class JwlPpLaw final : public CellLaw {
+ public:
+  explicit JwlPpLaw(const JwlPp& law) : law_(law) {}
+  double heat_of_reaction() const override { return law_.heat; }
+  bool depends_on_state() const override { return true; }
+  double share(const CellState& cell, double /*time*/, double dt) const override {
+    if (!law_.burns(cell.pressure, cell.volume_fraction)) return 0.0;
+    return law_.burned(dt, cell.pressure, cell.reactant, cell.product) / cell.reactant;
+  }
+
+ private:
+  JwlPp law_;
+};
+
+}  // namespace
+
+std::shared_ptr<const BurnLaw> read_solid_exchange(const DeckNode& parameters,
+                                                   const MaterialNames& names) {
+  return std::make_shared<ConstantRateLaw>(read_mass_exchange(parameters, names));
+}
+
+std::shared_ptr<const BurnLaw> read_solid_jwlpp(const DeckNode& parameters,
+                                                const MaterialNames& /*names*/) {
+  return std::make_shared<JwlPpLaw>(read_jwlpp_law(parameters));
+}
+
 MassExchange read_light_time(const DeckNode& parameters, const MaterialNames& names) {
   MassExchange m = read_materials(parameters, names);
   m.by_front = read_light_time_law(parameters);

@@ -6,12 +6,14 @@
 // its momentum and its internal energy: totals stay. The shares of two steps are together the share
 // of one as long: the law is exact whatever the steps are.
 #pragma once
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "framework/base/error.hpp"
 #include "framework/deck/deck.hpp"
+#include "models/burn/burn_law.hpp"
 #include "models/burn/jwlpp.hpp"
 #include "models/burn/light_time.hpp"
 #include "models/deck/reactant.hpp"
@@ -39,5 +41,10 @@ TagSpec mass_exchange_tag();
 MassExchange read_jwlpp(const DeckNode& parameters, const MaterialNames& names);
 MassExchange read_light_time(const DeckNode& parameters, const MaterialNames& names);
 MassExchange read_mass_exchange(const DeckNode& parameters, const MaterialNames& names);
+// The same two laws for a solid that becomes a fluid.
+std::shared_ptr<const BurnLaw> read_solid_exchange(const DeckNode& parameters,
+                                                   const MaterialNames& names);
+std::shared_ptr<const BurnLaw> read_solid_jwlpp(const DeckNode& parameters,
+                                                const MaterialNames& names);
 
 }  // namespace sluice::models

@@ -41,14 +41,35 @@ TagSpec simple_burn_tag() {
                           .unit("pressure")});
 }
 
-SimpleBurn read_simple_burn(const DeckNode& parameters, const MaterialNames& /*names*/) {
+namespace {
+
+class SimpleBurnLaw final : public SurfaceLaw {
+ public:
+  explicit SimpleBurnLaw(const SimpleBurn& law) : law_(law) {}
+  double heat_of_reaction() const override { return law_.heat; }
+  std::vector<BurningOutput> outputs() const override { return {}; }
+  bool looks_around() const override { return false; }
+  BurningSurface steady_surface(const AtSurface& at) const override {
+    if (!law_.burns(at.pressure, at.hottest)) return {};
+    return {0, law_.flux(at.pressure)};
+  }
+  const SurfaceDelay* delay() const override { return nullptr; }
+
+ private:
+  SimpleBurn law_;
+};
+
+}  // namespace
+
+std::shared_ptr<const BurnLaw> read_simple_burn(const DeckNode& parameters,
+                                                const MaterialNames& /*names*/) {
   SimpleBurn m;
   m.threshold_temperature = parameters.real("ThresholdTemp");
   m.threshold_pressure = parameters.real("ThresholdPressure");
   m.heat = parameters.real("Enthalpy");
   m.coefficient = parameters.real("BurnCoeff");
   m.reference_pressure = parameters.real("refPressure");
-  return m;
+  return std::make_shared<SimpleBurnLaw>(m);
 }
 
 }  // namespace sluice::models

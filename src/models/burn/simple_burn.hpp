@@ -4,7 +4,9 @@
 // The exponent is that of HMX. Heat: <Enthalpy> per mass, beside what the solid carries.
 #pragma once
 #include <cmath>
+#include <memory>
 
+#include "models/burn/burn_law.hpp"
 #include "models/deck/reactant.hpp"
 
 namespace sluice {
@@ -31,6 +33,7 @@ struct SimpleBurn {
 };
 
 TagSpec simple_burn_tag();
-SimpleBurn read_simple_burn(const DeckNode& parameters, const MaterialNames& names);
+std::shared_ptr<const BurnLaw> read_simple_burn(const DeckNode& parameters,
+                                                const MaterialNames& names);
 
 }  // namespace sluice::models

@@ -29,7 +29,7 @@ struct Constants {
 
 }  // namespace
 
-SteadyBurn::Surface SteadyBurn::surface(double p, double T0, double density) const {
+BurningSurface SteadyBurn::surface(double p, double T0, double density) const {
   const double q = solid_heat / specific_heat, R = gas_constant;
   Constants k{};
   k.C1 = solid_rate * R * conductivity * density / (activation * specific_heat);
@@ -106,8 +106,30 @@ SteadyBurn read_surface_and_flame(const DeckNode& parameters, const char* thresh
   return m;
 }
 
-SteadyBurn read_steady_burn(const DeckNode& parameters, const MaterialNames& /*names*/) {
-  return read_surface_and_flame(parameters);
+namespace {
+
+class SteadyBurnLaw final : public SurfaceLaw {
+ public:
+  explicit SteadyBurnLaw(const SteadyBurn& law) : law_(law) {}
+  double heat_of_reaction() const override { return law_.heat(); }
+  std::vector<BurningOutput> outputs() const override {
+    return {{BurningValue::burns, "SteadyBurn.BurningCell"}};
+  }
+  bool looks_around() const override { return true; }
+  BurningSurface steady_surface(const AtSurface& at) const override {
+    return law_.steady_surface(at);
+  }
+  const SurfaceDelay* delay() const override { return nullptr; }
+
+ private:
+  SteadyBurn law_;
+};
+
+}  // namespace
+
+std::shared_ptr<const BurnLaw> read_steady_burn(const DeckNode& parameters,
+                                                const MaterialNames& /*names*/) {
+  return std::make_shared<SteadyBurnLaw>(read_surface_and_flame(parameters));
 }
 
 }  // namespace sluice::models

@@ -9,8 +9,10 @@
 // (Ward, Son, Brewster, Combust. Flame 114 (1998) 556.) m rises with T_s above C2 up to a highest
 // point, F falls where m rises: the root lies between C4 and the F of that point.
 #pragma once
+#include <memory>
 #include <vector>
 
+#include "models/burn/burn_law.hpp"
 #include "models/deck/reactant.hpp"
 
 namespace sluice {
@@ -33,12 +35,13 @@ struct SteadyBurn {
   bool burns(double pressure, double hottest) const {
     return pressure >= threshold_pressure && hottest > ignition_temperature;
   }
-  struct Surface {
-    double temperature = 0;
-    double flux = 0;  // kg/(m^2 s)
-  };
+  // As the laws of surface and flame have it: no flux where the surface does not burn.
+  BurningSurface steady_surface(const AtSurface& at) const {
+    if (!burns(at.pressure, at.hottest)) return {};
+    return surface(at.pressure, at.solid_temperature, at.density);
+  }
   // At a pressure, for a solid of this temperature and density.
-  Surface surface(double pressure, double solid_temperature, double density) const;
+  BurningSurface surface(double pressure, double solid_temperature, double density) const;
 };
 
 // Its parameters, which models of the same surface and flame share.
@@ -47,6 +50,7 @@ std::vector<TagSpec> surface_and_flame_tags(const char* threshold = "ThresholdPr
 SteadyBurn read_surface_and_flame(const DeckNode& parameters,
                                   const char* threshold = "ThresholdPressure");
 TagSpec steady_burn_tag();
-SteadyBurn read_steady_burn(const DeckNode& parameters, const MaterialNames& names);
+std::shared_ptr<const BurnLaw> read_steady_burn(const DeckNode& parameters,
+                                                const MaterialNames& names);
 
 }  // namespace sluice::models

@@ -16,8 +16,9 @@ double relaxed(double y, double target, double dt, double tau) {
 
 }  // namespace
 
-SurfaceHistory UnsteadyBurn::after(double dt, const SurfaceHistory& before, const Surface& steady,
-                                   double solid_temperature, double density) const {
+SurfaceHistory UnsteadyBurn::after(double dt, const SurfaceHistory& before,
+                                   const BurningSurface& steady, double solid_temperature,
+                                   double density) const {
   const double m = steady.flux;
   const double gradient =
       (steady.temperature - solid_temperature) * m * specific_heat / conductivity;
@@ -55,12 +56,44 @@ TagSpec unsteady_burn_tag() {
                                   "N_g")});
 }
 
-UnsteadyBurn read_unsteady_burn(const DeckNode& parameters, const MaterialNames& names) {
-  UnsteadyBurn m{read_steady_burn(parameters, names)};
+namespace {
+
+class UnsteadyBurnLaw final : public SurfaceLaw, private SurfaceDelay {
+ public:
+  explicit UnsteadyBurnLaw(const UnsteadyBurn& law) : law_(law) {}
+  double heat_of_reaction() const override { return law_.heat(); }
+  std::vector<BurningOutput> outputs() const override {
+    return {{BurningValue::burns, "UnsteadyBurn.BurningCell"},
+            {BurningValue::temperature, "UnsteadyBurn.SurfTemp"},
+            {BurningValue::gradient, "UnsteadyBurn.SurfTempGrad"}};
+  }
+  bool looks_around() const override { return true; }
+  BurningSurface steady_surface(const AtSurface& at) const override {
+    return law_.steady_surface(at);
+  }
+  const SurfaceDelay* delay() const override { return this; }
+
+ private:
+  SurfaceHistory after(double dt, const SurfaceHistory& before, const BurningSurface& steady,
+                       double solid_temperature, double density) const override {
+    return law_.after(dt, before, steady, solid_temperature, density);
+  }
+  double flux(const SurfaceHistory& now, double steady_flux, double density) const override {
+    return law_.flux(now, steady_flux, density);
+  }
+
+  UnsteadyBurn law_;
+};
+
+}  // namespace
+
+std::shared_ptr<const BurnLaw> read_unsteady_burn(const DeckNode& parameters,
+                                                  const MaterialNames& /*names*/) {
+  UnsteadyBurn m{read_surface_and_flame(parameters)};
   m.rate_power = parameters.real("BurnrateModCoef");
   m.solid_delay = parameters.real("CondUnsteadyCoef");
   m.gas_delay = parameters.real("GasUnsteadyCoef");
-  return m;
+  return std::make_shared<UnsteadyBurnLaw>(m);
 }
 
 }  // namespace sluice::models

@@ -14,27 +14,19 @@
 
 namespace sluice::models {
 
-// What a surface remembers. At first what decks of the format expect of one that has not burned.
-struct SurfaceHistory {
-  static constexpr double unlit_gradient = 1e12;
-  double temperature = 300;          // T_s, K
-  double gradient = unlit_gradient;  // beta, K/m
-
-  bool lit() const { return gradient < unlit_gradient; }
-};
-
 struct UnsteadyBurn : SteadyBurn {
   double rate_power = 1;                  // B_m
   double solid_delay = 0, gas_delay = 0;  // N_c, N_g
 
   // After a step; a surface that has not burned begins with the steady state.
-  SurfaceHistory after(double dt, const SurfaceHistory& before, const Surface& steady,
+  SurfaceHistory after(double dt, const SurfaceHistory& before, const BurningSurface& steady,
                        double solid_temperature, double density) const;
   // Mass flux m, kg/(m^2 s).
   double flux(const SurfaceHistory& now, double steady_flux, double density) const;
 };
 
 TagSpec unsteady_burn_tag();
-UnsteadyBurn read_unsteady_burn(const DeckNode& parameters, const MaterialNames& names);
+std::shared_ptr<const BurnLaw> read_unsteady_burn(const DeckNode& parameters,
+                                                  const MaterialNames& names);
 
 }  // namespace sluice::models

@@ -30,7 +30,7 @@ double delay_of(const UnsteadyBurn& law, double m) {
 
 // A step at this pressure: the rate.
 double step(const UnsteadyBurn& law, double dt, double p, SurfaceHistory& surface) {
-  const SteadyBurn::Surface steady = law.surface(p, T0, density);
+  const BurningSurface steady = law.surface(p, T0, density);
   surface = law.after(dt, surface, steady, T0, density);
   return law.flux(surface, steady.flux, density);
 }
@@ -62,7 +62,7 @@ TEST(UnsteadyBurn, SettlesToTheSteadyRate) {
 // At constant pressure differences fall as exponentials, whatever the steps.
 TEST(UnsteadyBurn, RemembersForItsDelays) {
   const UnsteadyBurn law = propellant();
-  const SteadyBurn::Surface steady = law.surface(p0, T0, density);
+  const BurningSurface steady = law.surface(p0, T0, density);
   const double tau = delay_of(law, steady.flux);
   const double gradient =
       (steady.temperature - T0) * steady.flux * law.specific_heat / law.conductivity;

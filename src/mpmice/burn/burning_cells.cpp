@@ -1,38 +1,35 @@
 #include "mpmice/burn/burning_cells.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <stdexcept>
 
 #include "ice/fluid/labels.hpp"
 
 namespace sluice::mpmice {
 
-std::vector<BurningField> burning_fields(const models::SolidBurn& burn) {
-  const auto field = [](BurningValue value, const ice::Labels::AtSurfaces& l) {
-    return BurningField{value, l.saved, l.kept};
-  };
+namespace {
+
+// Labels that laws of burning name as their outputs.
+BurningField field_of(const models::BurningOutput& output) {
   const ice::Labels& l = ice::labels();
-  if (std::holds_alternative<models::SteadyBurn>(burn.law))
-    return {field(BurningValue::burns, l.burning_steady)};
-  if (std::holds_alternative<models::UnsteadyBurn>(burn.law))
-    return {field(BurningValue::burns, l.burning_unsteady),
-            field(BurningValue::temperature, l.surface_temperature),
-            field(BurningValue::gradient, l.surface_gradient)};
-  if (std::holds_alternative<models::Ddt1>(burn.law))
-    return {field(BurningValue::detonates, l.detonating),
-            field(BurningValue::kind, l.burning),
-            {BurningValue::share, l.burned_share, l.kept_burned_share},
-            {BurningValue::gain, l.burned_in_step, l.kept_burned_in_step},
-            field(BurningValue::delay, l.induction_time),
-            field(BurningValue::waited, l.count_time)};
-  return {};
+  for (const ice::Labels::AtSurfaces& pair :
+       {l.burning_steady, l.burning_unsteady, l.surface_temperature, l.surface_gradient,
+        l.detonating, l.burning, l.induction_time, l.count_time,
+        ice::Labels::AtSurfaces{l.burned_share, l.kept_burned_share},
+        ice::Labels::AtSurfaces{l.burned_in_step, l.kept_burned_in_step}})
+    if (pair.saved.name() == output.label) return {output.value, pair.saved, pair.kept};
+  throw std::logic_error(fmt::format("no work slot holds the output {} of a law", output.label));
 }
 
-std::vector<int> products(const models::SolidBurn& burn) {
-  std::vector<int> all = {burn.product};
-  if (const auto* ddt = std::get_if<models::Ddt1>(&burn.law);
-      ddt != nullptr && ddt->surface_product != burn.product)
-    all.push_back(ddt->surface_product);
-  return all;
+}  // namespace
+
+std::vector<BurningField> burning_fields(const models::SolidBurn& burn) {
+  std::vector<BurningField> fields;
+  for (const models::BurningOutput& output : burn.law->outputs())
+    fields.push_back(field_of(output));
+  return fields;
 }
 
 BurningCells::BurningCells(const Scene& scene, const std::vector<models::SolidBurn>& burns,
@@ -54,7 +51,7 @@ BurningCells::BurningCells(const Scene& scene, const std::vector<models::SolidBu
     for (const BurningField& field : burning_fields(burn)) add(field.saved, field.kept, burn.solid);
     add(l.model_mass, l.kept_model_mass, burn.solid);
     if (!other_sources)
-      for (const int product : products(burn))
+      for (const int product : burn.law->products(burn.product))
         add(l.model_mass, l.kept_model_mass, first_fluid + product);
   }
 }

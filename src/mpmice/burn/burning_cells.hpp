@@ -11,23 +11,16 @@
 
 namespace sluice::mpmice {
 
-enum class BurningValue {
-  burns,  // of surfaces
-  temperature,
-  gradient,
-  detonates,  // of DDT1
-  kind,
-  delay,
-  waited,
-  share,
-  gain
-};
+using models::BurningValue;
+
+// An output of a law: its label in the archive, and that of the work slot which holds it until then.
 struct BurningField {
   BurningValue value = BurningValue::burns;
   Label saved, kept;
 };
-// The fluids that it makes.
-std::vector<int> products(const models::SolidBurn& burn);
+// Fluids that fill less of a cell do not count as hot.
+inline constexpr double seen_volume = 0.2;
+
 // What can be saved of a law.
 std::vector<BurningField> burning_fields(const models::SolidBurn& burn);
 

@@ -8,7 +8,7 @@
 #include <array>
 #include <cmath>
 
-#include "models/burn/steady_burn.hpp"
+#include "models/burn/burn_law.hpp"
 #include "mpmice/geometry/corner_table.hpp"
 
 namespace sluice::mpmice {
@@ -16,7 +16,7 @@ namespace sluice::mpmice {
 template <int D>
 class ExposedArea {
  public:
-  using Surface = models::SteadyBurn::Surface;
+  using Surface = models::BurningSurface;
   // A piece of face 2 axis + side with this area vector, and what burns there.
   void add(int face, const std::array<double, D>& area, const Surface& surface) {
     double size = 0;

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "framework/base/communicator.hpp"
-#include "models/burn/unsteady_burn.hpp"
+#include "models/burn/burn_law.hpp"
 #include "mpmice/geometry/outer_faces.hpp"
 
 namespace sluice::mpmice {

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "framework/base/reduction.hpp"
-#include "mpmice/burn/burn_law.hpp"
 #include "mpmice/geometry/pieces.hpp"
 #include "mpmice/step/level_coupling.hpp"
 
@@ -25,7 +24,7 @@ double LevelCoupling<D>::hottest_fluid(const Cell<D>& c, bool around) const {
 // What of the particles' surfaces burns; `pieces`: which, where somebody asks.
 template <int D>
 std::vector<ExposedArea<D>> LevelCoupling<D>::exposed_areas(
-    const models::SolidBurn& burn, std::size_t n, std::vector<BurningPiece>* pieces) const {
+    const models::SurfaceLaw& law, std::size_t n, std::vector<BurningPiece>* pieces) const {
   const SolidSet<D>& s = sets_[n];
   std::vector<ExposedArea<D>> exposed(s.set->size());
   const double* mass = s.set->column(static_cast<std::size_t>(s.columns->mass));
@@ -33,12 +32,12 @@ std::vector<ExposedArea<D>> LevelCoupling<D>::exposed_areas(
   const double* T = s.next->column(static_cast<std::size_t>(s.columns->temperature));
   for_each_open_piece(s, [&](std::size_t p, int face, const std::array<double, D>& area,
                              const Cell<D>& c, std::size_t k) {
-    AtSurface at;
+    models::AtSurface at;
     at.pressure = fields_.pressure[k];
     at.solid_temperature = T[p];
-    at.hottest = std::max(T[p], hottest_fluid(c, looks_around(burn)));
+    at.hottest = std::max(T[p], hottest_fluid(c, law.looks_around()));
     at.density = mass[p] / volume[p];
-    const auto surface = steady_surface(burn, at);
+    const models::BurningSurface surface = law.steady_surface(at);
     if (surface.flux > 0 && pieces != nullptr) pieces->push_back({n, p, k});
     exposed[p].add(face, area, surface);
   });
@@ -47,14 +46,14 @@ std::vector<ExposedArea<D>> LevelCoupling<D>::exposed_areas(
 
 // Surfaces that remember burn at rates of their own.
 template <int D>
-void LevelCoupling<D>::delay_burning(const models::UnsteadyBurn& law, SolidSet<D>& s,
+void LevelCoupling<D>::delay_burning(const models::SurfaceDelay& law, SolidSet<D>& s,
                                      const std::vector<ExposedArea<D>>& exposed, double dt,
                                      Column& shares) const {
   const double* mass = s.set->column(static_cast<std::size_t>(s.columns->mass));
   const double* volume = s.set->column(static_cast<std::size_t>(s.columns->volume));
   const double* T = s.next->column(static_cast<std::size_t>(s.columns->temperature));
   for (std::size_t p = 0; p < shares.size(); ++p) {
-    const models::SteadyBurn::Surface steady = exposed[p].burning();
+    const models::BurningSurface steady = exposed[p].burning();
     if (!(steady.flux > 0) || !(s.stays[p] > 0)) continue;
     const double density = mass[p] / volume[p];
     s.surface[p] = law.after(dt, s.surface[p], steady, T[p], density);
@@ -65,20 +64,20 @@ void LevelCoupling<D>::delay_burning(const models::UnsteadyBurn& law, SolidSet<D
 // Shares of the particles' masses that their surfaces lose.
 template <int D>
 void LevelCoupling<D>::burn_surfaces(const StageScope& scope, const models::SolidBurn& burn,
-                                     std::vector<Column>& shares) {
+                                     const models::SurfaceLaw& law, std::vector<Column>& shares) {
   const std::vector<BurningField> fields = saved_fields(scope, burn);
   std::vector<BurningPiece> pieces;
   for (std::size_t n = 0; n < sets_.size(); ++n) {
     SolidSet<D>& s = sets_[n];
     if (s.kind != burn.solid) continue;
     const std::vector<ExposedArea<D>> exposed =
-        exposed_areas(burn, n, fields.empty() ? nullptr : &pieces);
+        exposed_areas(law, n, fields.empty() ? nullptr : &pieces);
     const double* mass = s.set->column(static_cast<std::size_t>(s.columns->mass));
     shares[n].assign(s.set->size(), 0.0);
     for (std::size_t p = 0; p < shares[n].size(); ++p)
       if (s.stays[p] > 0) shares[n][p] = scope.step.dt * exposed[p].flow() / (mass[p] * s.stays[p]);
-    if (const auto* unsteady = std::get_if<models::UnsteadyBurn>(&burn.law))
-      delay_burning(*unsteady, s, exposed, scope.step.dt, shares[n]);
+    if (const models::SurfaceDelay* delay = law.delay())
+      delay_burning(*delay, s, exposed, scope.step.dt, shares[n]);
   }
   if (!fields.empty()) store_burning(scope, burn, fields, pieces);
 }
@@ -168,7 +167,7 @@ std::vector<BurningField> LevelCoupling<D>::saved_fields(const StageScope& scope
 }
 
 template void LevelCoupling<1>::burn_surfaces(const StageScope&, const models::SolidBurn&,
-                                              std::vector<Column>&);
+                                              const models::SurfaceLaw&, std::vector<Column>&);
 template double LevelCoupling<1>::hottest_fluid(const Cell<1>&, bool) const;
 template double LevelCoupling<1>::count_pieces(const StageScope&, const std::vector<BurningPiece>&,
                                                CellSums<1>&) const;
@@ -179,7 +178,7 @@ template void LevelCoupling<1>::keep_in_cells(const StageScope&, Label, int, con
 template std::vector<BurningField> LevelCoupling<1>::saved_fields(const StageScope&,
                                                                   const models::SolidBurn&) const;
 template void LevelCoupling<2>::burn_surfaces(const StageScope&, const models::SolidBurn&,
-                                              std::vector<Column>&);
+                                              const models::SurfaceLaw&, std::vector<Column>&);
 template double LevelCoupling<2>::hottest_fluid(const Cell<2>&, bool) const;
 template double LevelCoupling<2>::count_pieces(const StageScope&, const std::vector<BurningPiece>&,
                                                CellSums<2>&) const;
@@ -190,7 +189,7 @@ template void LevelCoupling<2>::keep_in_cells(const StageScope&, Label, int, con
 template std::vector<BurningField> LevelCoupling<2>::saved_fields(const StageScope&,
                                                                   const models::SolidBurn&) const;
 template void LevelCoupling<3>::burn_surfaces(const StageScope&, const models::SolidBurn&,
-                                              std::vector<Column>&);
+                                              const models::SurfaceLaw&, std::vector<Column>&);
 template double LevelCoupling<3>::hottest_fluid(const Cell<3>&, bool) const;
 template double LevelCoupling<3>::count_pieces(const StageScope&, const std::vector<BurningPiece>&,
                                                CellSums<3>&) const;

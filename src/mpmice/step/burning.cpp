@@ -13,7 +13,6 @@
 
 #include "framework/base/reduction.hpp"
 #include "ice/fluid/labels.hpp"
-#include "mpmice/burn/burn_law.hpp"
 #include "mpmice/burn/vanished_faces.hpp"
 #include "mpmice/step/level_coupling.hpp"
 
@@ -28,24 +27,21 @@ constexpr double least_share = 1e-9;   // of its mass that burns in a step
 // Of what burns everywhere: the share that burns in each cell.
 template <int D>
 void LevelCoupling<D>::burn_cells(const StageScope& scope, const models::SolidBurn& burn,
-                                  Column& shares) {
+                                  const models::CellLaw& law, Column& shares) {
   shares.assign(frame_.box.cells(), 0.0);
-  const auto& exchange = std::get<models::MassExchange>(burn.law);
-  if (!exchange.by_pressure) {
-    std::fill(shares.begin(), shares.end(), exchange.share(scope.step.time, scope.step.dt));
+  const double t = scope.step.time, dt = scope.step.dt;
+  if (!law.depends_on_state()) {
+    std::fill(shares.begin(), shares.end(), law.share({}, t, dt));
     return;
   }
-  const models::JwlPp* law = &*exchange.by_pressure;
   Column reactant, pressure;
   mean_in_cells(scope, burn.solid, reactant, pressure);
   for_each_cell_near([&](const Cell<D>&, std::size_t i) {
     if (!(reactant[i] > 0) || amounts_.near[i] == 0) return;
     const double theta = fields_.theta_next[i], V = wet(i) ? amounts_.volume[i] : 0.0;
     const double p = (V * fields_.pressure[i] + theta * pressure[i]) / (V + theta);
-    if (!law->burns(p, theta)) return;
-    shares[i] = law->burned(scope.step.dt, p, reactant[i],
-                            amounts_.mass[static_cast<std::size_t>(burn.product)][i]) /
-                reactant[i];
+    const double product = amounts_.mass[static_cast<std::size_t>(burn.product)][i];
+    shares[i] = law.share({p, theta, reactant[i], product}, t, dt);
   });
 }
 
@@ -222,20 +218,46 @@ void LevelCoupling<D>::burn_particles(const models::SolidBurn& burn, const Colum
   }
 }
 
+// What a law asks of the step, by its form.
+template <int D>
+class LevelCoupling<D>::Forms final : public models::BurningForms {
+ public:
+  Forms(LevelCoupling& coupling, const StageScope& scope, const models::SolidBurn& burn)
+      : coupling_(coupling), scope_(scope), burn_(burn), shares_(coupling.sets_.size()) {}
+
+  bool burn_surfaces(const models::SurfaceLaw& law) override {
+    coupling_.burn_surfaces(scope_, burn_, law, shares_);
+    return give({});
+  }
+  bool burn_cells(const models::CellLaw& law) override {
+    Column in_cells;
+    coupling_.burn_cells(scope_, burn_, law, in_cells);
+    coupling_.burn_particles(burn_, in_cells, shares_);
+    return give(in_cells);
+  }
+  bool burn_explosive(const models::Ddt1& law) override {
+    return coupling_.burn_ddt(scope_, burn_, law);
+  }
+
+ private:
+  bool give(const Column& in_cells) {
+    return coupling_.give_to_cells(
+        scope_, burn_.product,
+        coupling_.take_from_particles(burn_.solid, burn_.product, burn_.law->heat_of_reaction(),
+                                      shares_),
+        in_cells);
+  }
+
+  LevelCoupling& coupling_;
+  const StageScope& scope_;
+  const models::SolidBurn& burn_;
+  std::vector<Column> shares_;  // of the particles' masses that burn, by set of particles
+};
+
 template <int D>
 bool LevelCoupling<D>::burn_by(const StageScope& scope, const models::SolidBurn& burn) {
-  if (const auto* ddt = std::get_if<models::Ddt1>(&burn.law)) return burn_ddt(scope, burn, *ddt);
-  Column in_cells;
-  std::vector<Column> shares(sets_.size());
-  if (!burns_surfaces(burn)) {
-    burn_cells(scope, burn, in_cells);
-    burn_particles(burn, in_cells, shares);
-  } else {
-    burn_surfaces(scope, burn, shares);
-  }
-  return give_to_cells(
-      scope, burn.product,
-      take_from_particles(burn.solid, burn.product, heat_of_reaction(burn), shares), in_cells);
+  Forms forms(*this, scope, burn);
+  return burn.law->burn(forms);
 }
 
 // Mass per cell volume that burning has made, of all products.

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mpmice/burn/burn_law.hpp"
+#include "models/burn/ddt1.hpp"
 #include "mpmice/step/level_coupling.hpp"
 
 namespace sluice::mpmice {
@@ -115,9 +115,9 @@ void LevelCoupling<D>::burn_open_faces(const models::Ddt1& law, const ExplosiveC
       burns = s.flame[p].burns() && s.flame[p].kind == models::Ignition::surface;
     else if (burns)
       burns = std::max(T[p], hottest_fluid(c, true)) > law.flame.ignition_temperature;
-    exposed[p].add(face, area,
-                   burns ? law.flame.surface(pressure, T[p], mass[p] / volume[p])
-                         : models::SteadyBurn::Surface{});
+    exposed[p].add(
+        face, area,
+        burns ? law.flame.surface(pressure, T[p], mass[p] / volume[p]) : models::BurningSurface{});
   });
   for (std::size_t p = 0; p < shares.size(); ++p)
     if (s.stays[p] > 0) shares[p] = dt * exposed[p].flow() / (mass[p] * s.stays[p]);

@@ -96,18 +96,19 @@ class LevelCoupling final : public Coupling {
   // What burns (burning.cpp), of surfaces (burn_surfaces.cpp).
   Verdict burn(const StageScope& scope);
   void begin_burning();
+  class Forms;  // what a law of burning asks of the step
   bool burn_by(const StageScope& scope, const models::SolidBurn& burn);
   Column all_products() const;
   void keep_given_mass(const StageScope& scope, const std::vector<Column>& given) const;
   struct BurningPiece {
     std::size_t set, particle, cell;
   };
-  std::vector<ExposedArea<D>> exposed_areas(const models::SolidBurn& burn, std::size_t n,
+  std::vector<ExposedArea<D>> exposed_areas(const models::SurfaceLaw& law, std::size_t n,
                                             std::vector<BurningPiece>* pieces) const;
-  void delay_burning(const models::UnsteadyBurn& law, SolidSet<D>& s,
+  void delay_burning(const models::SurfaceDelay& law, SolidSet<D>& s,
                      const std::vector<ExposedArea<D>>& exposed, double dt, Column& shares) const;
   void burn_surfaces(const StageScope& scope, const models::SolidBurn& burn,
-                     std::vector<Column>& shares);
+                     const models::SurfaceLaw& law, std::vector<Column>& shares);
   void mean_of_pieces(const StageScope& scope, const std::vector<BurningPiece>& pieces,
                       const Column& values, const CellSums<D>& counts, double most,
                       Column& mean) const;
@@ -121,7 +122,8 @@ class LevelCoupling final : public Coupling {
                      const std::vector<BurningPiece>& pieces) const;
   void burn_particles(const models::SolidBurn& burn, const Column& in_cells,
                       std::vector<Column>& shares) const;
-  void burn_cells(const StageScope& scope, const models::SolidBurn& burn, Column& shares);
+  void burn_cells(const StageScope& scope, const models::SolidBurn& burn,
+                  const models::CellLaw& law, Column& shares);
   void mean_in_cells(const StageScope& scope, int kind, Column& mass, Column& pressure);
   double hottest_fluid(const Cell<D>& c, bool around) const;
   // Explosive (explosive.cpp), and flames that come to it (flames.cpp).

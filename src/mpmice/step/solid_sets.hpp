@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "framework/run/levels/particle_cloud.hpp"
+#include "models/burn/burn_law.hpp"
 #include "models/burn/ddt1.hpp"
-#include "models/burn/unsteady_burn.hpp"
 #include "mpm/mpm.hpp"
 #include "mpmice/geometry/covered_sides.hpp"
 #include "mpmice/step/solid_fields.hpp"

@@ -265,8 +265,8 @@ void add_analysis_tags(Schema& schema) {
   schema.add(tag("DataAnalysis", "what is looked at while the run goes on").child(module));
 }
 
-void add_framework_tags(Schema& schema) {
-  add_run_tags(schema);
+void add_framework_tags(Schema& schema, const std::vector<ComponentWord>& components) {
+  add_run_tags(schema, components);
   add_geometry_tags(schema);
   add_grid_tags(schema);
   add_output_tags(schema);

@@ -4,13 +4,22 @@
 
 namespace sluice {
 
-// All of the blocks below, with their rules.
-void add_framework_tags(Schema& schema);
+// A component as decks name it.
+struct ComponentWord {
+  std::string word;                    // <SimulationComponent type>
+  std::vector<std::string> spellings;  // other spellings of it
+  bool in_turn = false;                // whether a switcher can run it
+};
 
-void add_run_tags(Schema& schema);       // Meta, SimulationComponent, Time, PhysicalConstants, ...
-void add_output_tags(Schema& schema);    // DataArchiver
-void add_geometry_tags(Schema& schema);  // the group "geometry_piece"
-void add_grid_tags(Schema& schema);      // Grid with its BoundaryConditions and Levels
+// All of the blocks below, with their rules. `components`: those that there are; none: the schema
+// takes any word for one.
+void add_framework_tags(Schema& schema, const std::vector<ComponentWord>& components = {});
+
+// Meta, SimulationComponent, Time, PhysicalConstants, ...
+void add_run_tags(Schema& schema, const std::vector<ComponentWord>& components);
+void add_output_tags(Schema& schema);      // DataArchiver
+void add_geometry_tags(Schema& schema);    // the group "geometry_piece"
+void add_grid_tags(Schema& schema);        // Grid with its BoundaryConditions and Levels
 void add_refinement_tags(Schema& schema);  // AMR, LoadBalancer
 void add_analysis_tags(Schema& schema);    // DataAnalysis
 // The labels that the modules of a deck make and that can be saved.

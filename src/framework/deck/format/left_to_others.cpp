@@ -5,8 +5,8 @@
 
 #include "framework/deck/faults.hpp"
 #include "framework/deck/format/framework_schema.hpp"
+#include "framework/deck/format/switcher.hpp"
 #include "framework/deck/rule_tools.hpp"
-#include "framework/deck/switcher.hpp"
 #include "framework/deck/value_text.hpp"
 
 namespace sluice {

@@ -5,8 +5,8 @@
 
 #include "framework/deck/faults.hpp"
 #include "framework/deck/format/framework_schema.hpp"
+#include "framework/deck/format/switcher.hpp"
 #include "framework/deck/rule_tools.hpp"
-#include "framework/deck/switcher.hpp"
 
 namespace sluice {
 namespace {
@@ -71,71 +71,64 @@ TagSpec time_block() {
       });
 }
 
-TagSpec component() {
+// Components that the format knows, and that are not supported.
+const std::vector<std::string> unsupported_components = {"arches",
+                                                         "ARCHES",
+                                                         "dosweep",
+                                                         "DOSWEEP",
+                                                         "electrostatic_solver",
+                                                         "esmpm2",
+                                                         "ESMPM2",
+                                                         "esmpm",
+                                                         "ESMPM",
+                                                         "gauss_solver",
+                                                         "gpuresizetest1",
+                                                         "heat",
+                                                         "mpnp",
+                                                         "particletest",
+                                                         "PARTICLETEST",
+                                                         "phasefield",
+                                                         "PHASEFIELD",
+                                                         "poisson4",
+                                                         "POISSON4",
+                                                         "portabledependencytest",
+                                                         "portabledependencytest1",
+                                                         "postProcessUda",
+                                                         "regriddertest",
+                                                         "REGRIDDERTEST",
+                                                         "RMCRT_Test",
+                                                         "rmpm",
+                                                         "rigidmpm",
+                                                         "RIGIDMPM",
+                                                         "smpmice",
+                                                         "shellmpmice",
+                                                         "SHELLMPMICE",
+                                                         "smpm",
+                                                         "shellmpm",
+                                                         "SHELLMPM",
+                                                         "solvertest2",
+                                                         "SOLVERTEST2",
+                                                         "unifiedschedulertest",
+                                                         "UNIFIEDSCHEDULERTEST",
+                                                         "wasatch"};
+
+AttributeSpec type_of_component(const std::vector<ComponentWord>& components) {
+  AttributeSpec type = attribute("type", "the component").once();
+  if (components.empty()) return type.text();
+  std::vector<std::string> words;
+  for (const ComponentWord& c : components) {
+    words.push_back(c.word);
+    for (const std::string& spelling : c.spellings) type = type.spelling(spelling, c.word);
+  }
+  words.emplace_back(switcher_word);
+  return type.words(words).not_built(unsupported_components);
+}
+
+TagSpec component(const std::vector<ComponentWord>& components) {
   return tag("SimulationComponent", "which physics runs")
       .once()
-      .attribute(attribute("type", "the component")
-                     .once()
-                     .words({"ice", "mpm", "amrmpm", "impm", "sfmpm", "shmpm", "mpmice", "rmpmice",
-                             "rigidmpmice", "poisson1", "poisson2", "poisson3", "solvertest",
-                             "burger", "wave", "benchmark", "switcher"})
-                     .spelling("ICE", "ice")
-                     .spelling("MPM", "mpm")
-                     .spelling("AMRMPM", "amrmpm")
-                     .spelling("AMRmpm", "amrmpm")
-                     .spelling("IMPM", "impm")
-                     .spelling("SFMPM", "sfmpm")
-                     .spelling("SHMPM", "shmpm")
-                     .spelling("SFmpm", "sfmpm")
-                     .spelling("MPMICE", "mpmice")
-                     .spelling("RIGIDMPMICE", "rigidmpmice")
-                     .spelling("POISSON1", "poisson1")
-                     .spelling("POISSON2", "poisson2")
-                     .spelling("POISSON3", "poisson3")
-                     .spelling("SOLVERTEST", "solvertest")
-                     .spelling("BENCHMARK", "benchmark")
-                     .spelling("BURGER", "burger")
-                     .spelling("WAVE", "wave")
-                     .not_built({"arches",
-                                 "ARCHES",
-                                 "dosweep",
-                                 "DOSWEEP",
-                                 "electrostatic_solver",
-                                 "esmpm2",
-                                 "ESMPM2",
-                                 "esmpm",
-                                 "ESMPM",
-                                 "gauss_solver",
-                                 "gpuresizetest1",
-                                 "heat",
-                                 "mpnp",
-                                 "particletest",
-                                 "PARTICLETEST",
-                                 "phasefield",
-                                 "PHASEFIELD",
-                                 "poisson4",
-                                 "POISSON4",
-                                 "portabledependencytest",
-                                 "portabledependencytest1",
-                                 "postProcessUda",
-                                 "regriddertest",
-                                 "REGRIDDERTEST",
-                                 "RMCRT_Test",
-                                 "rmpm",
-                                 "rigidmpm",
-                                 "RIGIDMPM",
-                                 "smpmice",
-                                 "shellmpmice",
-                                 "SHELLMPMICE",
-                                 "smpm",
-                                 "shellmpm",
-                                 "SHELLMPM",
-                                 "solvertest2",
-                                 "SOLVERTEST2",
-                                 "unifiedschedulertest",
-                                 "UNIFIEDSCHEDULERTEST",
-                                 "wasatch"}))
-      .with_children(switcher_tags());
+      .attribute(type_of_component(components))
+      .with_children(switcher_tags(components));
 }
 
 // Public decks give some numbers twice: the first counts.
@@ -156,12 +149,12 @@ void keep_first_of_time(DeckNode& root, std::vector<Fault>& faults) {
 
 }  // namespace
 
-void add_run_tags(Schema& schema) {
+void add_run_tags(Schema& schema, const std::vector<ComponentWord>& components) {
   schema.root.doc = "the deck: everything about one run";
   schema.add(tag("Meta", "for the reader")
                  .with_children({tag("title", "name of the problem").text(),
                                  tag("info", "what the deck is for").text()}));
-  schema.add(component());
+  schema.add(component(components));
   schema.add(time_block());
   schema.add(
       tag("PhysicalConstants", "constants of nature and of the reference state")

@@ -6,26 +6,32 @@
 
 #include "framework/deck/data_file.hpp"
 #include "framework/deck/faults.hpp"
+#include "framework/deck/format/framework_schema.hpp"
+#include "framework/deck/format/switcher.hpp"
 #include "framework/deck/rule_tools.hpp"
 #include "framework/deck/schema.hpp"
-#include "framework/deck/switcher.hpp"
 
 namespace sluice {
 namespace {
 
 namespace fs = std::filesystem;
 
-AttributeSpec type_of_component() {
-  return attribute("type", "the component, as its deck says")
-      .once()
-      .words({"mpm", "impm"})
-      .spelling("MPM", "mpm")
-      .spelling("IMPM", "impm")
-      .not_built({"arches",   "ARCHES",      "amrmpm",   "AMRMPM",   "benchmark",
-                  "burger",   "BURGER",      "ice",      "ICE",      "mpmf",
-                  "mpmice",   "MPMICE",      "poisson1", "poisson2", "poisson3",
-                  "poisson4", "rigidmpmice", "rmpmice",  "sfmpm",    "SFMPM",
-                  "smpm",     "smpmice",     "switcher", "wave",     "WAVE"});
+// Only components that can follow one another may be named, as each hands its state on.
+AttributeSpec type_of_component(const std::vector<ComponentWord>& components) {
+  AttributeSpec type = attribute("type", "the component, as its deck says").once();
+  if (components.empty()) return type.text();
+  std::vector<std::string> words, others = {"arches", "mpmf", "poisson4", "smpm", "smpmice"};
+  for (const ComponentWord& c : components) {
+    (c.in_turn ? words : others).push_back(c.word);
+    for (const std::string& spelling : c.spellings) {
+      if (c.in_turn)
+        type = type.spelling(spelling, c.word);
+      else
+        others.push_back(spelling);
+    }
+  }
+  others.emplace_back(switcher_word);
+  return type.words(words).not_built(others);
 }
 
 TagSpec criterion() {
@@ -41,13 +47,13 @@ TagSpec criterion() {
                  .at_least(1));
 }
 
-TagSpec component_in_turn() {
+TagSpec component_in_turn(const std::vector<ComponentWord>& components) {
   return tag("subcomponent", "a component of the run; they run in the order of the deck")
       .multiple()
-      .only_for("type", {"switcher"})
+      .only_for("type", {switcher_word})
       .with_children(
           {tag("SimulationComponent", "which physics runs; that of the deck, where it is left out")
-               .attribute(type_of_component()),
+               .attribute(type_of_component(components)),
            tag("input_file",
                "deck of the component: materials, limits of the time step and all else but Meta, "
                "Grid, DataArchiver and the times of the run, which are those of this deck")
@@ -113,19 +119,19 @@ void check_files(const std::vector<const DeckNode*>& parts, std::vector<Fault>& 
 
 bool runs_switcher(const DeckNode& root) {
   const DeckNode* component = root.child("SimulationComponent");
-  return component != nullptr && component->attribute("type") == "switcher";
+  return component != nullptr && component->attribute("type") == switcher_word;
 }
 
-std::vector<TagSpec> switcher_tags() {
+std::vector<TagSpec> switcher_tags(const std::vector<ComponentWord>& components) {
   return {tag("carry_over",
               "a variable that goes on from one component to the next; here that are all that both "
               "have")
               .multiple()
-              .only_for("type", {"switcher"})
+              .only_for("type", {switcher_word})
               .with_attributes({attribute("var", "label").once().text(),
                                 attribute("matls", "of which materials").index_set(),
                                 attribute("level", "of which level").words({"finest"})}),
-          component_in_turn()};
+          component_in_turn(components)};
 }
 
 std::string find_subdeck(const DeckNode& input_file) {

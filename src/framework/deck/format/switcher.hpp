@@ -12,11 +12,15 @@ namespace sluice {
 
 struct TagSpec;
 class Schema;
+struct ComponentWord;
+
+// The word in <SimulationComponent type>.
+inline constexpr const char* switcher_word = "switcher";
 
 bool runs_switcher(const DeckNode& root);
 
-// What may stand in <SimulationComponent> of such a run.
-std::vector<TagSpec> switcher_tags();
+// What may stand in <SimulationComponent> of such a run, where these components exist.
+std::vector<TagSpec> switcher_tags(const std::vector<ComponentWord>& components);
 void check_switcher(const DeckNode& root, std::vector<Fault>& faults);
 
 // The file that <input_file> names: beside its deck, in the working directory, in the folders above

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "framework/deck/faults.hpp"
+#include "framework/deck/format/switcher.hpp"
 #include "framework/deck/load_deck.hpp"
-#include "framework/deck/switcher.hpp"
 
 namespace sluice {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "framework/base/temporary_folder.hpp"
 #include "framework/deck/format/framework_schema.hpp"
+#include "framework/deck/format/switcher.hpp"
 #include "framework/deck/load_deck.hpp"
-#include "framework/deck/switcher.hpp"
 
 namespace sluice::subdecks_test {
 namespace {
