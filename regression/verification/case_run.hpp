@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "exact/profile.hpp"
+#include "exact/base/error_norms.hpp"
 #include "framework/base/temporary_folder.hpp"
 #include "framework/base/vec3.hpp"
 

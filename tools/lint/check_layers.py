@@ -28,6 +28,7 @@ FLOORS = {
     ],
     "ice": [
         ["fluid"],
+        ["conditions"],
         ["deck"],
         ["closure", "boundary"],
         ["step"],

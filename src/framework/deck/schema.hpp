@@ -107,6 +107,11 @@ struct Described {
       s.value.words = std::move(list);
     });
   }
+  // In addition to those that there are.
+  Derived more_words(const std::vector<std::string>& list) const {
+    return with(
+        [&](auto& s) { s.value.words.insert(s.value.words.end(), list.begin(), list.end()); });
+  }
   Derived not_built(std::vector<std::string> list) const {
     return with([&](auto& s) { s.value.words_not_built = std::move(list); });
   }
@@ -192,6 +197,12 @@ struct TagSpec : Described<TagSpec> {
   TagSpec fill() const {
     return with([](TagSpec& s) { s.filled = true; });
   }
+  // Null: it has none of this name.
+  AttributeSpec* attribute_of(std::string_view attribute_name) {
+    for (AttributeSpec& spec : attributes)
+      if (spec.called(attribute_name)) return &spec;
+    return nullptr;
+  }
 };
 
 inline TagSpec tag(std::string name, std::string doc) {
@@ -229,6 +240,9 @@ class Schema {
 
   // The description at a slash-separated path below the root; nullptr when there is none.
   const TagSpec* at(std::string_view path) const;
+  TagSpec* at(std::string_view path) {
+    return const_cast<TagSpec*>(static_cast<const Schema*>(this)->at(path));
+  }
 
   // Adds a top-level block, or children to one that is there already.
   void add(TagSpec block);

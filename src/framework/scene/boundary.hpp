@@ -24,7 +24,8 @@ enum class ConditionKind {
   symmetry,              // mirror: normal velocity zero, everything else even
   free_slip_wall,        // velocity only
   compute_from_density,  // specific volume only
-  other                  // LODI, Sine, slip, ...: kind_name says which
+  open_face,             // waves leave; its value has no meaning
+  other                  // kinds of a component: kind_name says which
 };
 
 struct Condition {

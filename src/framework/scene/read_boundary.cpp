@@ -34,6 +34,7 @@ ConditionKind kind_of(std::string_view name) {
   if (n == "symmetry" || n == "symmetric") return ConditionKind::symmetry;
   if (n == "freeslipwall") return ConditionKind::free_slip_wall;
   if (n == "computefromdensity") return ConditionKind::compute_from_density;
+  if (n == "lodi") return ConditionKind::open_face;
   return ConditionKind::other;
 }
 

@@ -83,8 +83,7 @@ void check_formulas(const DeckNode& root, std::vector<Fault>& faults) {
 
 // Kinds whose value is a velocity of the gas or of a wall.
 bool gives_velocity(const Condition& c) {
-  return c.kind == ConditionKind::dirichlet ||
-         (c.kind == ConditionKind::other && c.is_vector && c.kind_name != "LODI");
+  return c.kind == ConditionKind::dirichlet || (c.kind == ConditionKind::other && c.is_vector);
 }
 
 void note_boundary_velocities(const BoundaryConditions& boundary, DirectionFacts& facts) {

@@ -86,10 +86,8 @@ bool BoundaryFill::holds_velocities() const {
 }
 
 double BoundaryFill::held_velocity(Side side, IntVec3 cell, double in_ghost, double time) const {
-  if (rule(side, cell).velocity_kind != GhostRule::Velocity::sine) return in_ghost;
-  const SineSettings& sine = *setting_.conditions.sine;
-  const double mean = sine.reference_velocity[direction_of(side)];
-  return mean == 0 ? 0.0 : mean + sine.amplitude * std::sin(sine.omega * time);
+  const PrescribedFlow* flow = rule(side, cell).velocity_flow.get();
+  return flow == nullptr ? in_ghost : flow->on_face(direction_of(side), in_ghost, time);
 }
 
 const WallHeat& BoundaryFill::wall_heat(Side side, IntVec3 cell, int material) const {

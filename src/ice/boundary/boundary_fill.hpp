@@ -31,8 +31,8 @@
 #include "framework/scene/boundary.hpp"
 #include "framework/task/places.hpp"
 #include "framework/task/thread_team.hpp"
-#include "ice/boundary/ghost_rule.hpp"
 #include "ice/boundary/ghost_states.hpp"
+#include "ice/boundary/region_rules.hpp"
 #include "ice/boundary/scalar_ghosts.hpp"
 #include "ice/deck/ice_scene.hpp"
 

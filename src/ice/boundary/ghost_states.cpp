@@ -56,54 +56,38 @@ void GhostStates::plain(const GhostRule& rule, IntVec3 ghost, IntVec3 source) co
     }
 }
 
-double GhostStates::profile(const GhostRule& rule, IntVec3 ghost) const {
-  const InletProfile& profile = *setting_.conditions.profile;
+GhostPlace GhostStates::place(const PrescribedFlow& flow, IntVec3 ghost, IntVec3 source) const {
   const Level& level = *setting_.level;
-  const int e = profile.vertical;
-  const double height = (ghost[e] - level.domain.lower[e] + 0.5) * level.spacing[e];
-  if (rule.velocity_kind == GhostRule::Velocity::power_law) {
-    const double whole = profile.height.value_or(level.domain.size()[e] * level.spacing[e]);
-    return std::pow(std::clamp(height / whole, 0.0, 1.0), profile.exponent);
+  GhostPlace at;
+  at.centre = level.centre(ghost);
+  for (int e = 0; e < 3; ++e) {
+    at.height[e] = (ghost[e] - level.domain.lower[e] + 0.5) * level.spacing[e];
+    at.domain_size[e] = level.domain.size()[e] * level.spacing[e];
   }
-  return std::max(0.0, std::log(height / profile.roughness)) / profile.von_karman;
-}
-
-TravellingVortices::Flow GhostStates::vortices(IntVec3 ghost, double rho) const {
-  return setting_.conditions.vortices->at(setting_.level->centre(ghost), moment_.time, rho,
-                                          setting_.viscosity);
-}
-
-// What holds on the face, A sin(omega t): a ghost has what will have come to the face when sound
-// has run in from there.
-double GhostStates::swing(IntVec3 ghost, IntVec3 source) const {
-  const SineSettings& sine = *setting_.conditions.sine;
-  const WaveState s = wave_state(source);
-  const double inward = sound_speed(source, s) - s.u[0];
-  const double off = (std::abs(ghost[d_] - source[d_]) - 0.5) * setting_.level->spacing[d_];
-  return sine.amplitude * std::sin(sine.omega * (moment_.time + (inward > 0 ? off / inward : 0.0)));
-}
-
-double GhostStates::given_pressure(const GhostRule& rule, IntVec3 ghost, IntVec3 source) const {
-  if (!rule.sine_pressure) return rule.pressure;
-  return setting_.conditions.sine->reference_pressure + swing(ghost, source);
-}
-
-Vec3 GhostStates::given_velocity(const GhostRule& rule, IntVec3 ghost, IntVec3 source) const {
-  switch (rule.velocity_kind) {
-    case GhostRule::Velocity::sine: {
-      Vec3 u = setting_.conditions.sine->reference_velocity;
-      const double more = swing(ghost, source);
-      for (int n = 0; n < 3; ++n) u[n] += u[n] == 0 ? 0.0 : more;
-      return u;
-    }
-    case GhostRule::Velocity::slip:
-      return setting_.viscous ? gliding_velocity(rule, ghost) : rule.velocity;
-    case GhostRule::Velocity::power_law:
-    case GhostRule::Velocity::log_law:
-      return profile(rule, ghost) * rule.velocity;
-    default:
-      return rule.velocity;
+  at.time = moment_.time;
+  at.viscosity = setting_.viscosity;
+  if (flow.nature() == PrescribedFlow::Nature::wave) {
+    const WaveState s = wave_state(source);
+    const double inward = sound_speed(source, s) - s.u[0];
+    const double off = (std::abs(ghost[d_] - source[d_]) - 0.5) * level.spacing[d_];
+    at.arrival = inward > 0 ? off / inward : 0.0;
   }
+  return at;
+}
+
+double GhostStates::given_pressure(const GhostRule& rule, IntVec3 ghost, IntVec3 source,
+                                   double rho) const {
+  if (rule.pressure_flow == nullptr) return rule.pressure;
+  return rule.pressure_flow->pressure(place(*rule.pressure_flow, ghost, source), rho);
+}
+
+Vec3 GhostStates::given_velocity(const GhostRule& rule, IntVec3 ghost, IntVec3 source,
+                                 double rho) const {
+  if (rule.velocity_kind == GhostRule::Velocity::slip)
+    return setting_.viscous ? gliding_velocity(rule, ghost) : rule.velocity;
+  if (rule.velocity_kind != GhostRule::Velocity::flow) return rule.velocity;
+  return rule.velocity_flow->velocity(place(*rule.velocity_flow, ghost, source), rule.velocity,
+                                      rho);
 }
 
 double GhostStates::velocity(const GhostRule& rule, Vec3 given, double u, int direction,
@@ -117,11 +101,8 @@ double GhostStates::velocity(const GhostRule& rule, Vec3 given, double u, int di
     case GhostRule::Velocity::slip:
       if (direction == d_) return -u;
       return setting_.viscous ? 2.0 * given[direction] - u : u;
-    case GhostRule::Velocity::sine:
     case GhostRule::Velocity::prescribed:
-    case GhostRule::Velocity::vortices:
-    case GhostRule::Velocity::power_law:
-    case GhostRule::Velocity::log_law:
+    case GhostRule::Velocity::flow:
       return given[direction];
   }
   return u;
@@ -150,14 +131,12 @@ void GhostStates::gas(const GhostRule& rule, IntVec3 ghost, IntVec3 source) cons
   const double T = rule.fixed_temperature ? rule.temperature
                                           : source_fluid.temperature(source_rho, source_E) -
                                                 rule.temperature_gradient * distance;
-  Vec3 given = given_velocity(rule, ghost, source);
+  Vec3 given = given_velocity(rule, ghost, source, rho);
   double p;
   if (enters_by_temperature(rule, fluid, rho, given)) {
     p = fluid.pressure(rho, fluid.energy_from_temperature(rho, T));
-  } else if (rule.fixed_pressure || rule.sine_pressure) {
-    p = given_pressure(rule, ghost, source);
-  } else if (rule.vortex_pressure) {
-    p = vortices(ghost, rho).p;
+  } else if (rule.gives_pressure()) {
+    p = given_pressure(rule, ghost, source, rho);
   } else if (rule.fixed_density && given_T) {
     p = fluid.pressure(rho, fluid.energy_from_temperature(rho, T));
   } else {
@@ -166,10 +145,9 @@ void GhostStates::gas(const GhostRule& rule, IntVec3 ghost, IntVec3 source) cons
     p += hydrostatic(source, ghost, rho, p - fluid.lowest_pressure());
   }
   if (given_T && !rule.fixed_density) rho = fluid.density(p, T);
-  if (rule.velocity_kind == GhostRule::Velocity::vortices) {
-    const TravellingVortices::Flow flow = vortices(ghost, rho);
-    given = {flow.u, flow.v, 0};
-  }
+  // A flow that depends on the density has that of the ghost.
+  if (rule.velocity_kind == GhostRule::Velocity::flow)
+    given = given_velocity(rule, ghost, source, rho);
   mass(ghost) = rho;
   energy(ghost) = fluid.energy_from_pressure(rho, p, T);
   for (std::size_t c = 0; c < v_.momentum.size(); ++c)
@@ -256,9 +234,9 @@ double GhostStates::fill_cell(const MixtureRule& rule, double p) {
 void GhostStates::mixture(const MixtureRule& rule, IntVec3 ghost, IntVec3 source) {
   const double distance = std::abs(ghost[d_] - source[d_]) * setting_.level->spacing[d_];
   take_over(rule, ghost, source, distance);
-  double p = given_pressure(rule.common, ghost, source);
+  double p = given_pressure(rule.common, ghost, source, 0);
   double rho = 0;
-  if (!rule.common.fixed_pressure && !rule.common.sine_pressure) {
+  if (!rule.common.gives_pressure()) {
     p = mixture_pressure(source) - rule.common.pressure_gradient * distance;
     rho = fill_cell(rule, p);
     p += hydrostatic(source, ghost, rho, p - lowest_pressure(source));
@@ -293,8 +271,8 @@ void GhostStates::set_velocities(const MixtureRule& rule, IntVec3 ghost, IntVec3
       const double M = v_.mass[m](source);
       const double u =
           v_.slip.empty() || M == 0.0 ? common : common + v_.slip[m * components + c](source) / M;
-      part.u = !slides ? velocity(of_part, given_velocity(of_part, ghost, source), u, direction,
-                                  distance)
+      part.u = !slides           ? velocity(of_part, given_velocity(of_part, ghost, source, rho), u,
+                                            direction, distance)
                : direction == d_ ? -u
                                  : u;
       momentum += part.V * part.rho * part.u;

@@ -6,7 +6,7 @@
 
 #include "framework/field/array_view.hpp"
 #include "framework/grid/level.hpp"
-#include "ice/boundary/ghost_rule.hpp"
+#include "ice/boundary/region_rules.hpp"
 #include "ice/deck/transport_settings.hpp"
 #include "ice/fluid/laws_in_box.hpp"
 
@@ -82,9 +82,10 @@ class GhostStates {
                   double distance) const;
   bool enters_by_temperature(const GhostRule& rule, const Fluid& fluid, double rho,
                              Vec3 given) const;
-  Vec3 given_velocity(const GhostRule& rule, IntVec3 ghost, IntVec3 source) const;
-  // Of the velocity given, what a profile leaves at the height of a ghost.
-  double profile(const GhostRule& rule, IntVec3 ghost) const;
+  // Where a rule gives them; `rho`: density of the ghost, on which an exact flow may depend.
+  Vec3 given_velocity(const GhostRule& rule, IntVec3 ghost, IntVec3 source, double rho) const;
+  double given_pressure(const GhostRule& rule, IntVec3 ghost, IntVec3 source, double rho) const;
+  GhostPlace place(const PrescribedFlow& flow, IntVec3 ghost, IntVec3 source) const;
   Vec3 gliding_velocity(const GhostRule& rule, IntVec3 ghost) const;
   // The one gas in a cell.
   struct GasAt {
@@ -99,9 +100,6 @@ class GhostStates {
   };
   Neighbours neighbours(IntVec3 cell, int direction) const;
   void differences_along(IntVec3 cell, int direction, SlipCell& slip) const;
-  double given_pressure(const GhostRule& rule, IntVec3 ghost, IntVec3 source) const;
-  double swing(IntVec3 ghost, IntVec3 source) const;
-  TravellingVortices::Flow vortices(IntVec3 ghost, double rho) const;
   // Where a direction is in the frame of the face, and with which sign.
   struct FaceFrame {
     int component = 0;

@@ -6,6 +6,8 @@
 
 #include "framework/base/error.hpp"
 #include "ice/boundary/boundary_fill.hpp"
+#include "ice/conditions/inlet_profile.hpp"
+#include "ice/conditions/sine.hpp"
 #include "ice/fluid/labels.hpp"
 #include "ice/test_support/conditions.hpp"
 #include "ice/test_support/fluid.hpp"
@@ -243,7 +245,7 @@ Condition special(const char* variable, const char* kind, Vec3 value = {}) {
 
 TEST(MixtureGhosts, ASwingingPressureIsThatOfAllMaterials) {
   FlowConditions blocks;
-  blocks.sine = SineSettings{2.0, 3e4, 1e5, {0, 0, 0}};
+  blocks.flows = {{"Sine", std::make_shared<SineFlow>(SineSettings{2.0, 3e4, 1e5, {0, 0, 0}})}};
   // What will have come to the face with the speed of sound, with and against the gas at 2 m/s.
   const auto p = [](double off, double inward) {
     return 1e5 + 3e4 * std::sin(2 * (0.3 + off / inward));
@@ -258,9 +260,10 @@ TEST(MixtureGhosts, ASwingingPressureIsThatOfAllMaterials) {
 
 TEST(MixtureGhosts, AnInletProfileMovesAllMaterials) {
   FlowConditions blocks;
-  blocks.profile = InletProfile{};
-  blocks.profile->exponent = 0.5;
-  blocks.profile->height = 4.0;  // the only row's centre lies at half a metre
+  InletProfile profile;
+  profile.exponent = 0.5;
+  profile.height = 4.0;  // the only row's centre lies at half a metre
+  blocks.flows = {{"powerLawProfile", std::make_shared<PowerLawFlow>(profile)}};
   const TwoMaterials tube({special("Velocity", "powerLawProfile", {6, 0, 0})}, 0, blocks);
   for (const int ghost : {-1, 10}) EXPECT_DOUBLE_EQ(tube.u(ghost), 6 * std::sqrt(0.5 / 4.0));
   EXPECT_TRUE(same_materials(tube, 10, 7));

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "framework/base/error.hpp"
-#include "ice/boundary/ghost_rule.hpp"
+#include "ice/boundary/region_rules.hpp"
 
 namespace sluice::ice {
 namespace {
@@ -30,8 +30,9 @@ class MixtureRuleMaker {
     for (const IceMaterial& material : materials_) {
       Part part;
       part.rule = make_rule(region_, material.number(), normal, conditions_);
-      if (part.rule.velocity_kind == GhostRule::Velocity::vortices || part.rule.vortex_pressure)
-        refuse("MMS_1 is the exact flow of one gas; this deck has {}", materials_.size());
+      if (part.rule.exact_flow())
+        refuse("its conditions give the exact flow of one gas; this deck has {} materials",
+               materials_.size());
       densest = std::max(densest, part.rule.density);
       rule_.parts.push_back(part);
     }
@@ -111,7 +112,7 @@ class MixtureRuleMaker {
       return rule_.parts[m].rule.specific_volume > 0;
     });
     GhostRule& pressure = rule_.parts.front().rule;
-    if (pressure.sine_pressure && !from_volumes)
+    if (pressure.pressure_flow != nullptr && !from_volumes)
       refuse("give the SpecificVol of each material where the pressure swings");
     if (!pressure.fixed_pressure && !from_volumes) {
       const double found = filling_pressure(present);

@@ -17,7 +17,7 @@ std::vector<GhostRule> make_rules(const BoundaryRegion& region,
         rule = {GhostRule::Kind::fixed, c->value};
       } else if (c->kind == ConditionKind::neumann) {
         if (!c->zero_gradient()) rule = {GhostRule::Kind::gradient, c->value};
-      } else if (c->kind != ConditionKind::symmetry && c->kind_name != "LODI") {
+      } else if (c->kind != ConditionKind::symmetry && c->kind != ConditionKind::open_face) {
         throw InputError(fmt::format(
             "{}: boundary condition {} of {} is not supported; supported are Dirichlet, Neumann, "
             "symmetry and LODI",

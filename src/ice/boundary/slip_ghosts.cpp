@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "ice/boundary/ghost_states.hpp"
-#include "ice/boundary/wall_slip.hpp"
+#include "ice/conditions/wall_slip.hpp"
 
 namespace sluice::ice {
 

@@ -11,7 +11,7 @@
 
 #include "framework/base/error.hpp"
 #include "ice/boundary/boundary_fill.hpp"
-#include "ice/boundary/wall_slip.hpp"
+#include "ice/conditions/wall_slip.hpp"
 #include "ice/fluid/labels.hpp"
 #include "models/scalars/transported_scalar.hpp"
 

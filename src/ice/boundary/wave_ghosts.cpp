@@ -73,8 +73,8 @@ void GhostStates::waves(const GhostRule& rule, const WaveState& out, IntVec3 gho
   Fluid room, source_room;
   const Fluid& fluid = laws_.at(ghost, m, room);
   double rho = rule.fixed_density ? rule.density : out.rho;
-  double p = rule.fixed_pressure || rule.sine_pressure
-                 ? given_pressure(rule, ghost, source)
+  double p = rule.gives_pressure()
+                 ? given_pressure(rule, ghost, source, rho)
                  : out.p + hydrostatic(source, ghost, rho, out.p - fluid.lowest_pressure());
   const double source_rho = v_.mass[m](source);
   const double T =
@@ -97,7 +97,7 @@ void GhostStates::waves(const GhostRule& rule, const WaveState& out, IntVec3 gho
 
 void GhostStates::wave_momentum(const GhostRule& rule, const WaveState& out, IntVec3 ghost,
                                 IntVec3 source, double rho) const {
-  const Vec3 given = given_velocity(rule, ghost, source);
+  const Vec3 given = given_velocity(rule, ghost, source, rho);
   const double distance = std::abs(ghost[d_] - source[d_]) * setting_.level->spacing[d_];
   const double source_rho = v_.density(source);
   for (std::size_t c = 0; c < v_.momentum.size(); ++c) {
@@ -135,8 +135,8 @@ void GhostStates::mixture_waves(const MixtureRule& rule, const WaveState& out, I
   const std::size_t count = v_.mass.size();
   const double p_source = mixture_pressure(source);
   const double p =
-      rule.common.fixed_pressure || rule.common.sine_pressure
-          ? given_pressure(rule.common, ghost, source)
+      rule.common.gives_pressure()
+          ? given_pressure(rule.common, ghost, source, out.rho)
           : out.p + hydrostatic(source, ghost, out.rho, out.p - lowest_pressure(source));
   double filled = 0;
   Fluid room;

@@ -7,6 +7,8 @@
 #include "framework/base/error.hpp"
 #include "ice/boundary/boundary_fill.hpp"
 #include "ice/boundary/waves.hpp"
+#include "ice/conditions/inlet_profile.hpp"
+#include "ice/conditions/sine.hpp"
 #include "ice/fluid/labels.hpp"
 
 namespace sluice::ice::wave_ghosts_test {
@@ -253,7 +255,7 @@ TEST(WaveGhosts, KeepDensityAndPressurePositiveBehindSteepSlopes) {
 // What will have come to the face from one and a half cells outside with gas and sound.
 TEST(SwingingGhosts, FollowTheTime) {
   FlowConditions blocks;
-  blocks.sine = SineSettings{2.0, 3.0, 10.0, {5, 0, 0}};
+  blocks.flows = {{"Sine", std::make_shared<SineFlow>(SineSettings{2.0, 3.0, 10.0, {5, 0, 0}})}};
   Plane plane({condition("Pressure", "Sine"), condition("Velocity", "Sine"),
                condition("Temperature", "Sine"), condition("Density", "Neumann")},
               blocks);
@@ -268,16 +270,18 @@ TEST(SwingingGhosts, FollowTheTime) {
 
 TEST(InletProfiles, FollowTheHeight) {
   FlowConditions blocks;
-  blocks.profile = InletProfile{};
-  blocks.profile->exponent = 0.5;
-  blocks.profile->height = 1.0;
+  InletProfile profile;
+  profile.exponent = 0.5;
+  profile.height = 1.0;
+  profile.roughness = 0.2;
+  blocks.flows = {{"powerLawProfile", std::make_shared<PowerLawFlow>(profile)},
+                  {"logLawProfile", std::make_shared<LogLawFlow>(profile)}};
   const std::vector<Condition> power = {condition("Velocity", "powerLawProfile", {4, 0, 0})};
   Plane plane(power, blocks);
   const auto still = [](double, double) { return std::array{1.0, 0.0, 0.0, 10.0}; };
   plane.fill(still);
   EXPECT_DOUBLE_EQ(plane.u(-1, 2), 4 * std::sqrt(0.5));
   EXPECT_DOUBLE_EQ(plane.u(-1, 8), 4.0);
-  blocks.profile->roughness = 0.2;
   Plane log_law({condition("Velocity", "logLawProfile", {4, 0, 0})}, blocks);
   log_law.fill(still);
   EXPECT_DOUBLE_EQ(log_law.u(-1, 2), 4 * std::log(0.5 / 0.2) / 0.4);

@@ -337,8 +337,8 @@ void WaveRows::move_out(int layer, int begin, int end) {
 }
 
 bool WaveRows::writes(const GhostRule& rule) const {
-  const bool given = rule.fixed_density || rule.fixed_pressure || rule.fixed_temperature ||
-                     rule.sine_pressure || rule.velocity_kind != GhostRule::Velocity::copy;
+  const bool given = rule.fixed_density || rule.gives_pressure() || rule.fixed_temperature ||
+                     rule.velocity_kind != GhostRule::Velocity::copy;
   return one_law_ && !given && s_.setting_.fluids.front().depends_on_energy();
 }
 

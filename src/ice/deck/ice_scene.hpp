@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "framework/scene/scene.hpp"
+#include "ice/conditions/flow_conditions.hpp"
 #include "ice/deck/body_sources.hpp"
 #include "ice/deck/custom_start.hpp"
 #include "ice/deck/exchange_settings.hpp"
-#include "ice/deck/flow_conditions.hpp"
 #include "ice/deck/implicit_settings.hpp"
 #include "ice/deck/transport_settings.hpp"
 #include "ice/fluid/fluid.hpp"

@@ -8,6 +8,7 @@
 #include "framework/deck/rule_tools.hpp"
 #include "framework/deck/schema.hpp"
 #include "framework/scene/deck_values.hpp"
+#include "ice/conditions/face_conditions.hpp"
 #include "ice/deck/schema.hpp"
 
 namespace sluice::ice {
@@ -64,7 +65,8 @@ void check_slip(const DeckNode& root, const DeckNode& model, std::vector<Fault>&
   for (const DeckNode* face : conditions->all("Face"))
     for (const DeckNode* condition : face->all("BCType")) {
       const std::string kind = condition->attribute("var").value_or("");
-      if (kind != "slip" && kind != "creep") continue;
+      const FaceCondition* row = face_condition(kind);
+      if (row == nullptr || !row->rarefied) continue;
       add_error(faults, condition->where,
                 fmt::format("{} needs a constant <dynamic_viscosity>; this deck has <{}>", kind,
                             model.name),

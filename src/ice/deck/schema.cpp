@@ -8,6 +8,7 @@
 #include "framework/deck/faults.hpp"
 #include "framework/deck/schema.hpp"
 #include "framework/field/label.hpp"
+#include "ice/conditions/face_conditions.hpp"
 #include "ice/deck/body_sources.hpp"
 #include "ice/deck/custom_start.hpp"
 #include "ice/deck/exchange_settings.hpp"
@@ -281,7 +282,26 @@ void check_ice_labels(const DeckNode& root, std::vector<Fault>& faults) {
   check_analysed_labels(std::move(fields))(root, faults);
 }
 
+namespace {
+
+// The kinds of conditions that fluids have beside the framework's, and the blocks that they need.
+void add_face_conditions(Schema& schema) {
+  TagSpec& conditions = *schema.at("Grid/BoundaryConditions");
+  AttributeSpec& kind = *schema.at("Grid/BoundaryConditions/Face/BCType")->attribute_of("var");
+  std::vector<std::string> words;
+  for (const ice::FaceCondition& c : ice::face_conditions()) {
+    const auto& known = kind.value.words;
+    if (std::find(known.begin(), known.end(), c.word) == known.end()) words.emplace_back(c.word);
+    if (c.block && schema.child(conditions, c.block->name) == nullptr)
+      conditions.children.push_back(*c.block);
+  }
+  kind = kind.more_words(words);
+}
+
+}  // namespace
+
 void add_ice_tags(Schema& schema) {
+  add_face_conditions(schema);
   schema.add(fluid_dynamics());
   schema.add(tag("AMR", "").child(refinement()));
   schema.add(
@@ -305,7 +325,7 @@ void add_ice_tags(Schema& schema) {
   schema.rules.emplace_back(check_ice_conditions);
   schema.rules.emplace_back(check_ice_coverage);
   schema.rules.emplace_back(check_ice_states);
-  schema.rules.emplace_back(check_wave_conditions);
+  schema.rules.emplace_back(check_face_conditions);
   schema.rules.emplace_back(check_slip_conditions);
   schema.rules.emplace_back(check_criteria);
   schema.rules.emplace_back(check_ice_models);

@@ -20,8 +20,8 @@ void check_ice_conditions(const DeckNode& root, std::vector<Fault>& faults);
 void check_ice_coverage(const DeckNode& root, std::vector<Fault>& faults);
 // States of sides that contradict themselves, and weight that nothing carries.
 void check_ice_states(const DeckNode& root, std::vector<Fault>& faults);
-// Blocks that kinds of conditions need: LODI, Sine, inlets, slip.
-void check_wave_conditions(const DeckNode& root, std::vector<Fault>& faults);
+// What kinds of conditions are for, and what they need.
+void check_face_conditions(const DeckNode& root, std::vector<Fault>& faults);
 void check_slip_conditions(const DeckNode& root, std::vector<Fault>& faults);
 void check_criteria(const DeckNode& root, std::vector<Fault>& faults);  // of refinement
 void check_ice_models(const DeckNode& root, std::vector<Fault>& faults);

@@ -6,6 +6,7 @@
 #include "framework/deck/faults.hpp"
 #include "framework/deck/rule_tools.hpp"
 #include "framework/deck/schema.hpp"
+#include "ice/conditions/face_conditions.hpp"
 #include "ice/deck/schema.hpp"
 #include "models/models.hpp"
 
@@ -39,7 +40,8 @@ SlipFace slip_face(const DeckNode& face) {
     const std::string kind = condition->attribute("var").value_or("");
     const std::string label = condition->attribute("label").value_or("");
     if (label == "Velocity" && found.any_velocity == nullptr) found.any_velocity = condition;
-    if (kind != "slip" && kind != "creep") continue;
+    const ice::FaceCondition* row = ice::face_condition(kind);
+    if (row == nullptr || !row->rarefied) continue;
     if (label == "Velocity") found.velocity.push_back(condition);
     if (label == "Temperature") found.temperature.push_back(condition);
   }
@@ -155,7 +157,8 @@ class SlipRules {
     const auto velocity = parse_vector(text);
     if (kind == "Dirichlet")
       return velocity && (*velocity.value)[static_cast<int>(face.normal)] == 0;
-    return kind == "slip" || kind == "creep" || kind == "FreeSlipWall";
+    const ice::FaceCondition* row = ice::face_condition(kind);
+    return row != nullptr && row->wall;
   }
 
   std::vector<Fault>& faults_;

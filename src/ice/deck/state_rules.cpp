@@ -8,6 +8,7 @@
 #include "framework/deck/faults.hpp"
 #include "framework/deck/rule_tools.hpp"
 #include "framework/deck/schema.hpp"
+#include "ice/conditions/face_conditions.hpp"
 #include "ice/deck/mixed_gas_rules.hpp"
 #include "ice/deck/read_fluid.hpp"
 #include "ice/deck/schema.hpp"
@@ -64,9 +65,9 @@ enum class Through { open, wall, given };
 Through through(const FaceState& s, const std::string& side) {
   if (s.velocity == nullptr) return Through::open;
   const std::string kind = s.velocity->attribute("var").value_or("");
-  if (kind == "powerLawProfile" || kind == "logLawProfile") return Through::given;
-  if (kind == "symmetry" || kind == "FreeSlipWall" || kind == "slip" || kind == "creep")
-    return Through::wall;
+  const ice::FaceCondition* row = ice::face_condition(kind);
+  if (row != nullptr && row->gives_velocity) return Through::given;
+  if (row != nullptr && row->wall) return Through::wall;
   if (kind != "Dirichlet") return Through::open;
   const auto u = parse_vector(text_of(*s.velocity));
   const auto normal = side.empty() ? std::string::npos : std::string("xyz").find(side[0]);

@@ -184,7 +184,7 @@ TEST(ScalarGhosts, FollowTheConditionsOfTheDeck) {
   EXPECT_EQ(filled(fixed, true), 1.75);
   EXPECT_EQ(filled(rule(ConditionKind::neumann, "Neumann", 0), false), 0.25);
   EXPECT_EQ(filled(rule(ConditionKind::neumann, "Neumann", 3), false), 0.25 - 1.5);
-  EXPECT_EQ(filled(rule(ConditionKind::other, "LODI", 0), false), 0.25);
+  EXPECT_EQ(filled(rule(ConditionKind::open_face, "LODI", 0), false), 0.25);
   EXPECT_EQ(filled(rule(ConditionKind::symmetry, "symmetry", 0), true), 0.25);
   EXPECT_THROW(rule(ConditionKind::other, "Sine", 0), InputError);
   scalars::fill(fixed, q, false, {3, 0, 0}, {1, 0, 0}, false, 0.5);

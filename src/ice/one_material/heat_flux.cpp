@@ -6,7 +6,7 @@
 // temperature on the wall is that of the gas there. A gas that is a mixture has k and cv of its
 // fraction, and what spreads of it carries enthalpy: transport/mixed_heat.cpp. Absent without
 // conduction.
-#include "ice/boundary/wall_slip.hpp"
+#include "ice/conditions/wall_slip.hpp"
 #include "ice/fluid/face_mean.hpp"
 #include "ice/one_material/heat_flux_rows.hpp"
 #include "ice/step/laws_of_cells.hpp"

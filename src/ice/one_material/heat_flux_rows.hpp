@@ -1,6 +1,6 @@
 // Fourier's law on faces: between two cells, and to a wall.
 #pragma once
-#include "ice/boundary/ghost_rule.hpp"
+#include "ice/boundary/region_rules.hpp"
 #include "ice/fluid/face_mean.hpp"
 
 namespace sluice::ice {

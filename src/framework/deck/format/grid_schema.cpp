@@ -25,9 +25,7 @@ TagSpec condition() {
            attribute("label", "the variable").once().text(),
            attribute("var", "kind of condition")
                .once()
-               .words({"Dirichlet", "Neumann", "symmetry", "computeFromDensity", "FreeSlipWall",
-                       "LODI", "Sine", "powerLawProfile", "logLawProfile", "slip", "creep",
-                       "MMS_1"})
+               .words({"Dirichlet", "Neumann", "symmetry", "computeFromDensity", "FreeSlipWall"})
                .spelling("zeroNeumann", "symmetry")
                .not_built({"Custom", "VelocityInlet", "StABL", "PressureBC", "WallBC", "OutletBC",
                            "NOutletBC", "VelocityFileInput", "MassFlowInlet", "PartMassFlowInlet",
@@ -70,83 +68,6 @@ TagSpec face() {
            attribute("name", "name of the face").text(),
            attribute("type", "accepted without effect").text()})
       .child(condition());
-}
-
-TagSpec lodi() {
-  return tag("LODI", "what waves that leave are drawn to: conditions of kind LODI")
-      .with_children(
-          {tag("press_infinity", "pressure far away").once().real().above(0).unit("pressure"),
-           tag("sigma", "how fast the pressure goes back to it")
-               .real()
-               .at_least(0)
-               .by_default("0.27"),
-           tag("Li_scale", "factor of all that comes in").real().at_least(0).by_default("1"),
-           tag("vel_infinity",
-               "velocity far away, with rho_infinity: it carries what leaves, and draws what "
-               "enters; absent: means over the faces carry, nothing draws")
-               .vector(),
-           tag("rho_infinity", "density that inflow is drawn to").real().above(0),
-           tag("material", "accepted without effect").text(),
-           tag("ice_material_index", "accepted without effect").integer()});
-}
-
-TagSpec sine() {
-  return tag("SINE_BC", "conditions of kind Sine: reference + A sin(omega t)")
-      .with_children(
-          {tag("omega", "angular frequency").once().real().at_least(0).unit("1/time"),
-           tag("A", "amplitude, of the pressure and of the velocity").once().real(),
-           tag("reference_pressure", "mean pressure").once().real().above(0).unit("pressure"),
-           tag("reference_velocity", "mean velocity; components that are zero stay so")
-               .vector()
-               .by_default("[0,0,0]")});
-}
-
-TagSpec inlet_velocity() {
-  return tag("inletVelocity", "conditions of kind powerLawProfile and logLawProfile")
-      .attribute(
-          attribute("type", "accepted without effect: the kind of each condition says it").text())
-      .with_children(
-          {tag("verticalDirection", "direction of the height, from the low side of the domain")
-               .integer()
-               .at_least(0)
-               .at_most(2)
-               .by_default("1"),
-           tag("exponent", "power law: value times min(height/maxHeight, 1)^exponent")
-               .real()
-               .at_least(0),
-           tag("maxHeight", "height of the profile; absent: of the domain")
-               .real()
-               .above(0)
-               .unit("length"),
-           tag("roughness", "log law: value times ln(height/roughness)/vonKarmanConstant")
-               .real()
-               .above(0)
-               .unit("length"),
-           tag("vonKarmanConstant", "of the log law").real().above(0).by_default("0.4"),
-           tag("material", "accepted without effect").text()});
-}
-
-TagSpec micro_slip() {
-  return tag("microSlip", "rarefied gas at walls: conditions of kind slip and creep")
-      .with_children(
-          {tag("alpha_momentum", "share of the molecules that leave with the wall's velocity")
-               .once()
-               .real()
-               .above(0)
-               .at_most(2),
-           tag("alpha_temperature", "share of the molecules that leave with the wall's temperature")
-               .once()
-               .real()
-               .above(0)
-               .at_most(2),
-           tag("CreepFlow", "gas creeps along walls towards where it is warmer")
-               .boolean()
-               .by_default("false"),
-           tag("SlipModel", "what the velocity on the wall depends on")
-               .attribute(attribute("type", "FirstOrder: its slope; the others: its curvature too")
-                              .words({"FirstOrder", "SecondOrder_Deissler",
-                                      "SecondOrder_Karniadakis-Beskok"})
-                              .by_default("FirstOrder"))});
 }
 
 TagSpec box() {
@@ -202,7 +123,7 @@ void add_grid_tags(Schema& schema) {
                    .with_children(
                        {tag("DefaultMaterial", "material of conditions without id: an index or all")
                             .text(),
-                        face(), lodi(), sine(), inlet_velocity(), micro_slip()})}));
+                        face()})}));
   schema.rules.emplace_back(check_boxes);
   schema.rules.emplace_back(check_periodicity);
   schema.rules.emplace_back(check_faces);

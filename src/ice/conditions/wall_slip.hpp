@@ -14,9 +14,23 @@
 // References: J. C. Maxwell, Phil. Trans. 170 (1879) 231; R. G. Deissler, Int. J. Heat Mass Trans.
 // 7 (1964) 681; G. Karniadakis, A. Beskok, N. Aluru, Microflows and Nanoflows (2005), chapter 2.
 #pragma once
-#include "ice/deck/flow_conditions.hpp"
+#include "framework/base/vec3.hpp"
+#include "framework/deck/deck.hpp"
 
 namespace sluice::ice {
+
+struct FaceCondition;
+
+// <microSlip>.
+struct SlipSettings {
+  enum class Model { first_order, deissler, karniadakis_beskok };
+  Model model = Model::first_order;
+  double momentum_accommodation = 1, thermal_accommodation = 1;  // a, a_T
+  bool creep = false;                                            // at all its walls
+  Vec3 force{};  // that drives the gas beside gravity, N/m^3
+
+  bool second_order() const { return model != Model::first_order; }
+};
 
 // Of an ideal gas, m.
 double mean_free_path(double viscosity, double rho, double p);
@@ -44,5 +58,9 @@ struct SlipHeat {
 // `creep`: with thermal creep.
 double slip_velocity(const SlipSettings& settings, const SlipCell& cell, bool creep);
 double slip_temperature(const SlipSettings& settings, const SlipHeat& cell);
+
+SlipSettings read_slip(const DeckNode& block);
+FaceCondition slip_condition();
+FaceCondition creep_condition();
 
 }  // namespace sluice::ice

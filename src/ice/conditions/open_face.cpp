@@ -1,0 +1,63 @@
+#include "ice/conditions/open_face.hpp"
+
+#include "framework/deck/faults.hpp"
+#include "framework/deck/schema.hpp"
+#include "framework/scene/deck_values.hpp"
+#include "ice/conditions/face_conditions.hpp"
+
+namespace sluice::ice {
+namespace {
+
+TagSpec lodi_tag() {
+  return tag("LODI", "what waves that leave are drawn to: conditions of kind LODI")
+      .with_children(
+          {tag("press_infinity", "pressure far away").once().real().above(0).unit("pressure"),
+           tag("sigma", "how fast the pressure goes back to it")
+               .real()
+               .at_least(0)
+               .by_default("0.27"),
+           tag("Li_scale", "factor of all that comes in").real().at_least(0).by_default("1"),
+           tag("vel_infinity",
+               "velocity far away, with rho_infinity: it carries what leaves, and draws what "
+               "enters; absent: means over the faces carry, nothing draws")
+               .vector(),
+           tag("rho_infinity", "density that inflow is drawn to").real().above(0),
+           tag("material", "accepted without effect").text(),
+           tag("ice_material_index", "accepted without effect").integer()});
+}
+
+void check_block(const DeckNode& lodi, std::vector<Fault>& faults) {
+  const DeckNode *velocity = lodi.child("vel_infinity"), *rho = lodi.child("rho_infinity");
+  if ((velocity == nullptr) == (rho == nullptr)) return;
+  add_error(faults, (velocity != nullptr ? *velocity : *rho).where,
+            "<LODI>: vel_infinity and rho_infinity belong together; one of them is missing",
+            "give both, or none");
+}
+
+}  // namespace
+
+LodiSettings read_lodi(const DeckNode& block) {
+  LodiSettings s;
+  s.press_infinity = block.real("press_infinity");
+  s.sigma = real_or(block, "sigma", s.sigma);
+  s.scale = real_or(block, "Li_scale", s.scale);
+  if (block.child("vel_infinity") != nullptr)
+    s.velocity_infinity = vector_or(block, "vel_infinity", {});
+  if (const DeckNode* rho = block.child("rho_infinity")) s.rho_infinity = rho->as_real();
+  s.where = block.where;
+  return s;
+}
+
+FaceCondition open_face_condition() {
+  return {.word = "LODI",
+          .variables = {"Pressure", "Density", "Temperature", "Velocity"},
+          .block = lodi_tag(),
+          .check_block = check_block,
+          .apply = [](const Condition& c, int /*normal*/, const FlowConditions& settings,
+                      GhostRule& rule) {
+            if (!settings.lodi) throw_missing_block(c, "LODI");
+            rule.waves = true;
+          }};
+}
+
+}  // namespace sluice::ice
