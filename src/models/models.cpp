@@ -51,6 +51,7 @@ struct Entry {
   // Names of variables that it brings.
   std::vector<std::string> (*labels)(const DeckNode& parameters) = nullptr;
   bool mixes_gas = false;
+  bool transports_scalar = false;  // by the flow
   std::optional<double> (*coefficient)(const DeckNode& parameters, Coefficient) = nullptr;
   // The tag that names the material of which this model may be written once alone, and why.
   const char* once_for = nullptr;
@@ -176,6 +177,7 @@ const std::vector<Entry>& table() {
                  read_passive_scalar(parameters, to.materials, to.geometry, to.faults));
            },
        .labels = scalar_labels,
+       .transports_scalar = true,
        .update = put_regions_into_start},
       {.type = "BinaryProperties",
        .parameters = binary_properties_tag(),
@@ -186,6 +188,7 @@ const std::vector<Entry>& table() {
            },
        .labels = scalar_labels,
        .mixes_gas = true,
+       .transports_scalar = true,
        .coefficient = largest_binary_coefficient},
       {.type = "AdiabaticTable",
        .parameters = adiabatic_table_tag(),
@@ -197,6 +200,7 @@ const std::vector<Entry>& table() {
            },
        .labels = mixing_labels,
        .mixes_gas = true,
+       .transports_scalar = true,
        .coefficient = [](const DeckNode&, Coefficient) -> std::optional<double> {
          return infinity;
        }},
@@ -209,13 +213,15 @@ const std::vector<Entry>& table() {
                      to);
            },
        .labels = mixing_labels,
-       .mixes_gas = true},
+       .mixes_gas = true,
+       .transports_scalar = true},
       {.type = "gasCombustion",
        .parameters = gas_combustion_tag(),
        .check = of_fluids<check_gas_combustion>,
        .read = add_species,
        .labels = species_labels,
        .mixes_gas = true,
+       .transports_scalar = true,
        .coefficient = species_coefficient},
       {.type = "hydrogenBurke",
        .parameters = hydrogen_burke_tag(),
@@ -223,6 +229,7 @@ const std::vector<Entry>& table() {
        .read = add_species,
        .labels = species_labels,
        .mixes_gas = true,
+       .transports_scalar = true,
        .coefficient = species_coefficient},
       {.type = "TracerParticles",
        .parameters = tracer_particles_tag(),
@@ -268,6 +275,11 @@ void for_each_model(const DeckNode& root, F&& f) {
 bool mixes_gas(const std::string& type) {
   const Entry* entry = find(type);
   return entry != nullptr && entry->mixes_gas;
+}
+
+bool transports_scalar(const DeckNode& model) {
+  const Entry* entry = find(model.attribute("type").value_or(""));
+  return entry != nullptr && entry->transports_scalar;
 }
 
 std::optional<double> own_coefficient(const DeckNode& model, Coefficient coefficient) {

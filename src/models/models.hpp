@@ -47,6 +47,8 @@ struct ModelList {
 
 // Whether a type of model makes the gas a mixture.
 bool mixes_gas(const std::string& type);
+// Whether it brings a scalar that the flow transports.
+bool transports_scalar(const DeckNode& model);
 // The largest value that a model brings of a coefficient; infinity where only its table tells.
 // Nothing: the material's own holds.
 std::optional<double> own_coefficient(const DeckNode& model, Coefficient coefficient);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "mpm/deck/bases.hpp"
 #include "mpm/deck/readers.hpp"
 
 namespace sluice::mpm {
@@ -12,10 +13,7 @@ namespace {
 constexpr double never = 1e8;  // deactivation_time of decks that are silent, s
 
 std::string_view name_of(Basis b) {
-  constexpr std::string_view names[] = {"linear",         "GIMP", "GIMP", "quadratic B-spline",
-                                        "cubic B-spline", "CPDI", "CPDI", "CPTI",
-                                        "carried corners"};
-  return names[static_cast<int>(b)];
+  return row_of(b).name;
 }
 std::string_view name_of(Transfer t) {
   constexpr std::string_view names[] = {"FLIP", "PIC", "XPIC", "APIC", "affine", "midpoint"};

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "framework/run/levels/hierarchy.hpp"
+#include "ice/deck/scheme.hpp"
 
 namespace sluice {
 namespace {
@@ -50,12 +51,6 @@ std::string when(const RefinementSettings& s) {
   return text;
 }
 
-// Does the component keep fluxes equal whatever the deck says.
-bool always_matches(const DeckNode& root) {
-  const DeckNode* scheme = root.find("CFD/ICE/scheme");
-  return scheme == nullptr || scheme->text != "classic";
-}
-
 void add_rules(const LoadedScene& loaded, PlannedHierarchy& p) {
   const RefinementSettings& s = loaded.scene.refinement;
   if (p.adaptive) {
@@ -75,7 +70,7 @@ void add_rules(const LoadedScene& loaded, PlannedHierarchy& p) {
                      fmt::format("interpolated to order {}", s.interface_order), s.where});
   std::string fluxes = "made equal: what leaves one level enters the other";
   if (!s.reflux)
-    fluxes = always_matches(*loaded.deck.root)
+    fluxes = ice::scheme_of(*loaded.deck.root).matches_fluxes
                  ? "made equal: do_Refluxing false has no effect, only the classic scheme obeys it"
                  : "left as they are (do_Refluxing is false): levels do not conserve";
   p.rules.push_back({"fluxes where levels meet", fluxes, s.reflux_where});

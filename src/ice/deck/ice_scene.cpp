@@ -11,6 +11,7 @@
 #include "ice/deck/read_fluid.hpp"
 #include "ice/deck/read_transport.hpp"
 #include "ice/deck/schema.hpp"
+#include "ice/deck/scheme.hpp"
 
 namespace sluice::ice {
 namespace {
@@ -56,15 +57,13 @@ IceMaterial read_material(const DeckNode& node, int index, const GeometryReader&
   return m;
 }
 
-void read_numerics(const DeckNode& cfd, IceScene& s) {
+void read_numerics(const DeckNode& root, const DeckNode& cfd, IceScene& s) {
   s.cfl = cfd.real("cfl");
   s.cfl_where = place(cfd.child("cfl"));
   const DeckNode* ice = cfd.child("ICE");
   if (ice == nullptr) return;
-  if (const DeckNode* scheme = ice->child("scheme")) {
-    s.classic = scheme->text == "classic";
-    s.scheme_where = scheme->where;
-  }
+  s.classic = scheme_of(root).internal_energy;
+  if (const DeckNode* scheme = ice->child("scheme")) s.scheme_where = scheme->where;
   if (const DeckNode* advection = ice->child("advection")) {
     s.second_order = advection->attribute("type").value_or("SecondOrder") == "SecondOrder";
     s.compatible_fluxes = advection->attribute("useCompatibleFluxes").value_or("true") == "true";
@@ -207,7 +206,7 @@ const IceMaterial& IceScene::surrounding() const {
 IceScene read_ice_scene(const Deck& deck, const Scene& scene, std::vector<Fault>& faults) {
   IceScene s;
   const DeckNode& root = *deck.root;
-  if (const DeckNode* cfd = root.child("CFD")) read_numerics(*cfd, s);
+  if (const DeckNode* cfd = root.child("CFD")) read_numerics(root, *cfd, s);
   const GeometryReader geometry(root, faults);
   s.solids = solids_beside_ice(root);
   for (const DeckNode* node : ice_materials(root)) {

@@ -5,6 +5,7 @@
 #include "framework/scene/deck_values.hpp"
 #include "framework/solve/solver_tags.hpp"
 #include "ice/deck/schema.hpp"
+#include "ice/deck/scheme.hpp"
 
 namespace sluice::ice {
 
@@ -46,7 +47,7 @@ void check_implicit(const DeckNode& root, std::vector<Fault>& faults) {
   const DeckNode* ice = root.find("CFD/ICE");
   const DeckNode* block = ice == nullptr ? nullptr : ice->child("ImplicitSolver");
   if (block == nullptr || !runs_ice(root)) return;
-  if (const DeckNode* scheme = ice->child("scheme"); scheme != nullptr && scheme->text == "classic")
+  if (!scheme_of(root).implicit)
     add_error(faults, block->where, "<ImplicitSolver> needs <scheme>conservative</scheme>",
               "remove <scheme>, or <ImplicitSolver>");
   if (const DeckNode* amr = root.child("AMR"); amr != nullptr && !is_true(amr, "useLockStep"))

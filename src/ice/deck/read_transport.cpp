@@ -10,6 +10,7 @@
 #include "framework/scene/deck_values.hpp"
 #include "ice/conditions/face_conditions.hpp"
 #include "ice/deck/schema.hpp"
+#include "ice/deck/scheme.hpp"
 
 namespace sluice::ice {
 namespace {
@@ -224,12 +225,11 @@ void check_transport(const DeckNode& root, std::vector<Fault>& faults) {
   check_subgrid_analysis(root, faults);
   const auto materials = ice_materials(root);
   const DeckNode* ice = root.find("CFD/ICE");
-  const DeckNode* scheme = ice == nullptr ? nullptr : ice->child("scheme");
-  const bool classic = scheme != nullptr && scheme->text == "classic";
+  const SchemeRow& scheme = scheme_of(root);
   const auto check = [&](const DeckNode& node, const std::string& what) {
     check_slip(root, node, faults);
-    if (classic)
-      add_error(faults, node.where, fmt::format("<scheme> classic has no {}", what),
+    if (!scheme.transport_models)
+      add_error(faults, node.where, fmt::format("<scheme> {} has no {}", scheme.word, what),
                 "remove <scheme>");
   };
   for (const DeckNode* material : materials)

@@ -15,6 +15,7 @@
 #include "ice/deck/mixed_gas_rules.hpp"
 #include "ice/deck/read_fluid.hpp"
 #include "ice/deck/schema.hpp"
+#include "ice/deck/scheme.hpp"
 #include "ice/fluid/material_set.hpp"
 #include "models/models.hpp"
 
@@ -280,44 +281,43 @@ void check_ice_models(const DeckNode& root, std::vector<Fault>& faults) {
   models::check_models(root, {material_names(root), names_of_solids(root)}, faults);
   const DeckNode* models = root.child("Models");
   if (models == nullptr || !models::all_built(root)) return;
-  const DeckNode* scheme = root.find("CFD/ICE/scheme");
-  const bool classic = scheme != nullptr && scheme->text == "classic";
+  const ice::SchemeRow& scheme = ice::scheme_of(root);
   for (const DeckNode* model : models->all("Model")) {
     const bool mixes = models::mixes_gas(model->attribute("type").value_or(""));
     if (mixes) check_mixed_gas(root, *model, material_names(root), faults);
-    if (classic && (mixes || model->attribute("type") == "PassiveScalar"))
-      add_not_built(faults, model->where, "a transported scalar with <scheme> classic",
+    if (!scheme.transports_scalars && models::transports_scalar(*model))
+      add_not_built(faults, model->where,
+                    fmt::format("a transported scalar with <scheme> {}", scheme.word),
                     "remove <scheme>");
   }
 }
 
 void check_ice_fluids(const DeckNode& root, std::vector<Fault>& faults) {
   if (!runs_ice(root)) return;
-  const DeckNode* scheme = root.find("CFD/ICE/scheme");
-  const bool classic = scheme != nullptr && scheme->text == "classic";
-  if (classic && ice_materials(root).size() > 1)
-    add_error(faults, scheme->where,
-              fmt::format("<scheme> classic is for one material; this deck has {}",
+  const DeckNode* node = root.find("CFD/ICE/scheme");
+  const ice::SchemeRow& scheme = ice::scheme_of(root);
+  if (!scheme.several_materials && ice_materials(root).size() > 1)
+    add_error(faults, node->where,
+              fmt::format("<scheme> {} is for one material; this deck has {}", scheme.word,
                           ice_materials(root).size()),
               "remove <scheme>");
   for (const DeckNode* material : ice_materials(root)) {
     const ice::Fluid fluid = ice::read_fluid(*material, faults);
     const DeckNode* eos = material->child("EOS");
     const auto conductivity = real_of(material, "thermal_conductivity");
-    if (classic && conductivity && *conductivity > 0)
+    if (!scheme.conducts_heat && conductivity && *conductivity > 0)
       add_error(
           faults, material->child("thermal_conductivity")->where,
-          fmt::format("<scheme> classic conducts no heat; this deck has a thermal_conductivity of "
-                      "{:g}",
-                      *conductivity),
+          fmt::format("<scheme> {} conducts no heat; this deck has a thermal_conductivity of {:g}",
+                      scheme.word, *conductivity),
           "remove <scheme>, or write 0");
-    if (!classic || eos == nullptr || fluid.gamma_law() != nullptr) continue;
+    if (scheme.several_materials || eos == nullptr || fluid.gamma_law() != nullptr) continue;
     add_error(
-        faults, scheme->where,
+        faults, node->where,
         fmt::format(
-            "<scheme> classic is for one ideal gas with constant specific heat; this "
+            "<scheme> {} is for one ideal gas with constant specific heat; this "
             "deck has {}{}",
-            eos->attribute("type").value_or("none"),
+            scheme.word, eos->attribute("type").value_or("none"),
             material->child("SpecificHeatModel") != nullptr ? " with <SpecificHeatModel>" : ""),
         "remove <scheme>");
   }

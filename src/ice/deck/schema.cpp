@@ -16,6 +16,7 @@
 #include "ice/deck/implicit_settings.hpp"
 #include "ice/deck/read_fluid.hpp"
 #include "ice/deck/read_transport.hpp"
+#include "ice/deck/scheme.hpp"
 #include "ice/fluid/labels.hpp"
 #include "models/gases/adiabatic_table.hpp"
 #include "models/gases/gas_combustion.hpp"
@@ -84,7 +85,7 @@ TagSpec ice_block() {
       .with_children({tag("scheme",
                           "conservative: total energy conserved, second order in space "
                           "and time; classic: internal energy, one stage")
-                          .words({"conservative", "classic"})
+                          .words(ice::scheme_words())
                           .by_default("conservative"),
                       advection(), time_step_control(), custom_initialization(),
                       ice::implicit_solver_tag(),

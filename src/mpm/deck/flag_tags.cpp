@@ -1,6 +1,7 @@
 // <MPM>: the method's flags; <AMR><MPM>.
 #include <fmt/format.h>
 
+#include "mpm/deck/bases.hpp"
 #include "mpm/deck/implicit.hpp"
 #include "mpm/deck/pore_water.hpp"
 
@@ -15,22 +16,28 @@ TagSpec ignored(const std::string& name, const std::string& reason) {
   return tag(name, "accepted without effect: " + reason);
 }
 
+TagSpec interpolator_tag() {
+  TagSpec spec =
+      tag("interpolator",
+          "shape functions: 3rdorderBS (also quadraticBS) is the quadratic B-spline, 4thorderBS "
+          "(also cubicBS) the cubic one; carried_corners: particles are intervals, "
+          "quadrilaterals or hexahedra whose corners move with the grid and are shared by "
+          "neighbours; at the start outer ones are moved onto the surface of the piece")
+          .words(basis_words())
+          .by_default("linear");
+  for (const BasisRow& row : basis_rows())
+    if (!row.spelling.empty())
+      spec = spec.spelling(std::string(row.spelling), std::string(row.word));
+  return spec;
+}
+
 // How particles and grid exchange.
 std::vector<TagSpec> scheme_tags() {
   return {
       tag("time_integrator", "how a step is taken")
           .words({"explicit", "implicit"})
           .by_default("explicit"),
-      tag("interpolator",
-          "shape functions: 3rdorderBS (also quadraticBS) is the quadratic B-spline, 4thorderBS "
-          "(also cubicBS) the cubic one; carried_corners: particles are intervals, "
-          "quadrilaterals or hexahedra whose corners move with the grid and are shared by "
-          "neighbours; at the start outer ones are moved onto the surface of the piece")
-          .words({"linear", "gimp", "cpgimp", "cpdi", "fast_cpdi", "cpti", "3rdorderBS",
-                  "4thorderBS", "carried_corners"})
-          .spelling("quadraticBS", "3rdorderBS")
-          .spelling("cubicBS", "4thorderBS")
-          .by_default("linear"),
+      interpolator_tag(),
       tag("cpdi_lcrit", "cpdi: half diagonals of a particle are cut to this length")
           .real()
           .above(0)

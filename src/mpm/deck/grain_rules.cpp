@@ -5,6 +5,7 @@
 
 #include "framework/deck/faults.hpp"
 #include "framework/deck/rule_tools.hpp"
+#include "mpm/deck/bases.hpp"
 #include "mpm/deck/schema.hpp"
 
 namespace sluice::mpm {
@@ -20,7 +21,6 @@ void check_company(const DeckNode& root, const DeckNode& flags, std::vector<Faul
     if (asked) add_not_built(faults, where, fmt::format("<DoGranularMPM> true {}", what));
   };
   const DeckNode* integrator = flags.child("time_integrator");
-  const DeckNode* basis = flags.child("interpolator");
   const DeckNode* grid = root.child("Grid");
   refuse(!runs_mpm(root), "beside a fluid");
   refuse(runs_single_field(root), "where all materials have one velocity");
@@ -28,7 +28,7 @@ void check_company(const DeckNode& root, const DeckNode& flags, std::vector<Faul
   refuse(is_true(&flags, "total_lagrangian"), "with <total_lagrangian>");
   refuse(is_true(&flags, "use_cohesive_zones"), "with <use_cohesive_zones>");
   refuse(is_true(&flags, "UsePrescribedDeformation"), "with <UsePrescribedDeformation>");
-  refuse(basis != nullptr && basis->text == "carried_corners", "with corners that are carried");
+  refuse(basis_of(flags).moving_corners, "with corners that are carried");
   refuse(
       (grid != nullptr && grid->all("Level").size() > 1) || root.find("AMR/Regridder") != nullptr,
       "on several levels");

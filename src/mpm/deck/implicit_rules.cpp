@@ -5,6 +5,7 @@
 
 #include "framework/deck/faults.hpp"
 #include "framework/deck/rule_tools.hpp"
+#include "mpm/deck/bases.hpp"
 #include "mpm/deck/implicit.hpp"
 
 namespace sluice::mpm {
@@ -37,7 +38,9 @@ void check_flags_of(const DeckNode& flags, std::vector<Fault>& faults) {
       return;
     refuse_implicit(*node, fmt::format("<{}> {}", name, node->text), faults);
   };
-  one_of("interpolator", {"linear", "gimp", "3rdorderBS", "4thorderBS"});
+  if (!basis_of(flags).implicit)
+    refuse_implicit(*flags.child("interpolator"),
+                    fmt::format("<interpolator> {}", basis_of(flags).word), faults);
   one_of("transfer", {"flip"});
   one_of("minimum_subcycles_for_F", {"1"});
   if (const auto damping = real_of(&flags, "artificial_damping_coeff"); damping && *damping != 0)

@@ -1,5 +1,6 @@
 // Water in pores: its tags, what must hold between them, and what is read from them.
 #include "mpm/deck/pore_water.hpp"
+#include "mpm/deck/bases.hpp"
 
 #include <fmt/format.h>
 
@@ -93,8 +94,7 @@ void check_method(const DeckNode& root, const DeckNode& flags, std::vector<Fault
     if (real_of(&flags, name).value_or(0) != 0)
       add_not_built(faults, flags.child(name)->where, fmt::format("<{}> other than 0", name));
   const DeckNode* basis = flags.child("interpolator");
-  if (basis != nullptr && basis->text != "linear" && basis->text != "gimp" &&
-      basis->text != "3rdorderBS" && basis->text != "4thorderBS")
+  if (basis != nullptr && !basis_of(flags).pore_water)
     add_not_built(faults, basis->where,
                   fmt::format("<interpolator> {} with water in pores", basis->text));
   const DeckNode* grid = root.child("Grid");

@@ -8,6 +8,7 @@
 #include "framework/deck/data_file.hpp"
 #include "framework/deck/nearest_name.hpp"
 #include "framework/scene/deck_values.hpp"
+#include "mpm/deck/bases.hpp"
 #include "mpm/deck/implicit.hpp"
 #include "mpm/deck/pore_water.hpp"
 #include "mpm/deck/readers.hpp"
@@ -22,12 +23,6 @@ struct Word {
   T value;
 };
 
-constexpr Word<Basis> bases[] = {
-    {"linear", Basis::linear},          {"gimp", Basis::gimp},
-    {"cpgimp", Basis::cpgimp},          {"3rdorderBS", Basis::quadratic},
-    {"4thorderBS", Basis::cubic},       {"cpdi", Basis::cpdi},
-    {"fast_cpdi", Basis::fast_cpdi},    {"cpti", Basis::cpti},
-    {"carried_corners", Basis::carried}};
 constexpr Word<Transfer> transfers[] = {
     {"flip", Transfer::flip}, {"pic", Transfer::pic},       {"xpic", Transfer::xpic},
     {"apic", Transfer::apic}, {"affine", Transfer::affine}, {"midpoint", Transfer::midpoint}};
@@ -40,7 +35,7 @@ T value_of(const Word<T> (&words)[n], std::string_view name) {
 }
 
 void read_scheme(const DeckNode& flags, MpmScene& s) {
-  s.basis = value_of(bases, text_or(flags, "interpolator", "linear"));
+  s.basis = basis_of(flags).basis;
   s.transfer = value_of(transfers, text_or(flags, "transfer", "flip"));
   s.xpic_order = integer_or(flags, "xpic_order", s.xpic_order);
   if (s.transfer == Transfer::xpic && s.xpic_order == 1) s.transfer = Transfer::pic;
@@ -55,7 +50,7 @@ void read_scheme(const DeckNode& flags, MpmScene& s) {
     s.transfer = Transfer::affine;
     s.affine_damping = 0;
   }
-  s.musl = boolean_or(flags, "musl", s.basis == Basis::linear);
+  s.musl = boolean_or(flags, "musl", basis_of(flags).points);
   s.total_lagrangian = boolean_or(flags, "total_lagrangian", false);
   s.cpdi_limit = real_or(flags, "cpdi_lcrit", s.cpdi_limit);
   s.axisymmetric = boolean_or(flags, "axisymmetric", false);
@@ -154,7 +149,7 @@ bool takes_midpoint_transfer(const DeckNode& root) {
     if (boolean_or(*flags, name, false)) return false;
   for (const char* name : without_midpoint)
     if (boolean_or(*flags, name, false)) return false;
-  return text_or(*flags, "interpolator", "linear") != "linear";
+  return !basis_of(*flags).points;
 }
 
 void read_flags(const DeckNode& root, MpmScene& s, std::vector<Fault>& faults) {

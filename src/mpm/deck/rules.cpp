@@ -6,6 +6,7 @@
 
 #include "framework/deck/faults.hpp"
 #include "framework/deck/rule_tools.hpp"
+#include "mpm/deck/bases.hpp"
 #include "mpm/deck/implicit.hpp"
 
 namespace sluice::mpm {
@@ -45,12 +46,11 @@ void check_not_built(const DeckNode& flags, bool implicit, std::vector<Fault>& f
 void check_axisymmetric(const DeckNode& root, const DeckNode& flags, std::vector<Fault>& faults) {
   if (!is_true(&flags, "axisymmetric")) return;
   const Location& where = flags.child("axisymmetric")->where;
-  const std::string basis = text_of(flags, "interpolator");
-  if (basis == "3rdorderBS" || basis == "4thorderBS" || basis == "cpti" ||
-      basis == "carried_corners")
-    add_error(faults, where,
-              fmt::format("<axisymmetric> has no form with the interpolator {}", basis),
-              "valid: linear, gimp, cpgimp, cpdi, fast_cpdi");
+  if (!basis_of(flags).axisymmetric)
+    add_error(
+        faults, where,
+        fmt::format("<axisymmetric> has no form with the interpolator {}", basis_of(flags).word),
+        "valid: " + bases_with(&BasisRow::axisymmetric));
   const DeckNode* level = root.find("Grid/Level");
   if (level == nullptr) return;
   for (const DeckNode* box : level->all("Box")) {
@@ -134,26 +134,24 @@ void check_flags(const DeckNode& root, std::vector<Fault>& faults) {
     add_error(faults, flags->child("minimum_subcycles_for_F")->where,
               "<minimum_subcycles_for_F> 0: particles would never be deformed",
               "1: the first order; -2: up to the square");
-  const std::string basis = text_of(*flags, "interpolator");
-  const bool corners =
-      basis == "cpdi" || basis == "fast_cpdi" || basis == "cpti" || basis == "carried_corners";
-  if (basis != "cpdi" && basis != "fast_cpdi")
-    warn_of_idle(*flags, "cpdi_lcrit", "<interpolator> cpdi", faults);
+  const BasisRow& basis = basis_of(*flags);
+  if (!basis.cut_by_length) warn_of_idle(*flags, "cpdi_lcrit", "<interpolator> cpdi", faults);
   const DeckNode* grid = root.child("Grid");
   const bool levels =
       (grid != nullptr && grid->all("Level").size() > 1) || root.find("AMR/Regridder") != nullptr;
-  if (corners && levels)
+  if (basis.corners && levels)
     add_not_built(faults, flags->child("interpolator")->where,
-                  fmt::format("<interpolator> {} on several levels", basis));
-  if (basis == "cpti" && grid != nullptr)
+                  fmt::format("<interpolator> {} on several levels", basis.word));
+  if (basis.needs_three_directions && grid != nullptr)
     for (const DeckNode* level : grid->all("Level"))
       for (const DeckNode* box : level->all("Box")) {
         const auto cells = int_vector_of(box, "resolution");
         if (cells && (cells->x == 1 || cells->y == 1 || cells->z == 1))
           add_error(faults, box->where,
-                    "<interpolator> cpti: tetrahedra need three directions of more than one cell",
-                    "valid for fewer: linear, gimp, cpgimp, cpdi, fast_cpdi, 3rdorderBS, "
-                    "4thorderBS");
+                    fmt::format("<interpolator> {}: tetrahedra need three directions of more than "
+                                "one cell",
+                                basis.word),
+                    "all other interpolators are valid for fewer");
       }
   if (is_true(flags, "refine_particles") && is_true(flags, "total_lagrangian"))
     add_not_built(faults, flags->child("refine_particles")->where,
@@ -163,12 +161,12 @@ void check_flags(const DeckNode& root, std::vector<Fault>& faults) {
                   "<DoPressureStabilization> with <total_lagrangian>");
   if (is_true(flags, "total_lagrangian")) {
     const Location& where = flags->child("total_lagrangian")->where;
-    if (corners || basis == "cpgimp")
+    if (!basis.total_lagrangian)
       add_error(faults, where,
                 fmt::format("<total_lagrangian>: shape functions stay those of the start, those of "
                             "{} follow the particles",
-                            basis),
-                "valid: linear, gimp, 3rdorderBS, 4thorderBS");
+                            basis.word),
+                "valid: " + bases_with(&BasisRow::total_lagrangian));
     if (levels) add_not_built(faults, where, "<total_lagrangian> on several levels");
   }
 }
@@ -198,10 +196,9 @@ void check_cohesive_zones(const DeckNode& root, std::vector<Fault>& faults) {
 }
 
 // What the midpoint transfer has no form of.
-static void check_midpoint(const DeckNode& flags, const std::string& basis,
-                           std::vector<Fault>& faults) {
+static void check_midpoint(const DeckNode& flags, std::vector<Fault>& faults) {
   const DeckNode& transfer = *flags.child("transfer");
-  if (basis.empty() || basis == "linear")
+  if (basis_of(flags).points)
     add_error(faults, transfer.where,
               "<transfer> midpoint needs particles that have a width, or splines; those of the "
               "interpolator linear are points",
@@ -222,14 +219,14 @@ void check_transfer(const DeckNode& root, std::vector<Fault>& faults) {
   const std::string transfer = text_of(*flags, "transfer");
   if (transfer != "xpic") warn_of_idle(*flags, "xpic_order", "<transfer> xpic", faults);
   if (transfer != "affine") warn_of_idle(*flags, "affine_damping", "<transfer> affine", faults);
-  const std::string basis = text_of(*flags, "interpolator");
-  if (transfer == "apic" && basis != "3rdorderBS" && basis != "4thorderBS")
+  const BasisRow& basis = basis_of(*flags);
+  if (transfer == "apic" && !basis.one_second_moment)
     add_error(faults, flags->child("transfer")->where,
               fmt::format("<transfer> apic needs a basis with one second moment, and {} has none",
-                          basis.empty() ? "linear" : basis),
+                          basis.word),
               "write <interpolator>3rdorderBS</interpolator>, or <transfer>affine</transfer>");
-  if (transfer == "midpoint" && runs_mpm(root)) check_midpoint(*flags, basis, faults);
-  if (is_true(flags, "musl") && (basis == "carried_corners" || !runs_mpm(root)))
+  if (transfer == "midpoint" && runs_mpm(root)) check_midpoint(*flags, faults);
+  if (is_true(flags, "musl") && (basis.moving_corners || !runs_mpm(root)))
     add_error(faults, flags->child("musl")->where,
               "<musl> true has no form for corners that move with the grid, which particles have "
               "beside a fluid and with the interpolator carried_corners",
