@@ -42,7 +42,8 @@ struct Reading {
 struct Entry {
   const char* type;
   TagSpec parameters;
-  void (*check)(const DeckNode& parameters, const MaterialNames& names, std::vector<Fault>& faults);
+  void (*check)(const DeckNode& parameters, const MaterialNames& names,
+                std::vector<Fault>& faults) = nullptr;
   // What it does in fluids.
   void (*read)(const DeckNode& parameters, const Reading& to) = nullptr;
   // Where the reactant is a solid: its law of burning.

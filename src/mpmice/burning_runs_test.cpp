@@ -81,7 +81,7 @@ std::vector<models::SurfaceHistory> burned_surfaces(const CoupledRun& run) {
       all.push_back(surface);
   return all;
 }
-double steady_gradient(const models::SteadyBurn& law, const models::SteadyBurn::Surface& s) {
+double steady_gradient(const models::SteadyBurn& law, const models::BurningSurface& s) {
   return (s.temperature - 300) * s.flux * law.specific_heat / law.conductivity;
 }
 
@@ -94,7 +94,7 @@ TEST(BurningRuns, AStrandSettlesAfterARiseOfPressure) {
                                                   : std::vector<std::string>{});
     ASSERT_EQ(run.report().status, RunStatus::done);
     const double p = run.field("press_CC", 0).components[0][44];  // before the strand
-    const models::SteadyBurn::Surface steady = law.surface(p, 300, 1840);
+    const models::BurningSurface steady = law.surface(p, 300, 1840);
     ASSERT_EQ(burned_surfaces(run).size(), 1u);
     const models::SurfaceHistory surface = burned_surfaces(run).front();
     const double gradient = surface.gradient / steady_gradient(law, steady) - 1;
@@ -129,7 +129,7 @@ TEST(BurningRuns, AParticleGoesOnWhereTheOneBeforeItHasEnded) {
   models::SteadyBurn law = models::hmx();
   law.solid_rate *= 1e4;
   law.gas_rate *= 1e4;
-  const models::SteadyBurn::Surface first = law.surface(4.5e6, 300, 1840);
+  const models::BurningSurface first = law.surface(4.5e6, 300, 1840);
   const std::vector<double> masses = run.particles("p.mass").front();
   EXPECT_EQ(masses.size(), 109u);
   ASSERT_EQ(burned_surfaces(run).size(), 1u);

@@ -11,13 +11,13 @@
 namespace sluice {
 
 struct ComponentKind {
-  const char* type;                    // <SimulationComponent type>
-  std::vector<const char*> spellings;  // other spellings of it
-  void (*add_tags)(Schema& schema);    // its part of the schema; null: another's
+  const char* type = "";                    // <SimulationComponent type>
+  std::vector<const char*> spellings = {};  // other spellings of it
+  void (*add_tags)(Schema& schema);         // its part of the schema; null: another's
   // From a deck without faults and its scene, which the component keeps a reference to. Faults that
   // reading finds are added; with errors among them there is no component.
   std::unique_ptr<Component> (*make)(const Deck& deck, const Scene& scene,
-                                     std::vector<Fault>& faults);
+                                     std::vector<Fault>& faults) = nullptr;
   // Names of the histories that it keeps; null: none.
   std::vector<std::string> (*histories)(const DeckNode& root) = nullptr;
   // Declares its labels, for the page of labels and the words of <save>; null: another row does.

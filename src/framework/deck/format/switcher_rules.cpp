@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Only components that can follow one another may be named, as each hands its state on.
-AttributeSpec type_of_component(const std::vector<ComponentWord>& components) {
+AttributeSpec type_in_turn(const std::vector<ComponentWord>& components) {
   AttributeSpec type = attribute("type", "the component, as its deck says").once();
   if (components.empty()) return type.text();
   std::vector<std::string> words, others = {"arches", "mpmf", "poisson4", "smpm", "smpmice"};
@@ -53,7 +53,7 @@ TagSpec component_in_turn(const std::vector<ComponentWord>& components) {
       .only_for("type", {switcher_word})
       .with_children(
           {tag("SimulationComponent", "which physics runs; that of the deck, where it is left out")
-               .attribute(type_of_component(components)),
+               .attribute(type_in_turn(components)),
            tag("input_file",
                "deck of the component: materials, limits of the time step and all else but Meta, "
                "Grid, DataArchiver and the times of the run, which are those of this deck")
