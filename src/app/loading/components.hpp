@@ -13,7 +13,8 @@ namespace sluice {
 struct ComponentKind {
   const char* type = "";                    // <SimulationComponent type>
   std::vector<const char*> spellings = {};  // other spellings of it
-  void (*add_tags)(Schema& schema);         // its part of the schema; null: another's
+  // Its part of the schema; null: another row's.
+  void (*add_tags)(Schema& schema) = nullptr;
   // From a deck without faults and its scene, which the component keeps a reference to. Faults that
   // reading finds are added; with errors among them there is no component.
   std::unique_ptr<Component> (*make)(const Deck& deck, const Scene& scene,

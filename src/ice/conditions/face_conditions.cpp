@@ -18,9 +18,9 @@ bool FaceCondition::is_for(std::string_view variable) const {
 
 const std::vector<FaceCondition>& face_conditions() {
   static const std::vector<FaceCondition> all = {
-      {.word = "Dirichlet", .variables = {}},
-      {.word = "Neumann", .variables = {}},
-      {.word = "symmetry", .variables = {}, .wall = true},
+      {.word = "Dirichlet"},
+      {.word = "Neumann"},
+      {.word = "symmetry", .wall = true},
       {.word = "FreeSlipWall", .variables = {"Velocity"}, .wall = true},
       {.word = "computeFromDensity", .variables = {"SpecificVol"}},
       open_face_condition(),

@@ -18,8 +18,8 @@
 namespace sluice::ice {
 
 struct FaceCondition {
-  std::string_view word;                    // <BCType var=>
-  std::vector<std::string_view> variables;  // that it is for: <BCType label=>; empty: any
+  std::string_view word = {};                    // <BCType var=>
+  std::vector<std::string_view> variables = {};  // that it is for: <BCType label=>; empty: any
   // Element of <BoundaryConditions> with its parameters, if it needs one; its own rules.
   std::optional<TagSpec> block = std::nullopt;
   void (*check_block)(const DeckNode& block, std::vector<Fault>& faults) = nullptr;

@@ -11,7 +11,7 @@
 namespace sluice::ice {
 
 struct SchemeRow {
-  std::string_view word;
+  std::string_view word = {};
   bool internal_energy = false;    // the classic form: one stage, internal energy
   bool several_materials = false;  // and any equation of state
   bool conducts_heat = false;
