@@ -15,9 +15,9 @@ namespace sluice::mpm {
 
 struct BasisRow {
   Basis basis = Basis::linear;
-  std::string_view word;           // <interpolator>
-  std::string_view spelling;       // another one; empty: none
-  std::string_view name;           // in lists of effects
+  std::string_view word = {};      // <interpolator>
+  std::string_view spelling = {};  // another one; empty: none
+  std::string_view name = {};      // in lists of effects
   bool corners = false;            // particles are areas with corners, which follow the deformation
   bool cut_by_length = false;      // <cpdi_lcrit> acts
   bool moving_corners = false;     // corners move with the grid, and are shared
