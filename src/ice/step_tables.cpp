@@ -1,9 +1,12 @@
 #include "ice/step_tables.hpp"
 
+#include "ice/account/tasks.hpp"
 #include "ice/classic/variables.hpp"
 #include "ice/mixture/slip.hpp"
 #include "ice/mixture/surface.hpp"
+#include "ice/one_material/tasks.hpp"
 #include "ice/pressure/variables.hpp"
+#include "ice/saved/materials_of_mixture.hpp"
 #include "ice/saved/step_labels.hpp"
 #include "ice/scalars/heat_release.hpp"
 #include "ice/scalars/reactions.hpp"

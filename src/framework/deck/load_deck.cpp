@@ -81,8 +81,7 @@ Deck check_deck(Deck deck, const std::vector<std::string>& overrides, const Sche
   for (const std::string& text : overrides) {
     apply_override(*deck.root, text, schema, deck.faults);
   }
-  settle_faces(*deck.root, deck.faults);
-  resolve_piece_labels(*deck.root, deck.faults);
+  for (const DeckRewrite& complete : schema.completions) complete(*deck.root, deck.faults);
   check_structure(*deck.root, schema, deck.faults);
   locate_files(*deck.root, schema, deck.faults);
   for (const DeckRule& rule : schema.rules) apply(rule, deck);

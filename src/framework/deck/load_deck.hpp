@@ -32,11 +32,10 @@ std::unique_ptr<DeckNode> copy_of(const DeckNode& node);
 // The same of a deck that has been read, or put together, without being checked.
 Deck check_deck(Deck deck, const std::vector<std::string>& overrides, const Schema& schema);
 
-// The passes, in the order in which load_deck runs them after reading; each adds to the faults.
+// Passes of load_deck after reading, in its order; each adds to the faults. Those of the schema
+// (rewrites, completions, rules) come with it.
 void drop_obsolete(DeckNode& root, std::vector<Fault>& faults);
 void apply_override(DeckNode& root, const std::string& override_text, const Schema& schema,
                     std::vector<Fault>& faults);
-void settle_faces(DeckNode& root, std::vector<Fault>& faults);
-void resolve_piece_labels(DeckNode& root, std::vector<Fault>& faults);
 
 }  // namespace sluice

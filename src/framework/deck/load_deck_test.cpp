@@ -4,6 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "framework/base/error.hpp"
+#include "framework/deck/format/framework_schema.hpp"
+
 namespace sluice::load_deck_test {
 namespace {
 

@@ -230,6 +230,8 @@ class Schema {
   TagSpec root = tag("Uintah_specification", "the deck");
   std::map<std::string, std::vector<TagSpec>> groups;
   std::vector<DeckRewrite> rewrites;
+  // Changes made after the overrides: what a deck may write in short is written in full.
+  std::vector<DeckRewrite> completions;
   std::vector<DeckRule> rules;
 
   // The description of a child, by name or alias; nullptr when there is none.

@@ -4,6 +4,7 @@
 // m g dt to momentum and its work to the energy of every cell: that is counted in the Lagrangian
 // momentum, cell by cell. With several levels a cell under a finer one counts nothing.
 #include "ice/account/face_flux.hpp"
+#include "ice/account/tasks.hpp"
 #include "ice/step/cell_sums.hpp"
 
 namespace sluice::ice {

@@ -9,6 +9,7 @@
 
 #include "framework/refine/face_table.hpp"
 #include "ice/account/face_flux.hpp"
+#include "ice/account/tasks.hpp"
 
 namespace sluice::ice {
 namespace {

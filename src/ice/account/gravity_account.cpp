@@ -4,6 +4,7 @@
 // with the momentum m at the start of the step and what the Lagrangian phase took from it, dp: the
 // mean momentum of the phase. Absent with one level and without f, where totals at the start of the
 // step do.
+#include "ice/account/tasks.hpp"
 #include "ice/step/cell_sums.hpp"
 
 namespace sluice::ice {

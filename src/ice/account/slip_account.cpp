@@ -1,5 +1,6 @@
 // What a driving force works on materials that move against the mixture, summed exactly over the
 // uncovered cells: it joins the work on the mixture (account/gravity_account.cpp).
+#include "ice/account/tasks.hpp"
 #include "ice/mixture/slip.hpp"
 #include "ice/step/cell_sums.hpp"
 

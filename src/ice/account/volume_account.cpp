@@ -10,6 +10,7 @@
 
 #include "framework/refine/volume_faces.hpp"
 #include "ice/account/face_flux.hpp"
+#include "ice/account/tasks.hpp"
 #include "ice/step/cell_sums.hpp"
 
 namespace sluice::ice {

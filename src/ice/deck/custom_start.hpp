@@ -1,5 +1,5 @@
 // Initial states that a deck names by their kind (customInitialization): vortices, profiles,
-// manufactured solutions. Formulas stand in custom_start.cpp.
+// manufactured solutions. Formulas stand in ice/start/custom_start.cpp.
 #pragma once
 #include <optional>
 #include <variant>
@@ -73,24 +73,6 @@ struct LaminarChannel {  // DNS_Moser: parabola of a pressure gradient
 using CustomStart = std::variant<Vortices, VortexPairs, GaussianTemperature, ManufacturedVortices,
                                  ManufacturedCells, Counterflow, LogLawProfile, PowerLawProfile,
                                  ChannelProfile, LaminarChannel>;
-
-// One material in one cell.
-struct CellStart {
-  Vec3 centre{};
-  double density = 1, temperature = 0;
-  Vec3 velocity{};
-  double viscosity = 0;
-  double pressure = 0;
-  bool pressure_given = false;  // by a start: the pressure is not that of density and temperature
-};
-
-// What a start may ask besides the cell.
-struct CustomPlace {
-  const Level& coarsest;
-  double reference_pressure = 0;
-};
-
-void apply(const CustomStart& start, const CustomPlace& place, CellStart& cell);
 
 // The tags of customInitialization, its formulas left out.
 std::vector<TagSpec> custom_start_tags();

@@ -15,6 +15,7 @@
 #include "ice/fluid/closure_rows.hpp"
 #include "ice/fluid/limiters.hpp"
 #include "ice/mixture/variables.hpp"
+#include "ice/one_material/tasks.hpp"
 #include "ice/step/end_of_step.hpp"
 #include "ice/step/material_runs.hpp"
 

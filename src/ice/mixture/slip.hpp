@@ -41,8 +41,6 @@ void add_slip_bases(TaskList&, const Variables&, const SchemeOptions&, int effec
 void add_slip_fluxes(TaskList&, const Variables&, const SchemeOptions&, int effect);
 void add_slip_flux(TaskList&, const Variables&, const SchemeOptions&, int effect, int axis);
 void add_slip_update(TaskList&, const Variables&, const SchemeOptions&, int effect);
-// What a driving force works on the slip, summed; absent without one.
-void add_slip_force_account(TaskList&, const Variables&, const SchemeOptions&, int effect);
 
 // Where a task finds what moves against the mixture.
 struct SlipReads {

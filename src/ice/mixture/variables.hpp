@@ -10,10 +10,6 @@
 
 #include "ice/step/variables.hpp"
 
-namespace sluice::ice {
-struct MaterialsOfStep;
-}
-
 namespace sluice::ice::mixture {
 
 // Where each material has a velocity of its own (slip.hpp). Components of a material m, by
@@ -138,7 +134,5 @@ void add_remap_fluxes(TaskList&, const Variables&, const SchemeOptions&, int eff
 void add_remap_flux(TaskList&, const Variables&, const SchemeOptions&, int effect, int axis);
 void add_update(TaskList&, const Variables&, const SchemeOptions&, int effect);
 void add_one_pressure(TaskList&, const Variables&, const SchemeOptions&, int effect);
-// The materials as the labels of a step know them.
-MaterialsOfStep materials_of_step(TaskList&, const Variables&, const SchemeOptions&);
 
 }  // namespace sluice::ice::mixture

@@ -10,6 +10,7 @@
 
 #include "ice/mixture/surface.hpp"
 #include "ice/mixture/variables.hpp"
+#include "ice/one_material/tasks.hpp"
 #include "ice/step/effect_ids.hpp"
 #include "ice/step/laws_of_cells.hpp"
 #include "ice/step/material_runs.hpp"

@@ -20,6 +20,7 @@
 // to the bit, whatever the ghosts hold. Where the velocity through a side is given, so is u_f, and
 // the cell inside meets its image about that: a wall that moves.
 #include "ice/fluid/limiters.hpp"
+#include "ice/one_material/tasks.hpp"
 #include "ice/step/held_faces.hpp"
 #include "ice/step/runs.hpp"
 #include "ice/step/variables.hpp"

@@ -9,6 +9,7 @@
 #include "ice/conditions/wall_slip.hpp"
 #include "ice/fluid/face_mean.hpp"
 #include "ice/one_material/heat_flux_rows.hpp"
+#include "ice/one_material/tasks.hpp"
 #include "ice/step/laws_of_cells.hpp"
 #include "ice/step/variables.hpp"
 #include "ice/step/wall_faces.hpp"

@@ -12,6 +12,7 @@
 // adds -sum_d l_d (q+ - q-). Shear along strong shocks acts alike: step/shock_shear.hpp.
 #include "ice/fluid/closure_rows.hpp"
 #include "ice/fluid/limiters.hpp"
+#include "ice/one_material/tasks.hpp"
 #include "ice/step/end_of_step.hpp"
 #include "ice/step/heat_rows.hpp"
 #include "ice/step/held_faces.hpp"

@@ -1,5 +1,6 @@
 // Step 1: velocity, pressure and sound speed of the old state, ghosts included.
 #include "ice/one_material/primitives_rows.hpp"
+#include "ice/one_material/tasks.hpp"
 #include "ice/step/laws_of_cells.hpp"
 
 namespace sluice::ice {

@@ -1,5 +1,6 @@
 // Step 7 (2-D and 3-D): declaring what each cell offers to the remap; remap_base_rows.hpp.
 #include "ice/one_material/remap_base_rows.hpp"
+#include "ice/one_material/tasks.hpp"
 
 namespace sluice::ice {
 

@@ -1,5 +1,6 @@
 // Step 8: the remap through the faces of each axis; remap_flux_rows.hpp has the formulae.
 #include "ice/one_material/remap_flux_rows.hpp"
+#include "ice/one_material/tasks.hpp"
 
 namespace sluice::ice {
 namespace {

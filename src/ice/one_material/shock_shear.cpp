@@ -16,6 +16,7 @@
 #include <algorithm>
 
 #include "framework/base/infinity.hpp"
+#include "ice/one_material/tasks.hpp"
 #include "ice/step/wall_faces.hpp"
 
 namespace sluice::ice {

@@ -11,6 +11,7 @@
 #include "ice/fluid/limiters.hpp"
 #include "ice/one_material/leaving_shocks.hpp"
 #include "ice/one_material/quantity_rows.hpp"
+#include "ice/one_material/tasks.hpp"
 #include "ice/step/variables.hpp"
 
 namespace sluice::ice {

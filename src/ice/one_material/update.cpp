@@ -1,4 +1,5 @@
 // Step 9: declaring the update; update_rows.hpp.
+#include "ice/one_material/tasks.hpp"
 #include "ice/one_material/update_rows.hpp"
 #include "ice/sources/source_tasks.hpp"
 

@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "ice/fluid/face_mean.hpp"
+#include "ice/one_material/tasks.hpp"
 #include "ice/step/variables.hpp"
 #include "ice/step/wall_faces.hpp"
 #include "ice/transport/wall_shear.hpp"

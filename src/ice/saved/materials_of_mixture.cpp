@@ -1,7 +1,7 @@
-// What the labels of a step read of each material of a mixture.
+#include "ice/saved/materials_of_mixture.hpp"
+
 #include "ice/closure/drag.hpp"
 #include "ice/mixture/slip.hpp"
-#include "ice/saved/step_labels.hpp"
 #include "ice/step/effect_ids.hpp"
 #include "ice/step/laws_of_cells.hpp"
 #include "ice/step/material_runs.hpp"

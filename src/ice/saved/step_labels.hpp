@@ -49,6 +49,9 @@ void declare_motion_labels(TaskList&, const SchemeVariables&, const SchemeOption
 // Temperature and share of each material on faces; gradient of the pressure there.
 void declare_face_labels(TaskList&, const SchemeVariables&, const SchemeOptions&,
                          const MaterialsOfStep&, int effect);
+// delP_MassX, zero without sources.
+void declare_source_pressure(TaskList&, const SchemeVariables&, const SchemeOptions&,
+                             const MaterialsOfStep&, int effect);
 
 // Temperature of a material from mass, volume and energy per volume of the cell; `f`: of a gas
 // whose properties are mixed.

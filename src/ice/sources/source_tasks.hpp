@@ -21,8 +21,6 @@ struct SourceSums {
   static constexpr int count(int materials) { return materials + beside_masses; }
 };
 
-struct MaterialsOfStep;
-
 // The graph of one material: adds to its new state. Nothing without sources.
 struct SourceHandles {
   Out change;
@@ -33,9 +31,6 @@ void add_sources_of_one(const Row& row, const SourceHandles& h, const SchemeOpti
 
 // Sums over the uncovered cells; absent without sources.
 void add_source_account(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
-// delP_MassX, zero without sources.
-void declare_source_pressure(TaskList&, const SchemeVariables&, const SchemeOptions&,
-                             const MaterialsOfStep&, int effect);
 // modelMass_src and its like, zero without sources.
 void declare_source_labels(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
 

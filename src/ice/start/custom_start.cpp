@@ -21,7 +21,7 @@
 //   channel      u = u*/0.4 ln(Re h/H) with h to the nearer wall, u* = mu Re/(rho H), 0 where
 //                negative
 //   laminar      u = dp/dx h (h - H)/(2 mu) over the height H of the domain
-#include "ice/deck/custom_start.hpp"
+#include "ice/start/custom_start.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // Named starts: what each leaves in a cell, and the order in which they act.
-#include "ice/deck/custom_start.hpp"
+#include "ice/start/custom_start.hpp"
 
 #include <gtest/gtest.h>
 

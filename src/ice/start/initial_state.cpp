@@ -17,6 +17,7 @@
 
 #include "framework/deck/faults.hpp"
 #include "framework/scene/formula.hpp"
+#include "ice/start/custom_start.hpp"
 #include "ice/start/initial_state_parts.hpp"
 
 namespace sluice::ice {

@@ -281,21 +281,4 @@ auto dispatch(int axes, int components, F&& f) {
   }
 }
 
-// Tasks of the step, in order; each in the file of its name.
-void add_primitives(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
-void add_slopes(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
-void add_faces(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
-void add_shock_shear(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
-void add_viscous_stress(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
-void add_heat_flux(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
-void add_lagrangian(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
-void add_remap_bases(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
-void add_remap_fluxes(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
-void add_remap_flux(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect, int axis);
-void add_update(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
-void add_boundary_account(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
-void add_gravity_account(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
-void add_volume_account(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
-void add_flux_record(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
-
 }  // namespace sluice::ice

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "ice/ice.hpp"
+#include "ice/one_material/tasks.hpp"
 #include "ice/step/effect_ids.hpp"
 
 namespace sluice::ice::viscosity_test {

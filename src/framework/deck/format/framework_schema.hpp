@@ -42,6 +42,11 @@ void fill_in_what_others_tell(DeckNode& root, std::vector<Fault>& faults);
 // Names of materials in <Models> and <DataAnalysis>, written in other capitals.
 void settle_material_names(DeckNode& root, std::vector<Fault>& faults);
 
+// Each face once, with all its conditions; each condition with its material.
+void settle_faces(DeckNode& root, std::vector<Fault>& faults);
+// A piece that names another by its label becomes a copy of it.
+void resolve_piece_labels(DeckNode& root, std::vector<Fault>& faults);
+
 // Whether a tag of this name is a geometry piece or an operator that joins pieces.
 bool is_geometry_piece(std::string_view name);
 

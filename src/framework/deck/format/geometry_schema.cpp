@@ -285,6 +285,7 @@ void add_geometry_tags(Schema& schema) {
   schema.groups["geometry_piece"] = all_pieces();
   schema.rewrites.emplace_back(place_images);
   schema.rewrites.emplace_back(read_thicknesses);
+  schema.completions.emplace_back(resolve_piece_labels);
   schema.rules.emplace_back(check_pieces);
 }
 

@@ -124,6 +124,7 @@ void add_grid_tags(Schema& schema) {
                        {tag("DefaultMaterial", "material of conditions without id: an index or all")
                             .text(),
                         face()})}));
+  schema.completions.emplace_back(settle_faces);
   schema.rules.emplace_back(check_boxes);
   schema.rules.emplace_back(check_periodicity);
   schema.rules.emplace_back(check_faces);

@@ -7,7 +7,6 @@
 
 #include "framework/deck/faults.hpp"
 #include "framework/deck/format/framework_schema.hpp"
-#include "framework/deck/load_deck.hpp"
 #include "framework/deck/nearest_name.hpp"
 #include "framework/deck/value_text.hpp"
 

@@ -7,7 +7,7 @@
 #include <map>
 
 #include "framework/deck/faults.hpp"
-#include "framework/deck/load_deck.hpp"
+#include "framework/deck/format/framework_schema.hpp"
 #include "framework/deck/value_text.hpp"
 
 namespace sluice {

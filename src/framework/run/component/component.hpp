@@ -16,6 +16,7 @@
 #include "framework/refine/flux_register.hpp"
 #include "framework/refine/transfer_operators.hpp"
 #include "framework/refine/volume_faces.hpp"
+#include "framework/run/component/body_energy.hpp"
 #include "framework/run/component/conservation.hpp"
 #include "framework/run/component/step_shape.hpp"
 #include "framework/scene/output_switch.hpp"
@@ -90,7 +91,6 @@ class LevelSolver;
 class ParticleCloud;
 class ParticleMethod;
 class Communicator;
-struct BodyEnergy;  // framework/run/simulation/energy_guard.hpp
 
 class Component {
  public:
@@ -207,7 +207,9 @@ class Component {
   }
   // Bodies whose energy is watched, from the sums of a step, always in the same order; none: no
   // energy is. Where in an attempted step a body has gained most, for a message (collective).
-  virtual std::vector<BodyEnergy> body_energies(const std::vector<double>& sums) const;
+  virtual std::vector<BodyEnergy> body_energies(const std::vector<double>& /*sums*/) const {
+    return {};
+  }
   virtual std::string place_of_gain(const ParticleCloud& /*cloud*/, int /*material*/,
                                     Communicator& /*ranks*/) const {
     return "";

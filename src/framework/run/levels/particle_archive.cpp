@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "framework/archive/archive.hpp"
-#include "framework/archive/particle_table.hpp"
 #include "framework/base/json.hpp"
 #include "framework/run/levels/particle_cloud.hpp"
 
@@ -40,15 +39,6 @@ std::vector<std::vector<double>> read_values(const ArchiveStep& checkpoint, Labe
 }
 
 }  // namespace
-
-const ParticleLabels& particle_labels() {
-  static const ParticleLabels labels = {
-      declare_label({particle_position_name, ValueType::vector, Centring::particle, "m",
-                     "Position of a particle."}),
-      declare_label({particle_id_name, ValueType::long_integer, Centring::particle, "1",
-                     "Number of a particle that no other of its material ever has."})};
-  return labels;
-}
 
 std::size_t column_of_component(const ParticleAttribute& a, int component) {
   constexpr std::size_t of_symmetric[9] = {0, 5, 4, 5, 1, 3, 4, 3, 2};
@@ -118,21 +108,6 @@ class BoxPieces {
 };
 
 }  // namespace
-
-std::size_t ParticleKind::columns() const {
-  std::size_t n = 0;
-  for (const ParticleAttribute& a : attributes) n += static_cast<std::size_t>(a.columns());
-  return n;
-}
-
-std::vector<std::size_t> ParticleKind::advanced_columns() const {
-  std::vector<std::size_t> all;
-  std::size_t column = 0;
-  for (const ParticleAttribute& a : attributes)
-    for (int c = 0; c < a.columns(); ++c, ++column)
-      if (a.advanced) all.push_back(column);
-  return all;
-}
 
 void ParticleCloud::add_pieces(const Wanted& wanted, ParticlePieces& to) const {
   for (std::size_t k = 0; k < kinds_.size(); ++k) {

@@ -7,10 +7,6 @@
 
 namespace sluice {
 
-std::vector<BodyEnergy> Component::body_energies(const std::vector<double>& /*sums*/) const {
-  return {};
-}
-
 double Simulation::least_spacing() const {
   const Level& finest = hierarchy_->level(hierarchy_->level_count() - 1).level();
   double least = 0;

@@ -1,0 +1,20 @@
+// The tasks that sum or record what a step does; each is in the file of its name.
+#pragma once
+#include "ice/mixture/slip.hpp"
+#include "ice/step/variables.hpp"
+
+namespace sluice::ice {
+
+void add_boundary_account(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+void add_gravity_account(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+void add_volume_account(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+void add_flux_record(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+
+}  // namespace sluice::ice
+
+namespace sluice::ice::mixture {
+
+// What a driving force works on the slip, summed; absent without one. In slip_account.cpp.
+void add_slip_force_account(TaskList&, const Variables&, const SchemeOptions&, int effect);
+
+}  // namespace sluice::ice::mixture
