@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Check the arrows between the rooms of src/: includes run downward only, and never in a circle.
 
-A room may include itself, any room of a lower rank, and the rooms of its own rank named in
-SIDEWAYS. Inside framework, ice, mpm and mpmice each folder is a room, with a rank among those of
-its house in FLOORS; files in no folder of their house are its top. Tests (*_test.cpp) and what
-lies in test_support/ may use any room of their own house.
+rooms.py has the rooms and their order, also inside rooms. Tests (*_test.cpp) and what lies in
+test_support/ may use any room of their own house (the first folder of a path), and they alone may
+use test_support/. Every folder with sources is a room, and every room of rooms.py is a folder with
+sources.
 
     check_layers.py [SOURCE_FOLDER]      exit 0: no fault, 1: faults, each with file and line
 """
@@ -12,94 +12,58 @@ import pathlib
 import re
 
 import report
-
-# Lowest rank first; the houses of one line do not know each other.
-HOUSES = [["framework"], ["eos", "exact"], ["kinetics"], ["models"], ["ice", "mpm", "examples"],
-          ["mpmice"], ["app"]]
-# The rooms of a house, lowest first; the rooms of one line do not know each other.
-FLOORS = {
-    "framework": [
-        ["base"],
-        ["deck", "geometry", "grid"],
-        ["field", "scene"],
-        ["task", "archive", "particle", "solve"],
-        ["refine", "analysis"],
-        ["run"],
-    ],
-    "ice": [
-        ["fluid"],
-        ["conditions"],
-        ["deck"],
-        ["closure", "boundary"],
-        ["step"],
-        ["start", "sources", "transport", "tracers"],
-        ["one_material", "classic"],
-        ["mixture"],
-        ["pressure", "walls"],
-        ["scalars"],
-        ["levels", "account"],
-        ["saved"],
-    ],
-    "mpm": [
-        ["material"],
-        ["deck"],
-        ["shape", "nodes"],
-        ["boundary"],
-        ["transfer", "loads"],
-        ["contact"],
-        ["start"],
-        ["step"],
-        ["grains"],
-        ["levels", "account"],
-        ["saved", "implicit"],
-    ],
-    "mpmice": [["deck", "geometry"], ["exchange"], ["burn"], ["step"], ["account"]],
-}
-# Houses whose files all lie in rooms.
-NO_TOP = {"framework"}
-# Arrows inside one rank that are wanted: (from, to).
-SIDEWAYS = {("exact", "eos")}
-TEST_SUPPORT = "test_support"
+from rooms import ROOMS, TEST_SUPPORT, all_rooms, floor_of, path_of
 
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"')
 
 
-def ranks():
-    """Room -> (rank of its house, rank in it); the top of a house is above its floors."""
-    found = {}
-    for rank, houses in enumerate(HOUSES):
-        for house in houses:
-            floors = FLOORS.get(house, [])
-            for floor, rooms in enumerate(floors):
-                for room in rooms:
-                    found[f"{house}/{room}"] = (rank, floor)
-            if house not in NO_TOP:
-                found[house] = (rank, len(floors))
-            found[f"{house}/{TEST_SUPPORT}"] = (rank, len(floors))
-    return found
-
-
-RANK_OF = ranks()
+def sources(source):
+    return sorted(p for p in source.rglob("*") if p.suffix in (".cpp", ".hpp"))
 
 
 def room_of(path):
-    """The room of a path below src/ ('framework/grid/level.hpp'), or None."""
-    parts = path.split("/")
-    if len(parts) == 1:
-        return None
-    return "/".join(parts[:2]) if parts[0] in FLOORS and len(parts) > 2 else parts[0]
+    """The innermost room of a path below src/ ('ice/step/runs.hpp': 'ice/step'); None: no room.
+
+    Helpers of tests are in the room of their folder test_support/.
+    """
+    folders = path.split("/")[:-1]
+    if TEST_SUPPORT in folders:
+        folders = folders[:folders.index(TEST_SUPPORT)]
+        return "/".join(folders + [TEST_SUPPORT]) if is_room(folders) else None
+    return "/".join(folders) if is_room(folders, with_files=True) else None
+
+
+def is_room(folders, with_files=False):
+    """Whether a path of folders leads through rooms, and to one that may hold files."""
+    folder = ""
+    for name in folders:
+        if folder not in ROOMS or floor_of(folder, name) is None:
+            return False
+        folder = path_of(folder, name)
+    return bool(folder) and (not with_files or folder not in ROOMS or
+                             floor_of(folder, ".") is not None)
+
+
+def is_below(other, room):
+    """Whether `other` is on a lower floor than `room`, where their paths part."""
+    of_room, of_other = room.split("/") + ["."], other.split("/") + ["."]
+    folder = ""
+    while of_room[0] == of_other[0]:
+        folder = path_of(folder, of_room.pop(0))
+        of_other.pop(0)
+    return floor_of(folder, of_other[0]) < floor_of(folder, of_room[0])
 
 
 def allowed(room, other, for_tests):
     """May a file of `room` include one of `other`, both known rooms."""
-    if room == other or (room, other) in SIDEWAYS:
+    if room == other:
         return True
-    house, of_other = room.split("/")[0], other.split("/")[0]
     if other.endswith(TEST_SUPPORT) and not for_tests:
         return False
+    house, of_other = room.split("/")[0], other.split("/")[0]
     if house == of_other:
-        return for_tests or RANK_OF[other][1] < RANK_OF[room][1]
-    return RANK_OF[other][0] < RANK_OF[room][0]
+        return for_tests or is_below(other, room)
+    return is_below(of_other, house)
 
 
 def includes(file):
@@ -130,15 +94,15 @@ def file_circles(graph):
     return found
 
 
-def check(source):
+def check_arrows(source):
     source = pathlib.Path(source)
     faults, graph = [], {}
-    for file in sorted(p for p in source.rglob("*") if p.suffix in (".cpp", ".hpp")):
+    for file in sources(source):
         path = file.relative_to(source).as_posix()
         room = room_of(path)
-        if room not in RANK_OF:
-            faults.append(f"{path}: '{room}' is no room of the design; rooms are listed in "
-                          "tools/lint/check_layers.py")
+        if room is None:
+            faults.append(f"{path}: '{path.rpartition('/')[0]}' is no room of the design; rooms "
+                          "are listed in tools/lint/rooms.py")
             continue
         for_tests = file.name.endswith("_test.cpp") or room.endswith(TEST_SUPPORT)
         for number, target in includes(file):
@@ -152,11 +116,26 @@ def check(source):
                 continue  # else a generated header
             graph.setdefault(path, set()).add(target)
             other = room_of(target)
-            if other in RANK_OF and not allowed(room, other, for_tests):
+            if other is not None and not allowed(room, other, for_tests):
                 faults.append(f"{where}: {room} may not include {other} ({target}): "
                               "arrows run downward only")
     faults += ["circle: " + " -> ".join(circle) for circle in file_circles(graph)]
     return faults
+
+
+def check_rooms(source):
+    """Rooms that are listed and do not exist."""
+    source = pathlib.Path(source)
+    filled = {room_of(p.relative_to(source).as_posix()) for p in sources(source)}
+    for folder, _, room, _ in all_rooms():
+        path = path_of(folder, room)
+        if (room == "." or path not in ROOMS) and path not in filled:
+            what = "no sources of its own" if room == "." else "no such folder of sources"
+            yield f"rooms.py: '{path}': {what}"
+
+
+def check(source):
+    return check_arrows(source) + list(check_rooms(source))
 
 
 if __name__ == "__main__":

@@ -1,88 +1,13 @@
-"""Tests of the source checks: small trees with one known fault each."""
+"""Tests of the checks of lines, links and words: small trees with one known fault each."""
 import pathlib
 import sys
-import tempfile
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
-import check_layers  # noqa: E402
 import check_lines  # noqa: E402
 import check_links  # noqa: E402
 import check_words  # noqa: E402
-
-
-class Tree(unittest.TestCase):
-    def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.addCleanup(self.folder.cleanup)
-        self.root = pathlib.Path(self.folder.name)
-
-    def write(self, path, text):
-        file = self.root / path
-        file.parent.mkdir(parents=True, exist_ok=True)
-        file.write_text(text)
-
-
-class Layers(Tree):
-    def test_downward_is_allowed(self):
-        self.write("framework/base/a.hpp", "// a\n")
-        self.write("ice/b.cpp", '// b\n#include "framework/base/a.hpp"\n#include <vector>\n')
-        self.assertEqual(check_layers.check(self.root), [])
-
-    def test_upward_is_named_with_its_line(self):
-        self.write("ice/b.hpp", "// b\n")
-        self.write("framework/base/a.cpp", '// a\n#include "ice/b.hpp"\n')
-        faults = check_layers.check(self.root)
-        self.assertEqual(len(faults), 1)
-        self.assertIn("framework/base/a.cpp:2: framework/base may not include ice", faults[0])
-
-    def test_ice_and_mpm_do_not_know_each_other(self):
-        self.write("mpm/m.hpp", "// m\n")
-        self.write("ice/b.cpp", '// b\n#include "mpm/m.hpp"\n')
-        self.assertEqual(len(check_layers.check(self.root)), 1)
-
-    def test_floors_of_a_house(self):
-        self.write("ice/fluid/f.hpp", "// f\n")
-        self.write("ice/mixture/m.hpp", '// m\n#include "ice/fluid/f.hpp"\n')
-        self.write("ice/fluid/g.cpp", '// g\n#include "ice/mixture/m.hpp"\n')
-        self.write("ice/ice.hpp", "// top\n")
-        self.write("ice/mixture/n.cpp", '// n\n#include "ice/ice.hpp"\n')
-        faults = check_layers.check(self.root)
-        self.assertEqual(len(faults), 2)
-        self.assertIn("ice/fluid/g.cpp:2: ice/fluid may not include ice/mixture", faults[0])
-        self.assertIn("ice/mixture/n.cpp:2: ice/mixture may not include ice (", faults[1])
-
-    def test_rooms_of_one_floor_do_not_know_each_other(self):
-        self.write("ice/levels/l.hpp", "// l\n")
-        self.write("ice/account/a.cpp", '// a\n#include "ice/levels/l.hpp"\n')
-        self.assertEqual(len(check_layers.check(self.root)), 1)
-
-    def test_tests_may_use_their_house_and_test_support(self):
-        self.write("ice/ice.hpp", "// top\n")
-        self.write("ice/test_support/s.hpp", '// s\n#include "ice/ice.hpp"\n')
-        self.write("ice/fluid/f_test.cpp", '// f\n#include "ice/test_support/s.hpp"\n')
-        self.assertEqual(check_layers.check(self.root), [])
-        self.write("ice/fluid/f.cpp", '// f\n#include "ice/test_support/s.hpp"\n')
-        self.assertEqual(len(check_layers.check(self.root)), 1)
-
-    def test_unknown_room_of_a_house(self):
-        self.write("ice/attic/a.cpp", "// a\n")
-        self.assertIn("'ice/attic' is no room", check_layers.check(self.root)[0])
-
-    def test_circle_of_headers(self):
-        self.write("ice/a.hpp", '// a\n#include "ice/b.hpp"\n')
-        self.write("ice/b.hpp", '// b\n#include "ice/a.hpp"\n')
-        faults = check_layers.check(self.root)
-        self.assertEqual(faults, ["circle: ice/a.hpp -> ice/b.hpp -> ice/a.hpp"])
-
-    def test_include_must_be_given_from_src(self):
-        self.write("ice/b.hpp", "// b\n")
-        self.write("ice/a.cpp", '// a\n#include "b.hpp"\n')
-        self.assertIn('write "ice/b.hpp"', check_layers.check(self.root)[0])
-
-    def test_unknown_room(self):
-        self.write("misc/a.cpp", "// a\n")
-        self.assertIn("no room of the design", check_layers.check(self.root)[0])
+from lint_tree import Tree  # noqa: E402
 
 
 class Lines(Tree):

@@ -1,4 +1,4 @@
-// The tasks of the default scheme's step of one material, in order; each is in the file of its name.
+// Tasks of a step of one material in the default scheme, in order; each in the file of its name.
 #pragma once
 #include "ice/step/variables.hpp"
 

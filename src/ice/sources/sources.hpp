@@ -3,15 +3,13 @@
 //
 // Each source acts on the state that the step has come to, one after the other as the deck names
 // them, first exchanges, then burning, heat then fixed values: an operator of its own (splitting
-// of first
-// order in time; what it does to a cell at rest is exact). Mass, momentum and total energy change
-// by what is told as `change`, to round-off:
+// of first order in time; what it does to a cell at rest is exact). Mass, momentum and total energy
+// change by what is told as `change`, to round-off:
 //   exchange   the share s of the mass of `from` passes with its volume, momentum and energy; all
 //              of it where less than 1e-16 of the cell would stay, nothing where the receiver is
-//              absent and would get less than that: supports stay
-// compact
-//   burning    likewise, by the pressure sum V_m p_m of the cell (models/burn/jwlpp.hpp) or the place
-//              (models/burn/light_time.hpp); the heat of the reaction goes to the product
+//              absent and would get less than that: supports stay compact
+//   burning    likewise, by the pressure sum V_m p_m of the cell (models/burn/jwlpp.hpp) or the
+//              place (models/burn/light_time.hpp); the heat of the reaction goes to the product
 //   heat       E_m += q M_m
 //   fixed      M_m = V_m rho, E_m = V_m (rho e)(rho, T), momentum M_m u; what mixing with the other
 //              materials of the cell takes from the kinetic energy becomes their heat, by mass

@@ -1,5 +1,5 @@
-// How a deck says a gas of species (models/gases/combustion.hpp): "gasCombustion" with a mechanism of its
-// own, "hydrogenBurke" with the one that is built in.
+// How a deck says a gas of species (models/gases/combustion.hpp): "gasCombustion" with a mechanism
+// of its own, "hydrogenBurke" with the one that is built in.
 #pragma once
 #include <string>
 #include <vector>
