@@ -58,6 +58,7 @@ class Function:
 class Type:
     name: str
     line: int
+    start: int  # where its brace opens
 
 
 KEYWORDS = {"int", "double", "float", "bool", "char", "long", "short", "unsigned", "signed", "auto",
@@ -266,13 +267,13 @@ class Reader:
             return end, end + 1
         if kind:
             name = re.sub(r"\s|<.*>", "", kind[1])
-            self.types.append(Type("::".join([*names, name]), self.line(position)))
+            self.types.append(Type("::".join([*names, name]), self.line(position), position))
             self.scope(position + 1, end, names + tuple(name.split("::")), local, True)
             return end, end + 1
         if re.match(r"enum\b", head):
             name = re.match(r"enum\s+(?:class\s+|struct\s+)?(\w+)", head)
             if name:
-                self.types.append(Type("::".join([*names, name[1]]), self.line(position)))
+                self.types.append(Type("::".join([*names, name[1]]), self.line(position), position))
             return end, end + 1
         if re.match(r'extern\s*"', head):
             self.scope(position + 1, end, names, local, False)
@@ -282,6 +283,15 @@ class Reader:
             self.keep(head, statement, end, names, local, True)
             return end, end + 1
         return end, statement
+
+
+def fields(reader):
+    """Full names of what may be a data member or an enumerator: words before one of ; = { , }."""
+    for kind in reader.types:
+        body = reader.code[kind.start:closing(reader.code, kind.start)]
+        for line in body.split("\n"):
+            for name in re.findall(r"\b([A-Za-z_]\w*)\s*(?=[;={,}]|$)", line):
+                yield f"{kind.name}::{name}"
 
 
 def read(text):

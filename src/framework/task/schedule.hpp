@@ -70,7 +70,7 @@ struct HaloPoint {
 };
 
 // An action on all levels at once: a solve, a sweep over each of them. Of steps that no level takes
-// alone (run/step_shape.hpp).
+// alone (framework/run/component/step_shape.hpp).
 struct Stage {
   std::string name;
   Action run;

@@ -239,7 +239,7 @@ std::vector<const DeckNode*> ice_materials(const DeckNode& root) {
   return materials;
 }
 
-// What ICE declares (ice/labels.cpp) is built; names with a point are the state's own.
+// What ICE declares (ice/fluid/labels.cpp) is built; names with a point are the state's own.
 FieldLabels ice_field_labels() {
   FieldLabels fields;
   for (const Label label : ice::own_labels())

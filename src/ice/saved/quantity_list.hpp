@@ -74,7 +74,7 @@ class QuantityList {
 };
 
 // Mass, momentum, energy and volume of each material in a cell, from what the list has.
-// (analysis_amounts.cpp)
+// (amounts.cpp)
 void declare_amounts(QuantityList& quantities);
 
 }  // namespace sluice::ice

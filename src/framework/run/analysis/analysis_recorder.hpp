@@ -4,7 +4,7 @@
 //   lineExtract  <line>/L-<level>/i<i>_j<j>_k<k>        X Y Z Timestep Time values
 //   planeExtract <plane>/tNNNNN/L-<level>/<label>_<material>.dat    X Y Z value
 //   pointExtract points/<name>                          Timestep Time Level values
-//   planeAverage, planeAvgTurbFluxes    see analysis_average.hpp
+//   planeAverage, planeAvgTurbFluxes    see framework/analysis/average.hpp
 //   statistics, turbulentFluxes    fields, see analysis_statistics.hpp
 //   spatialAvg                     fields, see analysis_spatial.hpp
 //   flatPlate_heatFlux    a history, see analysis_heat.hpp

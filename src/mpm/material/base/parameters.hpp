@@ -76,7 +76,7 @@ class Parameters {
 // A fault at this place that is an error: the same need not be told twice.
 bool error_at(const std::vector<Fault>& faults, const Location& where);
 
-// One of several parts that an element's attribute `type` chooses from; see material_parts.hpp.
+// One of several parts that an element's attribute `type` chooses from; see metal_parts.hpp.
 // The union of the tags of all parts, each with what it means to which, for checks of spelling.
 TagSpec choice_tag(std::string name, std::string doc,
                    const std::vector<std::pair<std::string, const Tags*>>& parts,
