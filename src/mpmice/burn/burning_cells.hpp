@@ -13,7 +13,7 @@ namespace sluice::mpmice {
 
 using models::BurningValue;
 
-// An output of a law: its label in the archive, and that of the work slot which holds it until then.
+// An output of a law: its label in the archive, and that of the work slot that keeps it till then.
 struct BurningField {
   BurningValue value = BurningValue::burns;
   Label saved, kept;
