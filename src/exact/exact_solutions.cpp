@@ -236,6 +236,7 @@ std::vector<ParameterHelp> sides_help(std::vector<ParameterHelp> more) {
   return all;
 }
 
+// Table: a row for each kind of solution.
 const std::vector<Kind>& kinds() {
   static const std::vector<Kind> all = {
       {{"riemann",

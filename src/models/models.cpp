@@ -117,6 +117,7 @@ void put_regions_into_start(DeckNode& parameters, std::vector<Fault>& faults) {
 
 constexpr const char* one_alone_moves = "particles can follow one of them alone";
 
+// Table: a row for each model.
 const std::vector<Entry>& table() {
   static const std::vector<Entry> entries = {
       {.type = "Test",

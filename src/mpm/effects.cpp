@@ -99,6 +99,20 @@ static Effect lost_energy_of(const MpmScene& s) {
   return {"heat of lost energy", count > 0, reason, {}};
 }
 
+static Effect activation_of(const MpmScene& s) {
+  const auto sleeps = [](const SolidMaterial& m) {
+    return !m.active_at_start || m.deactivation_time < never;
+  };
+  const auto some = std::find_if(s.materials.begin(), s.materials.end(), sleeps);
+  return {"activation of materials", some != s.materials.end(),
+          some == s.materials.end()
+              ? "all take part from start to end"
+              : fmt::format("{} of {} materials take part for a time only",
+                            std::count_if(s.materials.begin(), s.materials.end(), sleeps),
+                            s.materials.size()),
+          some == s.materials.end() ? Location{} : some->where};
+}
+
 EffectList effects_of(const Scene& scene, const MpmScene& s) {
   EffectList list;
   list.add({"solids",
@@ -150,17 +164,7 @@ EffectList effects_of(const Scene& scene, const MpmScene& s) {
   if (!s.implicit) list.add(lost_energy_of(s));
   list.add(
       {"damping", s.damping > 0, fmt::format("artificial_damping_coeff is {:g}", s.damping), {}});
-  const auto sleeps = [](const SolidMaterial& m) {
-    return !m.active_at_start || m.deactivation_time < never;
-  };
-  const auto some = std::find_if(s.materials.begin(), s.materials.end(), sleeps);
-  list.add({"activation of materials", some != s.materials.end(),
-            some == s.materials.end()
-                ? "all take part from start to end"
-                : fmt::format("{} of {} materials take part for a time only",
-                              std::count_if(s.materials.begin(), s.materials.end(), sleeps),
-                              s.materials.size()),
-            some == s.materials.end() ? Location{} : some->where});
+  list.add(activation_of(s));
   return list;
 }
 

@@ -93,6 +93,49 @@ void MpmIce::declare_diagnostics(TaskList& list, int level) const {
   burning_.declare(list, solids_.effects().size() + ice::effect_diagnostics);
 }
 
+namespace {
+
+// Adds stages to a step, each a function of the solids or of the coupling.
+class Stages {
+ public:
+  using Solids = mpm::SolidLevels;
+  Stages(std::shared_ptr<Solids> solids, std::shared_ptr<CouplingOnLevels> coupling,
+         const mpm::MpmScene& scene)
+      : solids_(std::move(solids)), coupling_(std::move(coupling)), scene_(&scene) {}
+
+  void solids(StepShape& to, const char* name, Verdict (Solids::*act)(const StageScope&)) const {
+    to.stage(name,
+             [solids = solids_, act](const StageScope& scope) { return ((*solids).*act)(scope); });
+  }
+  void both(StepShape& to, const char* name,
+            Verdict (CouplingOnLevels::*act)(const StageScope&)) const {
+    to.stage(name, [coupling = coupling_, act](const StageScope& scope) {
+      return ((*coupling).*act)(scope);
+    });
+  }
+  void press_on_solids(StepShape& to) const {
+    both(to, "force of the fluid on solids", &CouplingOnLevels::press_on_solids);
+  }
+  void move_solids(StepShape& to) const {
+    solids(to, "particles to grid", &Solids::to_grid);
+    solids(to, "sums of images and ranks", &Solids::share_sums);
+    solids(to, "nodes: contact, forces, contact, boundary", &Solids::move_nodes);
+    if (scene_->transfer == mpm::Transfer::xpic)
+      solids(to, "filtered velocities (XPIC)", &Solids::filter_velocities);
+    if (scene_->midpoint())
+      solids(to, "new velocities; to grid at the middle of the step", &Solids::map_back);
+    solids(to, "grid to particles, deformation, stress", &Solids::from_grid);
+    both(to, "volumes that solids sweep", &CouplingOnLevels::find_swept_volumes);
+  }
+
+ private:
+  std::shared_ptr<Solids> solids_;
+  std::shared_ptr<CouplingOnLevels> coupling_;
+  const mpm::MpmScene* scene_;
+};
+
+}  // namespace
+
 // The step, as a table. A semi-implicit one moves the solids once to see what they sweep, which the
 // system needs, and again in each pass, pressed on by what was solved for: what the fluid loses to
 // a surface the solid gets, whatever the solver's tolerance. Rigid solids do not feel it.
@@ -101,32 +144,11 @@ void MpmIce::shape_step(StepShape& shape) const {
   const auto solids = solids_.make_step();
   const auto coupling =
       std::make_shared<CouplingOnLevels>(scene_, fluid_.part(), solids_, solids, burns_, burning_);
-  const auto of_solids = [&](StepShape& to, const char* name,
-                             Verdict (SolidLevels::*act)(const StageScope&)) {
-    to.stage(name, [solids, act](const StageScope& scope) { return ((*solids).*act)(scope); });
-  };
-  const auto of_both = [&](StepShape& to, const char* name,
-                           Verdict (CouplingOnLevels::*act)(const StageScope&)) {
-    to.stage(name, [coupling, act](const StageScope& scope) { return ((*coupling).*act)(scope); });
-  };
-  const auto press_on_solids = [&](StepShape& to) {
-    of_both(to, "force of the fluid on solids", &CouplingOnLevels::press_on_solids);
-  };
-  const auto move_solids = [&](StepShape& to) {
-    of_solids(to, "particles to grid", &SolidLevels::to_grid);
-    of_solids(to, "sums of images and ranks", &SolidLevels::share_sums);
-    of_solids(to, "nodes: contact, forces, contact, boundary", &SolidLevels::move_nodes);
-    if (solids_.scene().transfer == mpm::Transfer::xpic)
-      of_solids(to, "filtered velocities (XPIC)", &SolidLevels::filter_velocities);
-    if (solids_.scene().midpoint())
-      of_solids(to, "new velocities; to grid at the middle of the step", &SolidLevels::map_back);
-    of_solids(to, "grid to particles, deformation, stress", &SolidLevels::from_grid);
-    of_both(to, "volumes that solids sweep", &CouplingOnLevels::find_swept_volumes);
-  };
-  of_solids(shape, "bounds of the sums", &SolidLevels::begin);
+  const Stages stages(solids, coupling, solids_.scene());
+  stages.solids(shape, "bounds of the sums", &SolidLevels::begin);
   if (solids_.scene().midpoint() && mpm::files_give_velocities(solids_.scene()))
-    of_solids(shape, "spins of the start", &SolidLevels::start_spins);
-  of_both(shape, "surfaces of solids, pressure on them", &CouplingOnLevels::find_surfaces);
+    stages.solids(shape, "spins of the start", &SolidLevels::start_spins);
+  stages.both(shape, "surfaces of solids, pressure on them", &CouplingOnLevels::find_surfaces);
   const auto& kinds = solids_.scene().materials;
   const bool rigid = std::all_of(kinds.begin(), kinds.end(), [](const auto& m) { return m.rigid; });
   const bool implicit = fluid_.part().options().implicit;
@@ -137,31 +159,31 @@ void MpmIce::shape_step(StepShape& shape) const {
       *before = *scope.sums;
       return Verdict::good;
     });
-  if (!(implicit && rigid)) press_on_solids(shape);
-  move_solids(shape);
+  if (!(implicit && rigid)) stages.press_on_solids(shape);
+  stages.move_solids(shape);
   if (implicit)
     fluid_.part().declare_passes(shape, [&](StepShape& pass) {
-      of_both(pass, "pressure on solids", &CouplingOnLevels::renew_pressures);
-      if (rigid) return of_both(pass, "pressure on walls", &CouplingOnLevels::tell_pressures);
+      stages.both(pass, "pressure on solids", &CouplingOnLevels::renew_pressures);
+      if (rigid) return stages.both(pass, "pressure on walls", &CouplingOnLevels::tell_pressures);
       pass.stage("sums before solids move", [before](const StageScope& scope) {
         *scope.sums = *before;
         return Verdict::good;
       });
-      of_solids(pass, "bounds of the sums", &SolidLevels::begin);
-      press_on_solids(pass);
-      move_solids(pass);
+      stages.solids(pass, "bounds of the sums", &SolidLevels::begin);
+      stages.press_on_solids(pass);
+      stages.move_solids(pass);
     });
   else
     shape.sweep("step of the fluid");
-  if (implicit && rigid) press_on_solids(shape);
-  of_both(shape, "small cells, exchange, state of the fluid", &CouplingOnLevels::finish_cells);
+  if (implicit && rigid) stages.press_on_solids(shape);
+  stages.both(shape, "small cells, exchange, state of the fluid", &CouplingOnLevels::finish_cells);
   if (implicit)
-    of_both(shape, "work pressure beside solids", &CouplingOnLevels::keep_work_pressure);
+    stages.both(shape, "work pressure beside solids", &CouplingOnLevels::keep_work_pressure);
   shape.stage("energies of solids", judge_step);
   shape.take_over();
-  of_both(shape, "limits of the next step", &CouplingOnLevels::limit_step);
-  of_solids(shape, "take over", &SolidLevels::take_over);
-  if (!burns_.empty()) of_both(shape, "burned particles go", &CouplingOnLevels::remove_burned);
+  stages.both(shape, "limits of the next step", &CouplingOnLevels::limit_step);
+  stages.solids(shape, "take over", &SolidLevels::take_over);
+  if (!burns_.empty()) stages.both(shape, "burned particles go", &CouplingOnLevels::remove_burned);
 }
 
 int MpmIce::reduction_maxima() const {

@@ -1,15 +1,20 @@
 #!/usr/bin/env python3
 """Check the form of our sources: line and file lengths, tabs, unfinished markers, purpose line.
 
+A file has about 400 lines (`--long` lists those with more: is each one idea?) and never over 800.
+
     check_lines.py [FOLDER]      exit 0: no fault, 1: faults, each with file and line
+    check_lines.py --long        files over 400 lines; these are no faults
 """
 import pathlib
 import re
 import subprocess
+import sys
 
 import report
 
 LONGEST_LINE = 100
+USUAL_FILE = 400  # about: longer ones are listed, for one who asks whether each is one idea
 LONGEST_FILE = 800
 SOURCES = {".cpp", ".hpp", ".py", ".sh", ".cmake"}
 NAMES = {"dev", "run", "CMakeLists.txt"}
@@ -49,6 +54,13 @@ def faults_of(path, text, has_header=False):
         yield f"{path}:1: the head of a file says in one sentence what it is for"
 
 
+def long_files(root):
+    """Files that are longer than most: (lines, path), the longest first."""
+    lengths = [(len(file.read_text(encoding="utf-8").splitlines()), file.relative_to(root))
+               for file in tracked(root) if file.suffix in SOURCES]
+    return sorted((n, path) for n, path in lengths if n > USUAL_FILE)[::-1]
+
+
 def check(root):
     root = pathlib.Path(root)
     faults = []
@@ -66,4 +78,8 @@ def check(root):
 
 
 if __name__ == "__main__":
+    if "--long" in sys.argv:
+        for length, file in long_files(report.PROJECT):
+            print(f"{length} {file}")
+        sys.exit(0)
     report.main("lines", check)

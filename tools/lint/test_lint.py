@@ -1,12 +1,14 @@
-"""Tests of the checks of lines, links and words: small trees with one known fault each."""
+"""Tests of checks of lines, functions, links and words: small trees with one known fault each."""
 import pathlib
 import sys
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import check_functions  # noqa: E402
 import check_lines  # noqa: E402
 import check_links  # noqa: E402
 import check_words  # noqa: E402
+import report  # noqa: E402
 from lint_tree import Tree  # noqa: E402
 
 
@@ -33,6 +35,51 @@ class Lines(Tree):
         self.write("src/a.cpp", "int a;\n")
         self.write("src/picture.png", "int a;\n")
         self.assertEqual(len(check_lines.check(self.root)), 1)
+
+
+    def test_contributing_says_the_same(self):
+        text = (report.PROJECT / "CONTRIBUTING.md").read_text(encoding="utf-8")
+        text = " ".join(text.split())
+        for number in [f"about {check_lines.USUAL_FILE} lines, {check_lines.LONGEST_FILE} never",
+                       f"lines up to {check_lines.LONGEST_LINE} characters",
+                       f"functions up to {check_functions.LONGEST_FUNCTION} lines",
+                       f"folders up to {check_functions.MOST_FILES} files"]:
+            self.assertIn(number, text)
+
+    def test_long_files_are_listed(self):
+        self.write("src/a.cpp", "// a\n" * 401)
+        self.write("src/b.cpp", "// b\n" * 500)
+        self.write("src/c.cpp", "// c\n" * 400)
+        self.assertEqual([(n, str(f)) for n, f in check_lines.long_files(self.root)],
+                         [(500, "src/b.cpp"), (401, "src/a.cpp")])
+
+
+class Functions(Tree):
+    def faults(self, text, name="ice/a.cpp"):
+        self.write(name, text)
+        return check_functions.check(self.root)
+
+    def test_long_functions(self):
+        body = "  f();\n"
+        self.assertEqual(self.faults("void f() {\n" + body * 58 + "}\n"), [])
+        self.assertEqual(self.faults("// f\n\ntemplate <class T>\nvoid n::f() {\n" + body * 58 +
+                                     "}\n"), [
+            "src/ice/a.cpp:3: n::f: 61 lines (at most 60; a table says so above: // Table: ...)"])
+
+    def test_tables_and_tests(self):
+        long = "void f() {\n" + "  f();\n" * 70 + "}\n"
+        self.assertEqual(self.faults("// All. Table: a row for each.\n" + long), [])
+        self.assertEqual(len(self.faults("// Table: a row for each.\nint a;\n" + long)), 1)
+        self.assertEqual(len(self.faults(long, "ice/a_test.cpp")), 1)  # the file before
+
+    def test_folders_of_many_files(self):
+        for n in range(45):
+            self.write(f"ice/step/f{n}.cpp", "// f\n")
+        self.write("ice/step/f_test.cpp", "// f\n")
+        self.write("ice/step/test_support/t.hpp", "// t\n")
+        self.assertEqual(check_functions.check(self.root), [])
+        self.assertIn("src/ice/step/: 46 files of production code",
+                      self.faults("// g\n", "ice/step/g.hpp")[0])
 
 
 class Links(Tree):

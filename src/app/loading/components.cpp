@@ -104,6 +104,7 @@ void step_levels_together(DeckNode& root, std::vector<Fault>& faults) {
   add_warning(faults, amr.where, "no <useLockStep> in <AMR>: the levels of poisson3 step together");
 }
 
+// Table: a row for each component.
 const std::vector<ComponentKind>& kinds() {
   static const std::vector<ComponentKind> all = {
       {.type = "ice",

@@ -1,6 +1,5 @@
 // Reading and checking the deck's <Grid>.
 #include "framework/scene/grid_settings.hpp"
-#include "framework/scene/directions.hpp"
 
 #include <fmt/format.h>
 
@@ -10,6 +9,7 @@
 #include <optional>
 
 #include "framework/scene/deck_values.hpp"
+#include "framework/scene/directions.hpp"
 
 namespace sluice {
 
@@ -22,12 +22,65 @@ constexpr double largest_extent = 1 << 30;  // cells a direction
 constexpr double largest_level = 1e11;      // cells
 constexpr double most_patches = 1e6;        // of one box
 
-// Cells a direction of a box as the deck asks for them; nothing when a fault was found. The spacing
-// (or resolution) stands in the box or in the level around it.
+// Where the deck gives the cells of a box: one of the two, in the box or in the level around it.
+struct CellSource {
+  const DeckNode* resolution = nullptr;
+  const DeckNode* spacing = nullptr;
+
+  const DeckNode& node() const { return resolution != nullptr ? *resolution : *spacing; }
+};
+
+// Nothing when a fault was found.
+std::optional<CellSource> source_of_cells(const DeckNode& node, const DeckNode& level,
+                                          std::vector<Fault>& faults) {
+  CellSource source{node.child("resolution"), node.child("spacing")};
+  if (source.resolution == nullptr && source.spacing == nullptr)
+    source = {level.child("resolution"), level.child("spacing")};
+  if ((source.resolution == nullptr) != (source.spacing == nullptr)) return source;
+  add_error(faults, node.where,
+            source.resolution == nullptr
+                ? "a box needs a <resolution>, or its level a <spacing>"
+                : "a box takes either a <resolution> or a <spacing>, not both");
+  return std::nullopt;
+}
+
+// Makes the number of cells in direction d whole, and the spacing what it then is; false when it is
+// out of range or far from a whole number.
+bool settle_cells(int d, const CellSource& source, const BoxSettings& box, double& cells,
+                  double& spacing, std::vector<Fault>& faults) {
+  const double whole = std::round(cells), size = box.upper[d] - box.lower[d];
+  if (!(whole >= 1 && whole <= largest_extent)) {
+    add_error(faults, source.node().where,
+              fmt::format("box: {} cells in direction {}; there must be 1 to 2^30", cells,
+                          axis_letter[d]));
+    return false;
+  }
+  if (std::abs(cells - whole) > on_node * whole && source.resolution == nullptr && cells > 1) {
+    const double fit = std::floor(cells);
+    add_warning(faults, source.node().where,
+                fmt::format("box: {} cells in direction {}; it ends with the last whole one, at "
+                            "{:g} in place of {:g}",
+                            cells, axis_letter[d], box.lower[d] + fit * spacing, box.upper[d]),
+                "fit the spacing to upper - lower");
+    cells = fit;
+    return true;
+  }
+  if (std::abs(cells - whole) > on_node * whole) {
+    add_error(faults, source.node().where,
+              fmt::format("box: {} cells in direction {} is not a whole number; fit the spacing "
+                          "to upper - lower = {}",
+                          cells, axis_letter[d], size));
+    return false;
+  }
+  cells = whole;
+  if (source.resolution != nullptr) spacing = size / whole;
+  return true;
+}
+
+// Cells a direction of a box as the deck asks for them; nothing when a fault was found.
 std::optional<Vec3> cells_of(const DeckNode& node, const DeckNode& level, const BoxSettings& box,
                              Vec3& spacing, std::vector<Fault>& faults) {
   const Vec3 size = box.upper - box.lower;
-  Vec3 cells{};
   for (int d = 0; d < 3; ++d)
     if (!(size[d] > 0) || !std::isfinite(size[d])) {
       add_error(faults, node.where,
@@ -35,57 +88,20 @@ std::optional<Vec3> cells_of(const DeckNode& node, const DeckNode& level, const 
                             box.lower[d], axis_letter[d]));
       return std::nullopt;
     }
-  const DeckNode* resolution = node.child("resolution");
-  const DeckNode* given_spacing = node.child("spacing");
-  if (resolution == nullptr && given_spacing == nullptr) {
-    resolution = level.child("resolution");
-    given_spacing = level.child("spacing");
-  }
-  if ((resolution == nullptr) == (given_spacing == nullptr)) {
-    add_error(faults, node.where,
-              resolution == nullptr ? "a box needs a <resolution>, or its level a <spacing>"
-                                    : "a box takes either a <resolution> or a <spacing>, not both");
-    return std::nullopt;
-  }
-  if (resolution != nullptr) {
-    cells = resolution->as_vector();
+  const std::optional<CellSource> source = source_of_cells(node, level, faults);
+  if (!source) return std::nullopt;
+  Vec3 cells{};
+  if (source->resolution != nullptr) {
+    cells = source->resolution->as_vector();
   } else {
-    spacing = given_spacing->as_vector();
+    spacing = source->spacing->as_vector();
     for (int d = 0; d < 3; ++d)
       cells[d] = spacing[d] > 0 ? size[d] / spacing[d] : std::numeric_limits<double>::infinity();
   }
-  const DeckNode& source = resolution != nullptr ? *resolution : *given_spacing;
-  for (int d = 0; d < 3; ++d) {
-    const double whole = std::round(cells[d]);
-    if (!(whole >= 1 && whole <= largest_extent)) {
-      add_error(faults, source.where,
-                fmt::format("box: {} cells in direction {}; there must be 1 to 2^30", cells[d],
-                            axis_letter[d]));
-      return std::nullopt;
-    }
-    if (std::abs(cells[d] - whole) > on_node * whole && resolution == nullptr && cells[d] > 1) {
-      const double fit = std::floor(cells[d]);
-      add_warning(
-          faults, source.where,
-          fmt::format("box: {} cells in direction {}; it ends with the last whole one, at "
-                      "{:g} in place of {:g}",
-                      cells[d], axis_letter[d], box.lower[d] + fit * spacing[d], box.upper[d]),
-          "fit the spacing to upper - lower");
-      cells[d] = fit;
-      continue;
-    }
-    if (std::abs(cells[d] - whole) > on_node * whole) {
-      add_error(faults, source.where,
-                fmt::format("box: {} cells in direction {} is not a whole number; fit the spacing "
-                            "to upper - lower = {}",
-                            cells[d], axis_letter[d], size[d]));
-      return std::nullopt;
-    }
-    cells[d] = whole;
-    if (resolution != nullptr) spacing[d] = size[d] / whole;
-  }
+  for (int d = 0; d < 3; ++d)
+    if (!settle_cells(d, *source, box, cells[d], spacing[d], faults)) return std::nullopt;
   if (cells.x * cells.y * cells.z > largest_level) {
-    add_error(faults, source.where,
+    add_error(faults, source->node().where,
               fmt::format("box: {:.3g} cells; more than {:.0e} are refused",
                           cells.x * cells.y * cells.z, largest_level));
     return std::nullopt;

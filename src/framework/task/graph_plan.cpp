@@ -47,6 +47,32 @@ int swept_direction(const Axes& axes) {
   return axes.count > 1 ? axes.direction[axes.count - 1] : -1;
 }
 
+// What the sweep reads of the state and keeps in buffers, once its tasks have windows and leads.
+void plan_storage(const TaskList& list, const std::vector<Need>& need, int swept, SweepPlan& plan) {
+  for (std::size_t v = 0; v < need.size(); ++v) {
+    const Variable& variable = list.variables()[v];
+    const VariableId id{static_cast<int>(v)};
+    if (variable.storage == Storage::old_state && need[v].used) {
+      plan.states_read.push_back(id);
+      plan.halo = max(plan.halo, max(need[v].window.low, need[v].window.high));
+    }
+    if (variable.storage == Storage::temporary && plan.used[v]) {
+      int lead = 0;  // of the writer
+      Growth window;
+      for (const PlannedTask& p : plan.tasks)
+        for (VariableId w : list.tasks()[static_cast<std::size_t>(p.task)].writes)
+          if (w == id) {
+            lead = p.lead;
+            window = p.window;
+          }
+      const int oldest = need[v].used ? need[v].lead_low : lead;
+      const int planes = swept >= 0 ? lead - oldest + 1 : 1;
+      plan.buffers.push_back(
+          {id, window, static_cast<int>(std::bit_ceil(static_cast<unsigned>(planes)))});
+    }
+  }
+}
+
 }  // namespace
 
 SweepPlan plan_sweep(const TaskList& list, const std::vector<int>& ordered, const Axes& axes) {
@@ -86,28 +112,7 @@ SweepPlan plan_sweep(const TaskList& list, const std::vector<int>& ordered, cons
       plan.used[static_cast<std::size_t>(a.variable.index)] = true;
     }
   }
-  for (std::size_t v = 0; v < need.size(); ++v) {
-    const Variable& variable = list.variables()[v];
-    const VariableId id{static_cast<int>(v)};
-    if (variable.storage == Storage::old_state && need[v].used) {
-      plan.states_read.push_back(id);
-      plan.halo = max(plan.halo, max(need[v].window.low, need[v].window.high));
-    }
-    if (variable.storage == Storage::temporary && plan.used[v]) {
-      int lead = 0;  // of the writer
-      Growth window;
-      for (const PlannedTask& p : plan.tasks)
-        for (VariableId w : list.tasks()[static_cast<std::size_t>(p.task)].writes)
-          if (w == id) {
-            lead = p.lead;
-            window = p.window;
-          }
-      const int oldest = need[v].used ? need[v].lead_low : lead;
-      const int planes = swept >= 0 ? lead - oldest + 1 : 1;
-      plan.buffers.push_back(
-          {id, window, static_cast<int>(std::bit_ceil(static_cast<unsigned>(planes)))});
-    }
-  }
+  plan_storage(list, need, swept, plan);
   return plan;
 }
 

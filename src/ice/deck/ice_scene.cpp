@@ -191,6 +191,17 @@ void complete_mixed_gas(IceScene& s, std::vector<Fault>& faults) {
   }
 }
 
+// ADD_HEAT counts the solids' materials before those of the fluids.
+void place_added_heat(IceScene& s, std::vector<Fault>& faults) {
+  for (models::AddedHeat& heat : s.added_heat) {
+    heat.material -= s.solids;
+    if (heat.material < 0)
+      add_error(faults, heat.where,
+                "ADD_HEAT heats fluids: material " + std::to_string(heat.material + s.solids) +
+                    " is a solid");
+  }
+}
+
 }  // namespace
 
 bool IceScene::one_velocity() const {
@@ -226,13 +237,7 @@ IceScene read_ice_scene(const Deck& deck, const Scene& scene, std::vector<Fault>
               s.solids > 0 ? "add one, or write <SimulationComponent type=\"mpm\"/>" : "");
     return s;
   }
-  for (models::AddedHeat& heat : s.added_heat) {
-    heat.material -= s.solids;
-    if (heat.material < 0)
-      add_error(faults, heat.where,
-                "ADD_HEAT heats fluids: material " + std::to_string(heat.material + s.solids) +
-                    " is a solid");
-  }
+  place_added_heat(s, faults);
   s.exchange = read_exchange(root, s.solids + count);
   s.momentum_of_all = s.exchange.momentum;
   s.heat_of_all = s.exchange.heat;

@@ -263,6 +263,7 @@ void declare_phase_labels(Labels& l) {
                               "it moves, by work and conduction.");
 }
 
+// Table: a row for each label of what exists within a step.
 void declare_step_labels(Labels& l) {
   l.equilibrium_pressure = cell("press_equil_CC", "Pa", "Pressure at the start of the step.");
   l.pressure_change =

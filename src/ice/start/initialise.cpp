@@ -35,6 +35,22 @@ namespace {
       "give the materials that share a cell densities and temperatures of about one pressure");
 }
 
+// Of a material of a mixture: its fields in the state.
+struct Slots {
+  int mass = 0, volume = 0, energy = 0, slip = 0;
+};
+
+std::vector<Slots> slots_of(const SchemeOptions& options, const Warehouse& state) {
+  std::vector<Slots> slots(options.fluids.size());
+  for (std::size_t m = 0; m < slots.size(); ++m) {
+    const int place = options.place(static_cast<int>(m));
+    slots[m] = {state.find(labels().mass, place), state.find(labels().volume, place),
+                state.find(labels().energy, place),
+                options.own_velocities ? state.find(labels().slip, place) : -1};
+  }
+  return slots;
+}
+
 // The state of one scene.
 class Start {
  public:
@@ -111,17 +127,7 @@ void Start::materials(Warehouse& state) const {
   mixture::Equilibration equilibration(options_.fluids);
   const WeightProfile weight =
       weight_profile(ice_, scene_->constants, scene_->grid.levels.front(), state.level());
-  // Of a material: its fields in the state.
-  struct Slots {
-    int mass = 0, volume = 0, energy = 0, slip = 0;
-  };
-  std::vector<Slots> slots(options_.fluids.size());
-  for (std::size_t m = 0; m < slots.size(); ++m) {
-    const int place = options_.place(static_cast<int>(m));
-    slots[m] = {state.find(labels().mass, place), state.find(labels().volume, place),
-                state.find(labels().energy, place),
-                options_.own_velocities ? state.find(labels().slip, place) : -1};
-  }
+  const std::vector<Slots> slots = slots_of(options_, state);
   const int momentum_slot = state.find(labels().momentum, options_.place(0));
   Fluid room;
   for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {

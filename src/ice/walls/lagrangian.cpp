@@ -139,24 +139,17 @@ void add_heat(const Row& row, const Handles& h, const ImpulseConstants& s, const
   if (o.conducting) conduction_rows<D>(row, h.heat_flux, s, energy);
 }
 
+// 1/M, and E* of the cell: what the pressures on its faces and on the wall work, and heat.
 template <int D, int C>
-void cell_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
-               const SchemeOptions& o) {
+void energy_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
+                 const SchemeOptions& o, const FaceRows<D>& f, bool sheared) {
   const int n = row.whole_vectors();
-  impulse_rows<D, C>(row, h, s, o);
-  const bool sheared = o.shears_shocks && is_sheared<D>(row, h.shear);
-  if (sheared) take_shear<D, C>(row, h.shear);
-  leave_held_ghosts(row, o, h.velocity, h.sound, h.impulse);
-  const FaceRows<D> f(row, h);
-  const double *r = row(h.rho), *w = row(h.inverse_rho), *E = row(h.energy);
+  const double *w = row(h.inverse_rho), *E = row(h.energy);
   const double *theta = row(h.fraction), *after = row(h.next), *pw = row(h.wall_pressure);
-  const double *u[C], *dP[C];
-  double *v[C], *given[C];
-  for (int c = 0; c < C; ++c) {
-    u[c] = row(h.velocity, c);
-    dP[c] = row(h.impulse, c);
-    v[c] = row(h.velocity_L, c);
-    given[c] = row(h.donor_velocity, c);
+  const double *u[D], *dP[D];
+  for (int d = 0; d < D; ++d) {
+    u[d] = row(h.velocity, d);
+    dP[d] = row(h.impulse, d);
   }
   double* __restrict W = row(h.inverse_mass);
   double* __restrict Es = row(h.energy_star);
@@ -185,6 +178,24 @@ void cell_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
     for (int i = 0; i < n; ++i) work[i] = (1.0 - theta[i]) * E[i] - Es[i];
   }
   add_heat<D, C>(row, h, s, o, Es);
+}
+
+// The Lagrangian state of the cell: 1/J, rho_L, E_L, outflow, velocities; which donors give their
+// old state.
+template <int D, int C>
+void lagrangian_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
+                     const SchemeOptions& o, const FaceRows<D>& f) {
+  const int n = row.whole_vectors();
+  const double *r = row(h.rho), *E = row(h.energy), *theta = row(h.fraction), *after = row(h.next);
+  const double *W = row(h.inverse_mass), *Es = row(h.energy_star);
+  const double *u[C], *dP[C];
+  double *v[C], *given[C];
+  for (int c = 0; c < C; ++c) {
+    u[c] = row(h.velocity, c);
+    dP[c] = row(h.impulse, c);
+    v[c] = row(h.velocity_L, c);
+    given[c] = row(h.donor_velocity, c);
+  }
   double* __restrict iJ = row(h.inverse_J);
   double* __restrict rL = row(h.rho_L);
   double* __restrict EL = row(h.energy_L);
@@ -223,6 +234,13 @@ void cell_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
       given[c][i] = old ? u[c][i] : after_push;
     }
   }
+}
+
+// Where slopes count: along each axis, and at all.
+template <int D>
+void mask_rows(const Row& row, const Handles& h) {
+  const int n = row.whole_vectors();
+  double* __restrict whole = row(h.base_mask);
   for (int d = 0; d < D; ++d) {
     const double* open = row(h.open, d);
     double* __restrict mask = row(h.remap_mask[static_cast<std::size_t>(d)]);
@@ -234,6 +252,19 @@ void cell_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
 #pragma GCC ivdep
     for (int i = 0; i < n; ++i) whole[i] *= open[i];
   }
+}
+
+template <int D, int C>
+void cell_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
+               const SchemeOptions& o) {
+  impulse_rows<D, C>(row, h, s, o);
+  const bool sheared = o.shears_shocks && is_sheared<D>(row, h.shear);
+  if (sheared) take_shear<D, C>(row, h.shear);
+  leave_held_ghosts(row, o, h.velocity, h.sound, h.impulse);
+  const FaceRows<D> f(row, h);
+  energy_rows<D, C>(row, h, s, o, f, sheared);
+  lagrangian_rows<D, C>(row, h, s, o, f);
+  mask_rows<D>(row, h);
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ TagSpec interpolator_tag() {
   return spec;
 }
 
-// How particles and grid exchange.
+// How particles and grid exchange. Table: a row for each tag.
 std::vector<TagSpec> scheme_tags() {
   return {
       tag("time_integrator", "how a step is taken")

@@ -9,6 +9,7 @@
 namespace sluice {
 namespace {
 
+// Table: a row for each tag of <Regridder>.
 TagSpec regridder() {
   // Types of older decks stand for the Tiled one; so do their tags.
   const std::vector<std::string> tiled = {"Tiled", "Hierarchical", "BNR", "GBRv1", "GBRv2"};

@@ -25,29 +25,31 @@ double RunReport::uniform_updates() const {
   return static_cast<double>(steps) * finest->substeps * static_cast<double>(finest->domain_cells);
 }
 
+namespace {
+
+Json to_json(const EffectCost& e) {
+  Json line = nullptr;
+  if (!e.effect.line.file.empty()) line = to_string(e.effect.line);
+  return {{"name", e.effect.name}, {"on", e.effect.on}, {"reason", e.effect.reason},
+          {"line", line},          {"tasks", e.tasks},  {"bytes_per_cell", e.bytes_per_cell},
+          {"seconds", e.seconds}};
+}
+
+Json to_json(const LevelCost& level) {
+  return {{"cells", level.cells},           {"boxes", level.boxes},
+          {"most_cells", level.most_cells}, {"domain_cells", level.domain_cells},
+          {"substeps", level.substeps},     {"cell_updates", level.updates}};
+}
+
+}  // namespace
+
 Json to_json(const RunReport& r) {
   Json effects = Json::array();
-  for (const EffectCost& e : r.effects) {
-    Json line = nullptr;
-    if (!e.effect.line.file.empty()) line = to_string(e.effect.line);
-    effects.push_back({{"name", e.effect.name},
-                       {"on", e.effect.on},
-                       {"reason", e.effect.reason},
-                       {"line", line},
-                       {"tasks", e.tasks},
-                       {"bytes_per_cell", e.bytes_per_cell},
-                       {"seconds", e.seconds}});
-  }
+  for (const EffectCost& e : r.effects) effects.push_back(to_json(e));
   Json archive = nullptr;
   if (r.archive) archive = *r.archive;
   Json levels = Json::array();
-  for (const LevelCost& level : r.levels)
-    levels.push_back({{"cells", level.cells},
-                      {"boxes", level.boxes},
-                      {"most_cells", level.most_cells},
-                      {"domain_cells", level.domain_cells},
-                      {"substeps", level.substeps},
-                      {"cell_updates", level.updates}});
+  for (const LevelCost& level : r.levels) levels.push_back(to_json(level));
   Json particles = Json::array();
   for (const ParticleCount& p : r.particles)
     particles.push_back({{"name", p.name}, {"made", p.made}, {"left", p.left}, {"here", p.here}});

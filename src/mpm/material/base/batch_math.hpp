@@ -74,6 +74,14 @@ inline std::array<double, 9> at(const Nine<const double>& F, int i) {
 inline std::array<double, 6> at(const Six<const double>& s, int i) {
   return {s[0][i], s[1][i], s[2][i], s[3][i], s[4][i], s[5][i]};
 }
+inline void put(const Six<double>& s, int i, const std::array<double, 6>& values) {
+  s[0][i] = values[0];
+  s[1][i] = values[1];
+  s[2][i] = values[2];
+  s[3][i] = values[3];
+  s[4][i] = values[4];
+  s[5][i] = values[5];
+}
 
 // F F^T as xx, yy, zz, yz, xz, xy.
 inline std::array<double, 6> left_cauchy_green(const std::array<double, 9>& F) {

@@ -106,18 +106,8 @@ class MaxwellSolid final : public Material {
                   0.5 * volume_0[i] *
                       (determinant(at(F_old, i)) * double_dot(old, d) + J * double_dot(middle, d));
       wave_speed[i] = std::sqrt(J * per_density);
-      stress[0][i] = s[0];
-      stress[1][i] = s[1];
-      stress[2][i] = s[2];
-      stress[3][i] = s[3];
-      stress[4][i] = s[4];
-      stress[5][i] = s[5];
-      element[0][i] = now[0];
-      element[1][i] = now[1];
-      element[2][i] = now[2];
-      element[3][i] = now[3];
-      element[4][i] = now[4];
-      element[5][i] = now[5];
+      put(stress, i, s);
+      put(element, i, now);
     }
   }
 

@@ -203,12 +203,7 @@ class Metal final : public Material {
     const double old_strain = b.old_history[0][i];
     const double old_porosity = porosity_at_ >= 0 ? b.old_history[porosity_at_][i] : 0;
 
-    MaxwellElements::Trial trial{{}, state.shear};
-    if (elements_at_ < 0)
-      trial.S = combined(1, S_0, 2 * state.shear, strain);
-    else
-      trial = c_.elements.trial(b.old_history.subspan(static_cast<std::size_t>(elements_at_)), i,
-                                state.shear, dt, strain);
+    const MaxwellElements::Trial trial = trial_of(b, i, state.shear, S_0, strain);
     Symmetric S = trial.S;
     const double size = std::sqrt(double_dot(S, S));
     const auto here = flow.at(state);
@@ -241,19 +236,12 @@ class Metal final : public Material {
     if (elements_at_ >= 0)
       b.heating[i] += relaxed(b, i, state.shear, strain, trial, r, liquid && c_.melts) /
                       (state.density * C * dt);
-    b.heating[i] += c_.taylor_quinney * r.yield * r.more_strain / (state.density * C * dt);
-    if (c_.pressure.form == MetalPressure::Form::mie_gruneisen)
-      b.heating[i] += T * std::expm1(-c_.pressure.Gamma_0 * (J_1 - J_0)) / dt;
+    add_heating(b, i, state, r, C, J_1 - J_0);
 
     b.history[0][i] = old_strain + r.more_strain;
     b.history[1][i] = r.more_strain / dt;
     b.history[2][i] = root_2_3 * std::sqrt(double_dot(move.strain, move.strain)) / dt;
-    double porosity = old_porosity;
-    if (porosity_at_ >= 0) {
-      if (c_.pores.evolve)
-        porosity = c_.pores.grown(old_porosity, std::log(J_1 / J_0), old_strain, r.more_strain);
-      b.history[porosity_at_][i] = porosity;
-    }
+    const double porosity = grow_pores(b, i, J_1 / J_0, old_porosity, old_strain, r);
     if (temperature_at_ >= 0) b.history[temperature_at_][i] = T;
     if (failed_at_ >= 0)
       b.history[failed_at_][i] = b.old_history[failed_at_][i] != 0
@@ -261,6 +249,32 @@ class Metal final : public Material {
                                      : failed(flow, here, state, move.strain, direction, r,
                                               old_strain, porosity, C, dt, liquid);
     return true;
+  }
+
+  // The deviator if the step is elastic, from the one before it.
+  MaxwellElements::Trial trial_of(const Batch& b, int i, double mu, const Symmetric& before,
+                                  const Symmetric& strain) const {
+    if (elements_at_ < 0) return {combined(1, before, 2 * mu, strain), mu};
+    return c_.elements.trial(b.old_history.subspan(static_cast<std::size_t>(elements_at_)), i, mu,
+                             b.dt, strain);
+  }
+
+  // Heating by plastic work, and by compression along an isentrope; C: J/(kg K).
+  void add_heating(const Batch& b, int i, const MetalState& state, const Return& r, double C,
+                   double stretch) const {
+    b.heating[i] += c_.taylor_quinney * r.yield * r.more_strain / (state.density * C * b.dt);
+    if (c_.pressure.form == MetalPressure::Form::mie_gruneisen)
+      b.heating[i] += b.temperature[i] * std::expm1(-c_.pressure.Gamma_0 * stretch) / b.dt;
+  }
+
+  // The porosity behind the step; `stretch`: of the volume.
+  double grow_pores(const Batch& b, int i, double stretch, double old_porosity, double old_strain,
+                    const Return& r) const {
+    if (porosity_at_ < 0) return old_porosity;
+    double porosity = old_porosity;
+    if (c_.pores.evolve)
+      porosity = c_.pores.grown(old_porosity, std::log(stretch), old_strain, r.more_strain);
+    return b.history[porosity_at_][i] = porosity;
   }
 
   // Writes the Maxwell elements; what they turned into heat, J/m^3.
