@@ -128,6 +128,12 @@ class Links(Tree):
             "docs/a.md:5: '#no-heading': the page has no such heading",
             "docs/a.md:6: 'b.md#step-1': the page has no such heading"])
 
+    def test_anchors_of_earlier_headings_are_kept(self):
+        self.write("docs/a.md", '<a id="going-on"></a>\n## Restart\n[1](#going-on) [2](#restart)\n'
+                   '[3](#report)\n')
+        self.assertEqual(check_links.check(self.root), [
+            "docs/a.md:4: '#report': the page has no such heading"])
+
 
 class Words(Tree):
     def faults(self, literal):
