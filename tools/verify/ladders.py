@@ -16,11 +16,12 @@ GROUPS = ("fluid", "pressure", "solids")
 HEAD = """# What accuracy costs in time
 
 This page is written by `./dev verify ladders_fluid ladders_pressure ladders_solids`. It contains
-every study of `regression/accuracy` in full length; each point is the median of up to {repeats} runs on
-one core. The tables show the default setting; pictures and CSV files contain all settings.
-`sluice accuracy NAME` repeats a study. The times were measured on a machine of two cores with
-occasional other load, so that they can be compared only within a study. Errors are measured against the exact
-solution of the variable where there is one, otherwise against a finer run of the same deck.
+every study of `regression/accuracy` in full length; each point is the median of up to {repeats}
+runs on one core. The tables show the default setting; pictures and CSV files contain all
+settings. `sluice accuracy NAME` repeats a study. The times were measured on a machine of two
+cores with occasional other load, so that they can be compared only within a study. Errors are
+measured against the exact solution of the variable where there is one, otherwise against a finer
+run of the same deck.
 """
 
 
