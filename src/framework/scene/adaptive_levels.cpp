@@ -41,7 +41,7 @@ bool check_ratio(IntVec3& ratio, std::size_t fine, const std::array<bool, 3>& ac
                 fmt::format("refinement ratio {} in direction {} between levels {} and {}; it must "
                             "be 1, 2 or 4",
                             ratio[d], axis_letter[d], fine - 1, fine),
-                ratio[d] > 4 ? "reach it with several levels" : "use 2 or 4");
+                ratio[d] > 4 ? "use several levels to reach it" : "use 2 or 4");
       return false;
     }
     refines = refines || ratio[d] > 1;

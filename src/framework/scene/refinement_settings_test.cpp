@@ -150,7 +150,7 @@ TEST(RefinementSettings, Faults) {
            Case{two + ratio, "error: <Regridder> has no <min_patch_size>"},
            Case{two + tile + ratios("[[3,3,1]]"),
                 "error: refinement ratio 3 in direction x between levels 0 and 1; it must be 1, 2"},
-           Case{two + tile + ratios("[[2,8,1]]"), "reach it with several levels"},
+           Case{two + tile + ratios("[[2,8,1]]"), "use several levels to reach it"},
            Case{two + tile + ratios("[[1,1,1]]"), "error: level 1 refines no direction"},
            Case{two + tile + ratios("[[1,1,4]]"), "error: level 1 refines no direction"},
            Case{two + ratio + tiles("[[2,8,1]]"),

@@ -71,24 +71,30 @@ namespace {
 TagSpec slip_tag() {
   return tag("microSlip", "rarefied gas at walls: conditions of kind slip and creep")
       .with_children(
-          {tag("alpha_momentum", "share of the molecules that leave with the wall's velocity")
+          {tag("alpha_momentum",
+               "accommodation coefficient of momentum: fraction of the molecules that leave with "
+               "the wall's velocity")
                .once()
                .real()
                .above(0)
                .at_most(2),
-           tag("alpha_temperature", "share of the molecules that leave with the wall's temperature")
+           tag("alpha_temperature",
+               "accommodation coefficient of energy: fraction of the molecules that leave with the "
+               "wall's temperature")
                .once()
                .real()
                .above(0)
                .at_most(2),
-           tag("CreepFlow", "gas creeps along walls towards where it is warmer")
+           tag("CreepFlow", "thermal creep: gas flows along walls towards higher temperature")
                .boolean()
                .by_default("false"),
-           tag("SlipModel", "what the velocity on the wall depends on")
-               .attribute(attribute("type", "FirstOrder: its slope; the others: its curvature too")
-                              .words({"FirstOrder", "SecondOrder_Deissler",
-                                      "SecondOrder_Karniadakis-Beskok"})
-                              .by_default("FirstOrder"))});
+           tag("SlipModel", "model of the slip velocity")
+               .attribute(
+                   attribute("type",
+                             "FirstOrder: from the gradient; the others: also from the curvature")
+                       .words(
+                           {"FirstOrder", "SecondOrder_Deissler", "SecondOrder_Karniadakis-Beskok"})
+                       .by_default("FirstOrder"))});
 }
 
 template <bool with_creep>

@@ -217,7 +217,7 @@ TEST(Contacts, ProfilesAreReadBesideTheDeck) {
       read_solids(with_contact("<type>specified</type><filename>inputs/MPM/profile.txt</filename>"
                                "<stop_time>0.7</stop_time><direction>[1,1,0]</direction>"),
                   deck);
-  EXPECT_THAT(read.text, AllOf(HasSubstr("warning: 'inputs/MPM/profile.txt' is not there"),
+  EXPECT_THAT(read.text, AllOf(HasSubstr("warning: 'inputs/MPM/profile.txt' does not exist"),
                                Not(HasSubstr("error"))));
   ASSERT_EQ(read.solids.contacts.size(), 1u);
   const ContactRule& rule = read.solids.contacts[0];

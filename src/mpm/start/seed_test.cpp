@@ -291,7 +291,7 @@ TEST_F(Files, ArePackedUnderTheNameOfTheDeck) {
   pack("c.pts.gz", two_points);
   const ReadDeck read = read_solids(deck_of(object(piece("inputs/elsewhere/c.pts", two_variables))),
                                     (folder / "deck.ups").string());
-  EXPECT_THAT(read.text, HasSubstr("c.pts.gz' is taken"));
+  EXPECT_THAT(read.text, HasSubstr("c.pts.gz' is used"));
   EXPECT_EQ(seed_in(read, {read.scene.grid.levels.front().domain}).count(), 2u);
 }
 
