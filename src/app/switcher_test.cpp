@@ -200,7 +200,7 @@ TEST_F(SwitcherFaults, OfStates) {
   const std::string two = write(
       "two.ups",
       replaced(text, "</material>", "</material>" + text.substr(from, to - from) + "</material>"));
-  expect_refused(deck_of(part(bar, 5) + part(two, 0)), "2 materials, and 1 before");
+  expect_refused(deck_of(part(bar, 5) + part(two, 0)), "2 materials, but 1 before");
 }
 
 // Decks of the public suite.

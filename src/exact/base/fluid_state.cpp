@@ -11,10 +11,10 @@ namespace sluice::exact {
 namespace {
 
 [[noreturn]] void refuse(const eos::EquationOfState& law, const std::string& what) {
-  throw InputError(fmt::format(
-      "equation of state {}: there is no state of {}; allowed are the states inside the law's "
-      "range",
-      eos::name_of(law), what));
+  throw InputError(
+      fmt::format("equation of state {}: there is no state with {}; allowed are the states inside "
+                  "the law's range",
+                  eos::name_of(law), what));
 }
 
 }  // namespace
@@ -30,10 +30,10 @@ FluidState state_of_pressure(const eos::EquationOfState& law, double density, do
                                     pressure));
           return {density, velocity, pressure, rho_e / density};
         } else {
-          throw InputError(fmt::format(
-              "equation of state {}: density and pressure do not tell the energy, as the pressure "
-              "depends on density alone; give the temperature",
-              eos::name_of(law)));
+          throw InputError(
+              fmt::format("equation of state {}: density and pressure do not determine the energy, "
+                          "because the pressure depends on density only; give the temperature",
+                          eos::name_of(law)));
         }
       },
       law);

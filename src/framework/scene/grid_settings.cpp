@@ -67,8 +67,8 @@ std::optional<Vec3> cells_of(const DeckNode& node, const DeckNode& level, const 
       const double fit = std::floor(cells[d]);
       add_warning(
           faults, source.where,
-          fmt::format("box: {} cells in direction {}; it ends with the last whole one, at "
-                      "{:g} in place of {:g}",
+          fmt::format("box: {} cells in direction {}; it ends with the last complete cell, at {:g} "
+                      "in place of {:g}",
                       cells[d], axis_letter[d], box.lower[d] + fit * spacing[d], box.upper[d]),
           "fit the spacing to upper - lower");
       cells[d] = fit;
@@ -223,7 +223,7 @@ void nest(LevelSettings& fine, const LevelSettings& coarse, std::vector<Fault>& 
       covered.upper[d] = b.cells.upper[d] / r;
     }
     if (volume_of(coarse, covered) != covered.volume())
-      add_error(faults, b.where, "box: it reaches out of the next coarser level");
+      add_error(faults, b.where, "box: it extends beyond the next coarser level");
   }
 }
 
@@ -276,7 +276,7 @@ GridSettings read_grid_settings(const DeckNode& grid, std::vector<Fault>& faults
       if (volume_of(level, all) < all.volume())
         add_warning(faults, level.where,
                     "the boxes of the coarsest level leave gaps: cells there are walls",
-                    "a rectangular block has none");
+                    "a rectangular block has no gaps");
     }
     if (!g.levels.empty()) level.periodic = g.levels.front().periodic;
     g.levels.push_back(std::move(level));

@@ -179,7 +179,7 @@ TEST_F(Tables, ThatArePackedAreTheSame) {
       return "accepted";
     };
     EXPECT_THAT(said_of(packed.substr(0, packed.size() - 9)),
-                HasSubstr(path + ": ends before it can be unpacked as a whole"));
+                HasSubstr(path + ": ends before it is unpacked completely"));
     packed[packed.size() - 5] ^= 1;  // of the check sum
     EXPECT_THAT(said_of(packed), HasSubstr(path + ": cannot be unpacked"));
   }

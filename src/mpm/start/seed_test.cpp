@@ -301,7 +301,7 @@ TEST_F(Files, ThatAreCutShortAreRefused) {
   const std::string file = pack("d.pts.gz", numbers);
   std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
   const ReadDeck read = read_solids(deck_of(object(piece(file))));
-  EXPECT_THAT(read.text, HasSubstr("ends before it can be unpacked as a whole"));
+  EXPECT_THAT(read.text, HasSubstr("ends before it is unpacked completely"));
 }
 
 // Edges in files are lengths; four corners hold a sixth of what they span.

@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Only components that can follow one another may be named, as each hands its state on.
-AttributeSpec type_of_component(const std::vector<ComponentWord>& components) {
+AttributeSpec type_of_part(const std::vector<ComponentWord>& components) {
   AttributeSpec type = attribute("type", "the component, as given in its deck").once();
   if (components.empty()) return type.text();
   std::vector<std::string> words, others = {"arches", "mpmf", "poisson4", "smpm", "smpmice"};
@@ -53,7 +53,7 @@ TagSpec component_in_turn(const std::vector<ComponentWord>& components) {
       .multiple()
       .only_for("type", {switcher_word})
       .with_children({tag("SimulationComponent", "which component runs; absent: that of the deck")
-                          .attribute(type_of_component(components)),
+                          .attribute(type_of_part(components)),
                       tag("input_file",
                           "deck of the component: materials, limits of the time step and "
                           "everything else except Meta, Grid, DataArchiver and the times of the "
