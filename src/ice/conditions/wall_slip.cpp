@@ -105,10 +105,9 @@ void apply_slip(const Condition& c, int normal, const FlowConditions& settings, 
     return;
   }
   if (c.vector[normal] != 0)
-    throw InputError(
-        fmt::format("{}: {} is for walls, but this velocity has {:g} across the face; write 0 "
-                    "there",
-                    to_string(c.where), c.kind_name, c.vector[normal]));
+    throw InputError(fmt::format(
+        "{}: {} is for walls, but this velocity has the normal component {:g}; write 0 there",
+        to_string(c.where), c.kind_name, c.vector[normal]));
   rule.velocity_kind = GhostRule::Velocity::slip;
   rule.creep = settings.slip->creep || with_creep;
   rule.waves = false;  // no wave passes a wall
