@@ -95,7 +95,8 @@ TEST(Effects, ShocksAreShearedWhereRowsLieBesideEachOther) {
   EXPECT_FALSE(find_effects(plane, ice).on(effect_shock_shear));
   ice.classic = false;
   ice.implicit.emplace();
-  EXPECT_THAT(find_effects(plane, ice)[effect_shock_shear].reason, HasSubstr("with <ImplicitSolver>"));
+  EXPECT_THAT(find_effects(plane, ice)[effect_shock_shear].reason,
+              HasSubstr("with <ImplicitSolver>"));
 }
 
 TEST(Effects, TurbulenceBringsFrictionAndHeatFlux) {

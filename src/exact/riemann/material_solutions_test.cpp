@@ -98,7 +98,8 @@ TEST(TwoMaterials, SayWhatIsWrongWithTheParameters) {
   EXPECT_THAT(refusal("two_materials", values), HasSubstr("<materials> must hold the numbers"));
   values = tube;
   values["right"] = "[50, 0, -1]";
-  EXPECT_THAT(refusal("two_materials", values), HasSubstr("ideal_gas: there is no state"));
+  EXPECT_THAT(refusal("two_materials", values),
+              HasSubstr("ideal_gas: there is no admissible state"));
   values = tube;
   values["left"] = "[50, 0]";
   EXPECT_THAT(refusal("two_materials", values), HasSubstr("holds 2 numbers"));

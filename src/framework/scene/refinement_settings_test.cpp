@@ -218,7 +218,8 @@ TEST(RefinementSettings, OtherTypesStandForTheTiledOne) {
       read(regridder("<max_levels>2</max_levels><cell_refinement_ratio>[[4,4,1]]"
                      "</cell_refinement_ratio>",
                      "Hierarchical"));
-  EXPECT_THAT(r.faults, HasSubstr("warning: the Hierarchical regridder is replaced by the Tiled one"));
+  EXPECT_THAT(r.faults,
+              HasSubstr("warning: the Hierarchical regridder is replaced by the Tiled one"));
   ASSERT_TRUE(r.settings.adaptive);
   EXPECT_EQ(r.settings.tile[1], (IntVec3{8, 8, 1}));
   const Read single = read(regridder("<max_levels>2</max_levels>", "SingleLevel"));

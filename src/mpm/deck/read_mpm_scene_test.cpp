@@ -161,7 +161,7 @@ TEST(CohesiveZones, BadPointsAreErrorsWithTheirLine) {
   EXPECT_THAT(told("0.5 0.5 0.5 0 0 1 0 1 0 0 1 0"), HasSubstr("points.txt:2:13: area 0"));
   EXPECT_THAT(told("0.5 0.5 0.5 1 0 1 0 0 2 0 1 0"), HasSubstr("parallel"));
   EXPECT_THAT(told("0.5 0.5 0.5 1 0 1 0 1 0 0 1 2"), HasSubstr("there is no material 2"));
-  EXPECT_THAT(told("0.5 0.5 0.5 1 0 1 0 1 0 0 1 1"), HasSubstr("two materials together"));
+  EXPECT_THAT(told("0.5 0.5 0.5 1 0 1 0 1 0 0 1 1"), HasSubstr("connects two materials"));
   EXPECT_THAT(told("0.5 0.5 0.5 1 0 1 0 1 0 0 1 0", "<do_rotation>true</do_rotation>"),
               HasSubstr("<do_rotation> true"));
 }
