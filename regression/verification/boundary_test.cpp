@@ -71,7 +71,7 @@ TEST(Boundary, ACarriedVelocityIsThatOfTheForcedSweep) {
     EXPECT_NEAR(a.values[n], b.values[n], allowed_by_sweeps) << n;
 }
 
-// Largest deviation from the far-field pressure after everything has left, as a share of the largest
+// Largest deviation from the pressure far away after everything has left, as a share of the largest
 // there was.
 double left_over(const CaseRun& run, double height) {
   constexpr double far_away = 1 / 1.4;
@@ -82,11 +82,11 @@ TEST(OpenBoundary, APulseOfSoundLeaves) {
   const CaseRun run("pulse_leaving");
   const double share = left_over(run, 0.5 * 0.01 / 1.4);  // each half
   record("share of a pulse that comes back", share);
-  EXPECT_LE(share, 0.01);  // measured 0.006, as the pull to the far-field pressure must
+  EXPECT_LE(share, 0.01);  // measured 0.006, as the pull to the pressure far away must
   EXPECT_LE(run.worst_drift(), allowed_drift);
 }
 
-// What comes in at x+ is the pull to the far-field pressure: sigma/2 c (1 - M^2)(p - p_inf)/L.
+// What comes in at x+ is the pull to the pressure far away: sigma/2 c (1 - M^2)(p - p_inf)/L.
 TEST(OpenBoundary, SavedWavesAreThoseOfItsGhosts) {
   const CaseRun run("pulse_leaving");
   const CellValues wave = run.field("Li1");

@@ -88,7 +88,7 @@ TEST_P(EveryLawWith, KeepsAStateAndTellsItsHeats) {
     const auto energy = [&](double r, double t) { return fluid.energy_from_temperature(r, t); };
     const double E = energy(rho, T), p = fluid.pressure(rho, E);
     const double c = fluid.sound_speed(rho, p);
-    if (GetParam().lodi && !(p > 0)) continue;  // refused: the far-field pressure is above 0
+    if (GetParam().lodi && !(p > 0)) continue;  // refused: the pressure far away is above 0
     // A law whose pressure knows the density alone has no energy of a pressure.
     if (GetParam().formula_of == std::string("rp") && !fluid.depends_on_energy()) continue;
     const auto deck =
