@@ -388,7 +388,7 @@ TEST(Regridder, TellsWhereARatioCannotBe) {
   EXPECT_THAT(told(ratio, "<cell_refinement_ratio>[[2,8,1]]", Severity::error),
               AllOf(HasSubstr("refinement ratio 8"), HasSubstr("several levels")));
   EXPECT_THAT(told(ratio, "<cell_refinement_ratio>[[1,1,1]]", Severity::error),
-              HasSubstr("refines no direction"));
+              HasSubstr("refines no active direction"));
 }
 
 TEST(Regridder, WarnsOfADilationOfZeroAndRunsWithIt) {

@@ -81,7 +81,8 @@ TEST_F(Accuracy, WithoutThePythonToolsTheNumbersAreStillThere) {
       accuracy({study_, "-o", out.string(), "--repeat", "1", "--only", "order 2, CFL 0.4, N 100"}),
       0)
       << log();
-  EXPECT_THAT(log(), testing::HasSubstr("warning: no picture: the Python tools are not beside"));
+  EXPECT_THAT(log(),
+              testing::HasSubstr("warning: no picture: the Python tools are not installed with"));
   EXPECT_TRUE(fs::exists(out / "sod.json"));
   EXPECT_FALSE(fs::exists(out / "sod.png"));
 }

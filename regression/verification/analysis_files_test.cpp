@@ -139,7 +139,7 @@ TEST(AnalysisFiles, ALineThatLeavesTheDomainIsTold) {
   const DeckWithAnalysis deck;
   const CaseRun run(deck.path(), settings, {"--max-steps", "1"});
   const std::string said = text_of(run.folder() / "run.log");
-  EXPECT_NE(said.find("line 'across' leaves the domain"), std::string::npos) << said;
+  EXPECT_NE(said.find("line 'across' extends beyond the domain"), std::string::npos) << said;
   EXPECT_EQ(said.find("line 'up'"), std::string::npos) << said;
 }
 

@@ -236,7 +236,7 @@ TEST(BadDeckChecks, BombsAreRefusedAtOnce) {
       {"long", long_value, "needs <SimulationComponent>"},
       {"huge", std::string((16u << 20) + 1, ' '), "more than is read"},
       {"chain", chain, "too many includes"},
-      {"doubling", doubling, "repeats pieces without end"},
+      {"doubling", doubling, "repeats pieces endlessly"},
       {"empty", "", "the file is empty"},
       {"binary", std::string("\x89PNG\r\n\x1a\n\0\0\0", 11), "XML:"},
   };

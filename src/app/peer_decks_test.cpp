@@ -120,7 +120,7 @@ std::ptrdiff_t lasting_faults(const Deck& deck) {
            fault.message.find("; read as") == std::string::npos &&
            fault.message.find("; merged with") == std::string::npos &&
            fault.message.find("is an integer; read as") == std::string::npos &&
-           fault.message.find("is not there; '") == std::string::npos &&
+           fault.message.find("does not exist; '") == std::string::npos &&
            fault.message.find(" is saved, which is ") == std::string::npos &&
            fault.message.find(" is now ") == std::string::npos;
   });

@@ -113,8 +113,7 @@ TEST_F(SolidRuns, WhatCannotBeFollowedIsRefused) {
   };
   EXPECT_THAT(said("DataAnalysis/Module/Variables/analyze[1]/@label=p.velocitty"),
               HasSubstr("names no field of this run; did you mean 'p.velocity'"));
-  EXPECT_THAT(said("MPM/withColor=false"),
-              HasSubstr("write <withColor>true</withColor> into <MPM>"));
+  EXPECT_THAT(said("MPM/withColor=false"), HasSubstr("write <withColor>true</withColor> in <MPM>"));
 }
 
 TEST_F(SolidRuns, ThePlanCountsParticlesAndTheFirstStep) {

@@ -137,14 +137,14 @@ TEST_F(Switcher, PlanSaysWhatPassesOn) {
   const Outcome plan = run_sluice({"plan", switched});
   EXPECT_EQ(plan.status, 0);
   EXPECT_THAT(plan.text, AllOf(HasSubstr("impm takes over particles of 'bar': p.velocity, "),
-                               HasSubstr("; p.acceleration zero, as at a start"),
-                               HasSubstr("init p.acceleration: zero, as at a start")));
+                               HasSubstr("; p.acceleration zero, as at the start of a run"),
+                               HasSubstr("init p.acceleration: zero, as at the start of a run")));
 }
 
 TEST_F(SwitcherFaults, OfFiles) {
   expect_refused(deck_of(part("nowhere.ups", 5) + part("nowhere.ups", 0)),
                  "switcher.ups:14:19: error: <input_file>: the deck 'nowhere.ups' does not exist "
-                 "(looked beside this deck");
+                 "(searched in the folder of this deck");
   expect_refused(deck_of(part("", 0)), "<input_file>: the deck '' does not exist");
   expect_refused(deck_of("<subcomponent/>"), "<subcomponent> needs <input_file>");
   expect_refused(deck_of(""), "has no <subcomponent>: nothing to run");
@@ -195,12 +195,12 @@ TEST_F(SwitcherFaults, OfStates) {
             replaced(replaced(text, "comp_neo_hook", "comp_neo_hook_plastic"), "</shear_modulus>",
                      "</shear_modulus><yield_stress>1</yield_stress>"
                      "<hardening_modulus>0</hardening_modulus>"));
-  expect_refused(deck_of(part(bar, 5) + part(plastic, 0)), "which that does not carry");
+  expect_refused(deck_of(part(bar, 5) + part(plastic, 0)), "which the other does not carry");
   const auto from = text.find("<material name"), to = text.find("</material>");
   const std::string two = write(
       "two.ups",
       replaced(text, "</material>", "</material>" + text.substr(from, to - from) + "</material>"));
-  expect_refused(deck_of(part(bar, 5) + part(two, 0)), "2 materials, and 1 before");
+  expect_refused(deck_of(part(bar, 5) + part(two, 0)), "2 materials, but 1 before");
 }
 
 // Decks of the public suite.

@@ -70,7 +70,7 @@ Effect conduction(const IceScene& ice) {
     if (!ice.models.mixed || !ice.models.mixed->is_fraction(s.name) || s.diffusivity == 0) continue;
     if (!e.on) e.line = s.diffusivity_where;
     e.on = true;
-    e.reason += fmt::format(", enthalpy carried by what spreads of {}", s.name);
+    e.reason += fmt::format(", enthalpy transported by diffusion of {}", s.name);
   }
   if (!ice.turbulence) return e;
   if (!e.on) e.line = ice.turbulence->where;
@@ -99,12 +99,11 @@ std::string pairs_text(const PairCoefficients& k) {
 
 Effect exchange(const char* effect, const PairCoefficients& k, const IceScene& ice,
                 const Location& where) {
-  const char* grows = k.varies() ? ", more between unlike masses" : "";
+  const char* grows = k.varies() ? ", larger between unequal masses" : "";
   const ExchangeSettings& x = ice.exchange;
   if (ice.materials.size() < 2)
     return {effect, false,
-            x.written ? "one material: the coefficients have nobody to act on" : "one material",
-            x.where};
+            x.written ? "one material: the coefficients have no effect" : "one material", x.where};
   if (!x.written) return {effect, false, "no <exchange_coefficients> in the deck", {}};
   return {effect, k.any(), fmt::format("coefficients {}{}", pairs_text(k), grows), where};
 }
@@ -113,7 +112,7 @@ void add_exchange(const IceScene& ice, EffectList& e) {
   const std::size_t count = ice.materials.size();
   const bool several = count > 1;
   e.add({"pressure equilibration", several,
-         several ? fmt::format("{} materials: one pressure where they share a cell", count)
+         several ? fmt::format("{} materials: common pressure where they share a cell", count)
                  : std::string("one material: its own equation of state"),
          several ? ice.materials[1].where : ice.materials.front().where});
   const std::optional<SlipExchange>& slip = ice.exchange.slip;
@@ -125,9 +124,9 @@ void add_exchange(const IceScene& ice, EffectList& e) {
                                    one_velocity_coefficient);
   if (!ice.one_velocity()) {
     momentum.on = true;
-    momentum.reason += fmt::format(
-        "; not all at least {:g}: each material has a velocity of its own{}",
-        one_velocity_coefficient, ice.solids > 0 ? ", but one in cells that solids touch" : "");
+    momentum.reason += fmt::format("; not all at least {:g}: one velocity per material{}",
+                                   one_velocity_coefficient,
+                                   ice.solids > 0 ? ", but a common velocity in cut cells" : "");
   }
   if (several && slip && slip->use_slip_coefficients)
     momentum.reason +=
@@ -166,7 +165,7 @@ Effect sources(const IceScene& ice) {
   for (const models::AddedHeat& h : ice.added_heat)
     name(fmt::format("{:g} W/kg to {}", h.power, material(h.material)), h.power != 0, h.where);
   if (ice.models.mixed && !ice.models.mixed->released.empty())
-    name(fmt::format("{} gives heat where it mixes", material(ice.models.mixed->material)), true,
+    name(fmt::format("{} releases heat where it mixes", material(ice.models.mixed->material)), true,
          ice.models.mixed->where);
   if (ice.models.mixed && ice.models.mixed->species)
     name(fmt::format("{} reactions of {} species",
@@ -174,7 +173,7 @@ Effect sources(const IceScene& ice) {
                      ice.models.mixed->species->gas->count()),
          ice.models.mixed->species->reacts, ice.models.mixed->where);
   if (reason.empty())
-    reason = ice.models.where.line > 0 ? "no <Model> adds anything" : "no <Models>, no <ADD_HEAT>";
+    reason = ice.models.where.line > 0 ? "no <Model> adds a source" : "no <Models>, no <ADD_HEAT>";
   else if (on)
     reason += ", in the update";
   return {"model sources", on, reason, where};
@@ -189,7 +188,7 @@ void add_scalars(const std::vector<models::TransportedScalar>& scalars, EffectLi
   for (const models::TransportedScalar& s : scalars)
     names +=
         fmt::format("{}{} (diffusivity {:g})", names.empty() ? "" : ", ", s.name, s.diffusivity);
-  e.add({"scalars", true, "carried with the mass: " + names, scalars.front().where});
+  e.add({"scalars", true, "advected with the mass: " + names, scalars.front().where});
 }
 
 // They are moved once a step is accepted, outside the graph.
@@ -207,7 +206,7 @@ Effect tracers(const IceScene& ice) {
 // Sound crosses many cells in a step, or it must not cross one.
 Effect pressure_solve(const IceScene& ice) {
   if (!ice.implicit)
-    return {"pressure solve", false, "no <ImplicitSolver>: steps follow sound", {}};
+    return {"pressure solve", false, "no <ImplicitSolver>: steps are limited by sound", {}};
   const ImplicitSettings& s = *ice.implicit;
   return {"pressure solve", true,
           fmt::format("<ImplicitSolver>: {}, relative volume errors to {:g} in at most {} passes",
@@ -230,8 +229,8 @@ Effect shock_shear(const Scene& scene, const IceScene& ice) {
         "rows",
         ice.advection_where};
   if (ice.classic) return {name, false, "classic scheme", ice.scheme_where};
-  if (ice.implicit) return {name, false, "the pressure is solved for", ice.implicit->where};
-  return {name, false, "one active direction: no face lies along a shock", {}};
+  if (ice.implicit) return {name, false, "with <ImplicitSolver>", ice.implicit->where};
+  return {name, false, "one active direction: no face is tangential to a shock", {}};
 }
 
 }  // namespace
@@ -255,13 +254,13 @@ EffectList find_effects(const Scene& scene, const IceScene& ice) {
   e.add({"boundary account",
          open,
          !open ? "every active direction is periodic"
-               : "what passes through the boundary is counted for the conservation report",
+               : "fluxes through the boundary are recorded for the conservation report",
          {}});
   const bool refined = scene.grid.levels.size() > 1;
   const bool unequal = refined && !matches_fluxes(scene, ice);
   e.add({"flux record", refined && !unequal,
          unequal   ? "do_Refluxing is false, and the scheme classic: levels do not conserve"
-         : refined ? "levels meet: what passes their faces is made equal"
+         : refined ? "several levels: the fluxes between them are matched"
                    : "one level",
          unequal ? scene.refinement.reflux_where : Location{}});
   e.add({"saved intermediates", true, "only in steps that save them", scene.output.where});
@@ -293,10 +292,10 @@ Effect open_faces(const IceScene& ice, const BoundaryFill& boundary) {
   const LodiSettings& lodi = *ice.conditions.lodi;
   return {"open faces", true,
           faces > 0 ? fmt::format("LODI without vel_infinity: means over {} open part{} of faces, "
-                                  "summed in a reduction of their own",
+                                  "summed in a separate reduction",
                                   faces, faces == 1 ? "" : "s")
           : lodi.velocity_infinity ? "LODI with vel_infinity"
-                                   : "LODI in one dimension: nothing runs along the faces",
+                                   : "LODI in one dimension: no velocity along the faces",
           lodi.where};
 }
 

@@ -60,7 +60,7 @@ TEST(Effects, OneVelocityNeedsEveryPair) {
   EXPECT_EQ(scene.exchange.momentum(2, 0), 1e9);
   const EffectList e = find_effects(tube(), scene);
   EXPECT_EQ(e[effect_momentum_exchange].reason.find("one velocity"), std::string::npos);
-  EXPECT_THAT(e[effect_momentum_exchange].reason, HasSubstr("a velocity of its own"));
+  EXPECT_THAT(e[effect_momentum_exchange].reason, HasSubstr("one velocity per material"));
   EXPECT_TRUE(e.on(effect_heat_exchange));
   EXPECT_FALSE(materials(2, 0, 0).one_velocity());
   EXPECT_TRUE(find_effects(tube(), materials(2, 0, 0)).on(effect_momentum_exchange));
@@ -76,7 +76,7 @@ TEST(Effects, OneMaterialWithACoefficientIsEnough) {
   EXPECT_EQ(e[effect_viscosity].reason, "dynamic_viscosity is 0 (air), 0.001 (water)");
   EXPECT_EQ(e[effect_viscosity].line.line, 12);
   EXPECT_FALSE(e.on(effect_conduction));
-  EXPECT_TRUE(e.on(effect_momentum_exchange));  // free of each other: velocities of their own
+  EXPECT_TRUE(e.on(effect_momentum_exchange));  // free of each other: one velocity per material
 }
 
 TEST(Effects, ShocksAreShearedWhereRowsLieBesideEachOther) {
@@ -95,7 +95,8 @@ TEST(Effects, ShocksAreShearedWhereRowsLieBesideEachOther) {
   EXPECT_FALSE(find_effects(plane, ice).on(effect_shock_shear));
   ice.classic = false;
   ice.implicit.emplace();
-  EXPECT_THAT(find_effects(plane, ice)[effect_shock_shear].reason, HasSubstr("solved for"));
+  EXPECT_THAT(find_effects(plane, ice)[effect_shock_shear].reason,
+              HasSubstr("with <ImplicitSolver>"));
 }
 
 TEST(Effects, TurbulenceBringsFrictionAndHeatFlux) {

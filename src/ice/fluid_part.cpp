@@ -90,7 +90,7 @@ FluidPart::FluidPart(const Scene& scene, IceScene ice_scene, Places places)
   if (ice_.solids > 0)
     effects_.add(
         {"solids in the flow", true,
-         "cells that solids share and faces that they cover; torn particles go on as blocks",
+         "cells cut by solids and faces that they cover; separated particles continue as blocks",
          ice_.materials.front().where});
   if (effects_.on(effect_tracers))
     tracers_ = std::make_unique<Tracers>(

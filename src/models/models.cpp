@@ -115,7 +115,7 @@ void put_regions_into_start(DeckNode& parameters, std::vector<Fault>& faults) {
   for (auto& region : regions) start->children.push_back(std::move(region));
 }
 
-constexpr const char* one_alone_moves = "particles can follow one of them alone";
+constexpr const char* one_alone_moves = "particles can follow only one of them";
 
 // Table: a row for each model.
 const std::vector<Entry>& table() {
@@ -294,21 +294,22 @@ std::optional<double> own_coefficient(const DeckNode& model, Coefficient coeffic
 
 TagSpec models_tag() {
   std::vector<std::string> types;
-  TagSpec model = tag("Model", "one of them; several of a type may stand side by side").multiple();
+  TagSpec model = tag("Model", "one model; there may be several of one type").multiple();
   std::vector<TagSpec> elements;
   for (const Entry& entry : table()) {
     types.emplace_back(entry.type);
     elements.push_back(entry.parameters.once().only_for("type", {entry.type}));
   }
-  return tag("Models", "sources and exchange beside the flow itself")
-      .child(model
-                 .attribute(attribute("type",
-                                      "which one; its parameters stand in an element of "
-                                      "its own")
-                                .once()
-                                .words(types)
-                                .not_built(not_supported))
-                 .with_children(elements));
+  return tag("Models", "sources and exchange in addition to the flow")
+      .child(
+          model
+              .attribute(
+                  attribute("type",
+                            "type of the model; its parameters are in an element of the same name")
+                      .once()
+                      .words(types)
+                      .not_built(not_supported))
+              .with_children(elements));
 }
 
 namespace {
@@ -321,10 +322,10 @@ void put_into_element(DeckNode& model, const std::string& element_name,
   element->where = model.where;
   element->children.swap(model.children);
   model.children.push_back(std::move(element));
-  add_warning(
-      faults, model.where,
-      fmt::format("<Model>: parameters beside <{0}> are obsolete; read as inside it", element_name),
-      fmt::format("write <{}> around them", element_name));
+  add_warning(faults, model.where,
+              fmt::format("<Model>: parameters outside <{0}> are obsolete; read as inside it",
+                          element_name),
+              fmt::format("write <{}> around them", element_name));
 }
 
 }  // namespace
@@ -368,7 +369,7 @@ void check_models(const DeckNode& root, const MaterialNames& materials,
           !labels.insert(label).second)
         return add_error(faults, parameters.where,
                          fmt::format("two models bring a variable {}", label),
-                         "give each scalar a name of its own");
+                         "give each scalar a different name");
   });
   const std::vector<std::string> scalars = scalar_variables(root);
   for_each_model(root, [&](const Entry& /*entry*/, const DeckNode& parameters) {
@@ -379,8 +380,8 @@ void check_models(const DeckNode& root, const MaterialNames& materials,
       if (!label.starts_with("scalar-") ||
           std::find(scalars.begin(), scalars.end(), label) == scalars.end())
         add_error(faults, clone->where,
-                  fmt::format("<CCVarLabel label=\"{}\">: particles have copies of scalars of the "
-                              "deck's models alone",
+                  fmt::format("<CCVarLabel label=\"{}\">: particles can have copies only of "
+                              "scalars of the deck's models",
                               label),
                   suggest_name(label, scalars));
     }

@@ -47,8 +47,8 @@ void add_pressure_stabilisation(const MpmScene& s, EffectList& list) {
     const double ratio = G > 0 ? (3 * K - 2 * G) / (2 * (3 * K + G)) : 0;  // Poisson's
     if (!(ratio > nearly_incompressible)) continue;
     reason += fmt::format(
-        "; '{}' is nearly incompressible (Poisson's ratio {:.5g}): without it pressures alternate "
-        "from cell to cell, <DoPressureStabilization>true</DoPressureStabilization> cures them",
+        "; '{}' is nearly incompressible (Poisson's ratio {:.5g}): without it pressures oscillate "
+        "from cell to cell; <DoPressureStabilization>true</DoPressureStabilization> prevents this",
         m.name, ratio);
     break;
   }
@@ -68,12 +68,12 @@ static std::string choices_of(const MpmScene& s) {
   add(s.total_lagrangian, "total Lagrangian");
   add(s.gradient_enhanced, "gradient-enhanced velocities");
   add(s.artificial_viscosity,
-      s.viscosity_heats ? "artificial viscosity that heats" : "artificial viscosity");
-  add(s.friction_heats, "friction that heats");
-  add(s.granular, "grains with velocities of their own (DoGranularMPM)");
+      s.viscosity_heats ? "heating by artificial viscosity" : "artificial viscosity");
+  add(s.friction_heats, "heating by friction");
+  add(s.granular, "grains with separate velocity fields (DoGranularMPM)");
   add(s.filters_pore_pressure, "filtered pore pressure");
   add(s.loads_on_corners, "loads on corners of particles (use_CBDI_boundary_condition)");
-  add(s.refine_particles, "particles that split");
+  add(s.refine_particles, "splitting of particles");
   add(!s.prescribed_file.empty(), "prescribed deformation");
   return text;
 }
@@ -86,9 +86,8 @@ static Effect lost_energy_of(const MpmScene& s) {
   std::string reason;
   if (count > 0)
     reason = fmt::format(
-        "what transfer, integration and contact take warms {} of {} materials: a specific heat, "
-        "and "
-        "a shock equation of state, artificial_viscosity or <lost_energy> heat",
+        "the energy lost in transfer, integration and contact heats {} of {} materials: a specific "
+        "heat, and a shock equation of state, artificial_viscosity or <lost_energy> heat",
         count, s.materials.size());
   else if (!hindrance.empty())
     reason = "not supported with " + hindrance;
@@ -106,8 +105,8 @@ static Effect activation_of(const MpmScene& s) {
   const auto some = std::find_if(s.materials.begin(), s.materials.end(), sleeps);
   return {"activation of materials", some != s.materials.end(),
           some == s.materials.end()
-              ? "all take part from start to end"
-              : fmt::format("{} of {} materials take part for a time only",
+              ? "all are active from start to end"
+              : fmt::format("{} of {} materials are active only for a part of the run",
                             std::count_if(s.materials.begin(), s.materials.end(), sleeps),
                             s.materials.size()),
           some == s.materials.end() ? Location{} : some->where};
@@ -129,15 +128,15 @@ EffectList effects_of(const Scene& scene, const MpmScene& s) {
             : contact              ? fmt::format("{} {}rule{}", rules.size(),
                                     s.implicit ? "rigid contact " : "contact ",
                                     rules.size() == 1 ? "" : "s")
-            : s.implicit           ? "all that deforms has one velocity at a node"
-                                   : "no <contact> acts: velocities of their own",
+            : s.implicit           ? "all deforming materials have one velocity at a node"
+                                   : "no <contact>: separate velocity fields",
             rules.empty() ? Location{} : rules.front().where});
   std::size_t points = 0;
   for (const CohesiveZone& zone : s.cohesive_zones) points += zone.points.size();
   list.add({"cohesive zones", points > 0,
             points > 0
                 ? fmt::format("{} points in {} <cohesive_zone>", points, s.cohesive_zones.size())
-                : "no <cohesive_zone> acts (use_cohesive_zones)",
+                : "no <cohesive_zone> is used (use_cohesive_zones)",
             s.cohesive_zones.empty() ? Location{} : s.cohesive_zones.front().where});
   const auto diffuses = [](const SolidMaterial& m) { return m.diffusion.has_value(); };
   const auto through = std::find_if(s.materials.begin(), s.materials.end(), diffuses);
@@ -155,7 +154,7 @@ EffectList effects_of(const Scene& scene, const MpmScene& s) {
                 ? fmt::format("coupled_flow_analysis, <porosity> in {} of {} materials",
                               std::count_if(s.materials.begin(), s.materials.end(), holds_water),
                               s.materials.size())
-                : "no material of component shmpm gives water",
+                : "no material of component shmpm contains water",
             s.any_water() ? wet->where : Location{}});
   const Vec3 g = scene.constants.gravity;
   list.add({"gravity", g != Vec3{}, fmt::format("gravity is [{:g}, {:g}, {:g}]", g.x, g.y, g.z),

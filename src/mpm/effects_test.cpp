@@ -25,8 +25,8 @@ TEST(EffectsOfSolids, NameEachChoiceOfTheScheme) {
   for (const auto& [tag, says] :
        {std::pair("total_lagrangian", "total Lagrangian"),
         std::pair("artificial_viscosity", "artificial viscosity"),
-        std::pair("do_contact_friction_heating", "friction that heats"),
-        std::pair("DoGranularMPM", "grains with velocities of their own"),
+        std::pair("do_contact_friction_heating", "heating by friction"),
+        std::pair("DoGranularMPM", "grains with separate velocity fields"),
         std::pair("UseGradientEnhancedVelocityProjection", "gradient-enhanced velocities")}) {
     EXPECT_THAT(reason(fmt::format("<{0}>true</{0}>", tag)), HasSubstr(says));
     EXPECT_THAT(reason(fmt::format("<{0}>false</{0}>", tag)), Not(HasSubstr(says)));

@@ -32,13 +32,13 @@ SideHistories declare_side(const std::string& side) {
   return {declare("BndyForce_" + side, ValueType::vector, "N",
                   "Force of " + of + " on the solids, from their stresses."),
           declare("BndyTraction_" + side, ValueType::vector, "Pa",
-                  "Force of " + of + " on the solids over the area of contact; 0 without any."),
+                  "Force of " + of + " on the solids over the area of contact; 0 without contact."),
           declare("BndyContactArea_" + side, ValueType::real, "m^2",
-                  "Area over which solids touch " + of +
+                  "Area of contact of solids with " + of +
                       ": twice the volume of its nodes over "
                       "the width of a cell."),
           declare("BndyContactCellArea_" + side, ValueType::real, "m^2",
-                  "Area over which solids touch " + of +
+                  "Area of contact of solids with " + of +
                       ": twice the volume of its nodes over "
                       "the width of a cell.")};
 }
@@ -49,10 +49,10 @@ Histories declare_all() {
   h.mass = declare("TotalMass", real, "kg", "Mass in the domain.");
   h.kinetic = declare("KineticEnergy", real, "J", "Kinetic energy in the domain.");
   h.strain = declare("StrainEnergy", real, "J",
-                     "Work that deforming the solids has taken: stored, and turned into heat.");
+                     "Work of deformation of the solids: stored, and converted into heat.");
   h.all_strain = declare("AccStrainEnergy", real, "J",
-                         "Work that deforming the solids has taken since the start: as "
-                         "StrainEnergy, which counts it from the start too.");
+                         "Work of deformation of the solids since the start: the same as "
+                         "StrainEnergy, which is also counted from the start.");
   h.heat = declare("ThermalEnergy", real, "J",
                    "Sum of mass times specific heat times temperature of the particles.");
   h.volume = declare("TotalVolumeDeformed", real, "m^3", "Volume of all particles.");
@@ -61,10 +61,10 @@ Histories declare_all() {
   h.centre = declare("CenterOfMassPosition", vector, "kg m",
                      "Sum of mass times position of the particles, not divided by the mass.");
   h.velocity = declare("CenterOfMassVelocity", vector, "m/s", "Momentum over mass.");
-  h.reaction = declare(
-      "RigidReactionForce", vector, "N",
-      "Force of the other solids on the masters of specified contacts, and of the fluid, less "
-      "that of the reference pressure, on rigid solids; mean over a step.");
+  h.reaction =
+      declare("RigidReactionForce", vector, "N",
+              "Force of the other solids on the masters of specified contacts, and of the fluid "
+              "(minus that of the reference pressure) on rigid solids; mean over a step.");
   h.torque = declare("RigidReactionTorque", vector, "N m",
                      "Torque of the other solids on masters about the origin of their motion.");
   h.transmitted = declare("SumTransmittedForce", vector, "N", "The same as RigidReactionForce.");

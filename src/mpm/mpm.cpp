@@ -234,12 +234,12 @@ void Mpm::declare_diagnostics(TaskList& /*list*/, int /*level*/) const {}
 
 Label Mpm::refine_flag() const {
   return declare_label({"refineFlag", ValueType::integer, Centring::cell, "1",
-                        "1 where a finer level is wanted, 0 elsewhere"});
+                        "1 where a finer level is needed, 0 elsewhere"});
 }
 
 Label Mpm::mask_label() const {
   return declare_label({"state.slope_mask", ValueType::real, Centring::cell, "1",
-                        "marks of a step that is redone; solids set none"});
+                        "marks of a repeated step; solids set none"});
 }
 
 std::string Mpm::describe_fault(int /*kind*/) const {

@@ -252,8 +252,8 @@ TEST(PoreWater, WhatItCannotBeTogetherWithIsRefused) {
   SolidDeck deck = column("<porosity>0.4</porosity>");
   deck.flags += "<transfer>pic</transfer><water_damping_coef>0.1</water_damping_coef>";
   const std::string told = told_of(deck, until(1e-3));
-  for (const char* text : {"a material with water in its pores needs <permeability>",
-                           "<transfer> pic with water in pores is known to the format",
+  for (const char* text : {"a material with pore water needs <permeability>",
+                           "<transfer> pic with pore water is known to the format",
                            "<water_damping_coef> other than 0 is known to the format"})
     EXPECT_NE(told.find(text), told.npos) << text << "\n" << told;
 }

@@ -47,9 +47,9 @@ std::string Mpm::better_for_energy() const {
     return "";
   if (solids_.basis == Basis::linear)
     return "<interpolator> gimp or cpdi: particles of the interpolator linear are points, which "
-           "turn spin into strain";
-  return "the transfer that a deck has without <transfer>, <musl> and their like: midpoint keeps "
-         "vibration and spin";
+           "convert rotation into strain";
+  return "the default transfer midpoint (no <transfer>, <musl> and similar tags), which preserves "
+         "vibration and rotation";
 }
 
 // The particle of a material whose energy has grown most in an attempted step, on all ranks.

@@ -45,7 +45,7 @@ TEST(BurningDecks, NameWhatTheyAreMadeOf) {
   EXPECT_THAT(message_of(burning("<fromMaterial>gas</fromMaterial>", to_gas)),
               AllOf(HasSubstr("coupled.ups:"), HasSubstr("<fromMaterial> is a fluid")));
   EXPECT_THAT(message_of(burning(from_solid, "<toMaterial>solid</toMaterial>")),
-              HasSubstr("nothing would pass"));
+              HasSubstr("there would be no exchange"));
   EXPECT_THAT(message_of(burning(from_solid, "")), HasSubstr("needs <toMaterial>"));
   EXPECT_THAT(message_of(burning(from_solid, to_gas,
                                  "<ThresholdTemp>-1</ThresholdTemp><ThresholdPressure>0"
@@ -60,12 +60,12 @@ TEST(SolidsBesideAFluid, TakePartAllTheTime) {
     deck.solid = tags + deck.solid;
     return message_of(deck);
   };
-  EXPECT_THAT(of("<is_active>false</is_active>"), HasSubstr("<is_active> false beside a fluid"));
+  EXPECT_THAT(of("<is_active>false</is_active>"), HasSubstr("<is_active> false with a fluid"));
   EXPECT_THAT(of("<deactivation_time>0.1</deactivation_time>"),
-              HasSubstr("<deactivation_time> beside a fluid"));
+              HasSubstr("<deactivation_time> with a fluid"));
   EXPECT_THAT(of("<is_rigid>true</is_rigid><is_force_transmitting_material>true"
                  "</is_force_transmitting_material>"),
-              HasSubstr("<is_force_transmitting_material> beside a fluid"));
+              HasSubstr("<is_force_transmitting_material> with a fluid"));
 }
 
 bool finite(const CoupledRun& run, int gas = 1) {

@@ -186,7 +186,7 @@ TEST(ExplosiveDecks, NameWhatIsWrong) {
       message_of("explosive", {model + "ThresholdPressureSB=6e9"}),
       AllOf(HasSubstr("=6e9: error"), HasSubstr("is above <ThresholdPressureJWL> 5.3e+09")));
   EXPECT_THAT(message_of("explosive", {model + "toMaterial=explosive"}),
-              HasSubstr("nothing would pass"));
+              HasSubstr("there would be no exchange"));
   EXPECT_THAT(message_of("explosive", {model + "IgnitionConst=2"}),
               HasSubstr("'2' is out of range"));
   const std::string jwl = "<ThresholdPressureJWL>5e9</ThresholdPressureJWL>";

@@ -24,7 +24,7 @@ void check_cracks(const std::vector<models::SolidBurn>& burns, const MpmIce& com
     add_error(faults, burn.where,
               fmt::format("<useCrackModel> of <DDT1>: the law of '{}' has no cracks",
                           component.solids().scene().materials[solid].name),
-              "take <constitutive_model type=\"visco_scram\">, or useCrackModel false");
+              "use <constitutive_model type=\"visco_scram\">, or useCrackModel false");
   }
 }
 

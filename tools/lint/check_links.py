@@ -13,6 +13,7 @@ from check_lines import tracked
 LINK = re.compile(r"\]\(([^)\s]+)\)")
 CODE = re.compile(r"^```.*?^```", re.MULTILINE | re.DOTALL)
 HEADING = re.compile(r"^#+ +(.*?) *$", re.MULTILINE)
+KEPT = re.compile(r'<a id="([^"]+)"></a>')  # the anchor of a heading that has another text now
 
 
 def anchor(heading):
@@ -23,7 +24,8 @@ def anchor(heading):
 
 @functools.cache
 def anchors(page):
-    return {anchor(h) for h in HEADING.findall(CODE.sub("", page.read_text(encoding="utf-8")))}
+    text = CODE.sub("", page.read_text(encoding="utf-8"))
+    return {anchor(h) for h in HEADING.findall(text)} | set(KEPT.findall(text))
 
 
 def check(root):

@@ -2,6 +2,7 @@
 import pathlib
 import sys
 import unittest
+import unittest.mock
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import check_functions  # noqa: E402
@@ -100,6 +101,12 @@ class Links(Tree):
             "docs/a.md:5: '#no-heading': the page has no such heading",
             "docs/a.md:6: 'b.md#step-1': the page has no such heading"])
 
+    def test_anchors_of_earlier_headings_are_kept(self):
+        self.write("docs/a.md", '<a id="going-on"></a>\n## Restart\n[1](#going-on) [2](#restart)\n'
+                   '[3](#report)\n')
+        self.assertEqual(check_links.check(self.root), [
+            "docs/a.md:4: '#report': the page has no such heading"])
+
 
 class Words(Tree):
     def faults(self, literal):
@@ -134,6 +141,58 @@ class Words(Tree):
         self.write("src/a_test.cpp", '// a\nconst char* a = "a scene";\n')
         told = check_words.check(self.root)
         self.assertEqual([line.split(" ")[0] for line in told], ["src/a.cpp:2:", "README.md:2:"])
+
+    def test_phrases_of_prose_are_found_in_literals_and_over_line_ends(self):
+        found = list(check_words.faults_of_source("src/a.cpp", 'f(\n"what is told");'))
+        self.assertEqual(len(found), 1)
+        self.assertTrue(found[0].startswith("src/a.cpp:2: 'is told' is no word"), found)
+        found = list(check_words.faults_of_page("docs/a.md", "# A\nIt is\ntold of.\n"))
+        self.assertEqual([fault.split(" ")[0] for fault in found],
+                         ["docs/a.md:2:", "docs/a.md:3:"])
+
+    def test_rooms_for_later_pass_prose_and_no_other_word(self):
+        source = 'say("it has no state"); say("a halo point");'
+        found = list(check_words.faults_of_source("src/mpm/step/a.cpp", source))
+        self.assertEqual([("halo" in fault) for fault in found], [True])
+        self.assertEqual(len(list(check_words.faults_of_source("src/mpm/a.cpp", source))), 2)
+
+    def test_pages_that_are_not_finished_and_code_of_pages_are_passed_over(self):
+        page = "It is told.\n"
+        self.assertEqual(list(check_words.faults_of_page("notes.md", page)), [])
+        self.assertEqual(len(list(check_words.faults_of_page("docs/theory/a.md", page))), 1)
+        code = "`is told` [a](is%20told.md) $$is told$$\n```\nis told\n```\n"
+        self.assertEqual(list(check_words.faults_of_page("docs/a.md", code)), [])
+
+    def test_comments_of_finished_folders_are_read(self):
+        source = "// What nobody\n// asks for.\nint a;  // is\n// told\n"
+        rows = [*check_words.table(), check_words.Row("finished", "", "src/done", "", "", "")]
+        with unittest.mock.patch.object(check_words, "table", lambda: rows):
+            found = list(check_words.faults_of_source("src/done/a.cpp", source))
+        self.assertEqual([fault.split(" ")[0] for fault in found],
+                         ["src/done/a.cpp:1:", "src/done/a.cpp:3:"])
+        self.assertEqual(list(check_words.faults_of_source("src/a.cpp", source)), [])
+
+    def test_a_row_that_cannot_be_read_is_named(self):
+        self.write("words.tsv", "# head\nphrase\tprose\t\ta\tb\tc\nword\ta\n")
+        with self.assertRaisesRegex(ValueError, "words.tsv:3: expected a kind"):
+            check_words.table(self.root / "words.tsv")
+
+    def test_symbols_get_other_names_that_differ_in_their_class(self):
+        taken = {}
+        for row in check_words.table():
+            if row.kind == "symbol":
+                self.assertRegex(row.old, r"^[A-Za-z_]\w*$")
+                self.assertRegex(row.new, r"^[A-Za-z_]\w*$")
+                self.assertNotEqual(row.old, row.new)
+                self.assertEqual(taken.setdefault((row.where, row.new), row.old), row.old, row)
+        self.assertTrue(taken)
+
+    def test_every_phrase_has_a_better_one_and_matches_text(self):
+        for what in ("printed", "prose"):
+            self.assertTrue(check_words.phrases(what))
+            for pattern, better in check_words.phrases(what):
+                self.assertTrue(better)
+                self.assertFalse(pattern.search(""))
 
     def test_exceptions_hold_for_their_text_alone(self):
         path = "src/framework/base/communicator.cpp"

@@ -15,12 +15,13 @@ GROUPS = ("fluid", "pressure", "solids")
 
 HEAD = """# What accuracy costs in time
 
-Written by `./dev verify ladders_fluid ladders_pressure ladders_solids`: every study of
-`regression/accuracy` in full, each point the median of up to {repeats} runs on one core. The tables
-show the default setting; pictures and CSV files have all of them. `sluice accuracy NAME` repeats a
-study. Times are those of one machine of two cores, disturbed at times: compare within a study.
-Errors of a study whose variable has an exact solution are against that, the others' against a finer
-run of their own.
+This page is written by `./dev verify ladders_fluid ladders_pressure ladders_solids`. It contains
+every study of `regression/accuracy` in full length; each point is the median of up to {repeats}
+runs on one core. The tables show the default setting; pictures and CSV files contain all
+settings. `sluice accuracy NAME` repeats a study. The times were measured on a machine of two
+cores with occasional other load, so that they can be compared only within a study. Errors are
+measured against the exact solution of the variable where there is one, otherwise against a finer
+run of the same deck.
 """
 
 

@@ -6,8 +6,8 @@ import pathlib
 
 HEAD = """# What `./dev verify` found
 
-Written by `./dev verify`, one row a part: the last result of each, with the commit and the day.
-`./dev verify --list` says what each part does.
+This page is written by `./dev verify`. It has one row per part, with its last result, the commit
+and the day. `./dev verify --list` describes the parts.
 
 | part | outcome | commit | day | minutes | result |
 | --- | --- | --- | --- | --- | --- |

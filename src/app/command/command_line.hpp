@@ -17,8 +17,9 @@ namespace sluice {
 
 // For --help and `sluice help`.
 inline constexpr const char* exit_statuses =
-    "Exit status: 0 good; 1 the physics or a comparison failed; 2 bad input; 3 the system failed\n"
-    "(disk, memory, MPI); 4 a run ended early, by a signal or its time limit, with a checkpoint";
+    "Exit status: 0 success; 1 a physical failure, or a comparison that found a difference; 2 "
+    "invalid\ninput; 3 a failure of the system (disk, memory, MPI); 4 the run ended early, by a "
+    "signal or its\ntime limit, with a checkpoint";
 
 // An argument of a command and what is asked of its value.
 class CommandOption {

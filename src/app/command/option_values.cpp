@@ -49,15 +49,16 @@ IntVec3 RunOptionValues::block_extents() const {
 void add_run_options(Command& command, RunOptionValues& values) {
   command.option("--set", values.overrides, "Override PATH=VALUE (may be repeated)").repeatable();
   command.option("--threads", values.threads, "Threads of each rank");
-  command.option("--boxes", values.boxes, "Force a split of the level into I,J,K boxes");
-  command.option("--block", values.block, "Extents I,J,K of the blocks that fit the cache");
+  command.option("--boxes", values.boxes, "Split the level into I,J,K boxes");
+  command.option("--block", values.block,
+                 "Extents I,J,K of the blocks, which should fit the cache");
   command.flag("--force-all", values.force_all,
-               "Skip no block and leave out no work (to measure the savings)");
-  command.flag("--force-directions", values.force_directions,
-               "Treat every direction as a dimension of the run");
+               "Skip no blocks and omit no work (to measure the savings)");
+  command.flag("--force-directions", values.force_directions, "Treat every direction as active");
   command.flag("--no-output", values.no_output, "Write no archive");
-  command.flag("--quiet", values.quiet, "Drop warnings of the deck and notes about the time step");
-  command.flag("--strict", values.strict, "Take every warning of the deck for an error");
+  command.flag("--quiet", values.quiet,
+               "Do not print warnings of the deck and notes about the time step");
+  command.flag("--strict", values.strict, "Treat every warning of the deck as an error");
 }
 
 int threads_to_use(int asked) {

@@ -135,7 +135,7 @@ TEST_F(RunEnding, LimitsOfFileSizesAreToldAsAFullDiskIs) {
 TEST_F(RunEnding, StatusesAreListed) {
   for (const char* words : {" --help", " help"})
     EXPECT_THAT(run_in_shell(std::string(SLUICE_COMMAND) + words).text,
-                HasSubstr("4 a run ended early"));
+                HasSubstr("4 the run ended early"));
 }
 
 TEST(CommandToContinue, IsForAnyShellAndFolder) {

@@ -117,15 +117,17 @@ int accuracy(const AccuracyRequest& request) {
 
 void declare_accuracy_command(Command& command) {
   auto request = std::make_shared<AccuracyRequest>();
-  command.option("STUDY", request->study, "Study file (.study), or the name of one of ours: sod")
+  command
+      .option("STUDY", request->study,
+              "Study file (.study), or the name of a study of regression/accuracy: sod")
       .required();
   command.option("-o", request->folder, "Folder for the results (STUDY.accuracy)");
   command.option("--json", request->json, "JSON file (in the folder)");
   command.option("--csv", request->csv, "CSV file (in the folder)");
-  command.option("--repeat", request->repeats, "Runs of each point at most, for its time")
+  command.option("--repeat", request->repeats, "Largest number of runs of each point, for its time")
       .between(1, 1000);
   command.option("--only", request->only,
-                 "Only runs whose \"setting, N cells\" holds this text or fits this pattern");
+                 "Only runs whose \"setting, N cells\" contains this text or matches this pattern");
   command.action([request] { return accuracy(*request); });
 }
 

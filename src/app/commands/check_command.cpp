@@ -83,7 +83,7 @@ void declare_check_command(Command& command) {
   command.option("--set", options->overrides, "Override PATH=VALUE (may be repeated)").repeatable();
   command.flag("--json", options->json, "Report as JSON");
   command.flag("--quiet", options->quiet, "Errors only");
-  command.flag("--strict", options->strict, "Take every warning for an error");
+  command.flag("--strict", options->strict, "Treat every warning as an error");
   command.action([options] { return check(*options); });
 }
 

@@ -21,29 +21,30 @@ void declare_tune_command(Command& command);
 namespace {
 
 constexpr CommandKind kinds[] = {
-    {"accuracy", "What accuracy costs: error against time of a study", declare_accuracy_command},
+    {"accuracy", "Measure error against time for a study", declare_accuracy_command},
     {"run", "Run a deck: from .ups to .uda archive", declare_run_command},
     {"check", "Find all faults of decks without running them", declare_check_command},
     {"compare", "Compare two archives value by value", declare_compare_command},
     {"drive",
-     "One particle of a material along a path of deformation: stress, energy, temperature.\nThe "
-     "deck holds <MaterialDriver>: a <material> as in <MaterialProperties>, <temperature>,\nand "
-     "<piece>s that follow each other, each with <duration>, <steps> and a\n<velocity_gradient>, a "
-     "<deformation> that F goes to, or a <rotation> by an <angle>.\ninputs/mpm/drive has examples.",
+     "Take one particle of a material along a path of deformation: stress, energy, "
+     "temperature.\nThe deck contains <MaterialDriver>: a <material> as in <MaterialProperties>, "
+     "<temperature>,\nand consecutive <piece>s, each with <duration>, <steps> and "
+     "a\n<velocity_gradient>, a final <deformation> F, or a <rotation> by an "
+     "<angle>.\ninputs/mpm/drive has examples.",
      declare_drive_command},
     {"export", "Write .pvd, .vti, .vtm and .vthb files for ParaView and VisIt",
      declare_export_command},
     {"extract", "Write values of a label as CSV", declare_extract_command},
     {"help", "Explain a tag of the deck", declare_help_command},
-    {"info", "Say what an archive holds; exit 1 when damaged", declare_info_command},
-    {"norms", "L1, L2 and Linf of the difference of archives", declare_norms_command},
+    {"info", "Describe the content of an archive; exit 1 if it is damaged", declare_info_command},
+    {"norms", "Print L1, L2 and Linf norms of the difference of archives", declare_norms_command},
     {"plan", "Show what a run will do and cost, without running", declare_plan_command},
     {"plot", "Draw an archive: profiles, slices, particles, histories", declare_plot_command},
-    {"regress", "Compare short runs with golden results, restarts, splits and ranks",
+    {"regress", "Compare short cases with golden results, and with restarts, splits and ranks",
      declare_regress_command},
     {"tune",
-     "Find the fastest linear solver for a deck: runs its first steps, tries solvers on the "
-     "systems that come up, prints a table and the tags to paste",
+     "Find the fastest linear solver for a deck: run its first steps, try solvers on the systems "
+     "that occur, print a table and the tags for the deck",
      declare_tune_command},
 };
 

@@ -61,16 +61,18 @@ int compare_archives(CompareRequest& r) {
 void declare_compare_command(Command& command) {
   auto r = std::make_shared<CompareRequest>();
   command.option("A", r->first, "An archive").required();
-  command.option("B", r->second, "Another, on any boxes and ranks").required();
-  command.option("--abs", r->options.absolute, "Differences up to this are none").at_least_zero();
-  command.option("--rel", r->options.relative, "Nor are those up to this times the value")
+  command.option("B", r->second, "Another archive, with any boxes and ranks").required();
+  command.option("--abs", r->options.absolute, "Absolute differences up to this are ignored")
+      .at_least_zero();
+  command.option("--rel", r->options.relative, "Differences up to this times the value are ignored")
       .at_least_zero();
   command.option("--vars", r->only, "Only these labels: a,b,c");
   command.option("--ignore", r->ignore, "All labels but these: a,b,c");
   command.flag("--checkpoints", r->options.checkpoints, "Compare checkpoints, not outputs");
-  command.flag("--common-times", r->options.common_times, "Only times that both have");
+  command.flag("--common-times", r->options.common_times,
+               "Compare only times that both archives have");
   command.flag("--histories", r->histories, "Compare the .dat files as well");
-  command.flag("--quiet", r->quiet, "Say it by the exit status alone");
+  command.flag("--quiet", r->quiet, "Print nothing; give only the exit status");
   command.action([r] { return compare_archives(*r); });
 }
 

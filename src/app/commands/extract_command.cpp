@@ -66,7 +66,7 @@ void declare_extract_command(Command& command) {
   auto r = std::make_shared<ExtractRequest>();
   command.option("UDA", r->archive, "The archive").required();
   command.option("--var", r->label, "Label, e.g. press_CC").required();
-  command.option("--material", r->material, "Material; all that the label has");
+  command.option("--material", r->material, "Material; absent: all that the label has");
   command.option("--time", r->time, "last, first, a time (nearest output), #N: N-th output");
   command.option("--level", r->level, "A level, or all: every point once, from the finest");
   CommandOption from = command.option("--from", r->from, "Low corner x,y,z of a closed box");

@@ -76,8 +76,8 @@ void norms(NormsRequest& r) {
 
 void declare_norms_command(Command& command) {
   auto r = std::make_shared<NormsRequest>();
-  command.option("A", r->first, "An archive; its points are compared").required();
-  command.option("B", r->second, "One that has values at the same points").required();
+  command.option("A", r->first, "An archive, at whose points values are compared").required();
+  command.option("B", r->second, "An archive that has values at the same points").required();
   command.option("--vars", r->only, "Only these labels: a,b,c");
   command.option("--ignore", r->ignore, "All labels but these: a,b,c");
   command.option("--time", r->options.time, "One output: last, first, a time, #N; else all");

@@ -79,7 +79,7 @@ void declare_plan_command(Command& command) {
   command.option("DECK", o->deck, "Deck (.ups)").required();
   command.flag("--json", o->json, "As JSON, for scripts");
   command.option("--graph", o->graph, "Write the task graph to FILE.dot or FILE.svg");
-  command.option("--ranks", o->ranks, "Plan for so many ranks");
+  command.option("--ranks", o->ranks, "Plan for this number of ranks");
   add_run_options(command, o->run);
   command.action([o] { return plan(*o); });
 }

@@ -25,17 +25,17 @@ void declare_plot_command(Command& command) {
                "Every cell of a 2-D or 3-D run against its distance from the origin");
   command
       .option("--levels", request->levels,
-              "What is drawn of finer levels: their outer edges (default), boxes, the "
-              "regridder's tiles, or none")
+              "What to draw of finer levels: their outer edges (default), boxes, the regridder's "
+              "tiles, or none")
       .one_of({"edges", "boxes", "tiles", "none"});
   command.option("--exact", request->exact,
                  "auto: the solution that the deck names; none; or a CSV file x,LABEL,...");
   command.option("--particles", request->particles,
-                 "Particles over a plane, coloured by this label of theirs; p.x: in black");
-  command.flag("--outline", request->outline, "Lines around the bodies of each material");
+                 "Particles over a plane, coloured by this particle label; p.x: in black");
+  command.flag("--outline", request->outline, "Outlines of the bodies of each material");
   command.option("--paths", request->paths,
-                 "Paths of so many particles of each material, from the first output on");
-  command.option("--title", request->title, "Heading of the picture");
+                 "Paths of this number of particles of each material, from the first output on");
+  command.option("--title", request->title, "Title of the picture");
   command.option("-o,--output", request->picture, "Picture: .png, .svg or .pdf");
   command.action([request] { return draw_archive(*request); });
 }

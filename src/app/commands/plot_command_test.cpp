@@ -77,7 +77,7 @@ TEST_F(Plot, MissingToolsAreASystemFailureThatSaysWhereTheyShouldBe) {
   const Outcome outcome =
       run_in_shell(lonely.string() + " plot " + (folder_.path() / "box.uda").string());
   EXPECT_EQ(outcome.status, 3);
-  EXPECT_THAT(outcome.text, HasSubstr("Python tools are not beside this executable"));
+  EXPECT_THAT(outcome.text, HasSubstr("Python tools are not installed with this executable"));
 }
 
 }  // namespace

@@ -111,13 +111,12 @@ int regress(const RegressRequest& o) {
 void declare_regress_command(Command& command) {
   auto o = std::make_shared<RegressRequest>();
   command.option("CASES", o->names, "Names of cases; all when none is given");
-  command.option("--cases", o->file,
-                 "List of cases (JSON); those that come with sluice by default");
+  command.option("--cases", o->file, "List of cases (JSON); default: those of sluice");
   command.option("--against", o->against,
-                 "Another build of sluice: all outputs must hold the same bits as its");
+                 "Another build of sluice, whose outputs must be equal to the bit");
   command.option("--folder", o->folder, "Keep the archives of the runs in this folder");
   command.option("--mpiexec", o->mpiexec, "Launcher for runs on ranks");
-  command.flag("--bless", o->bless, "Make what came out the golden results");
+  command.flag("--bless", o->bless, "Store the results as golden results");
   command.flag("--json", o->json, "As JSON, for scripts");
   command.flag("--list", o->list, "Print the names of the cases");
   command.action([o] { return regress(*o); });

@@ -138,7 +138,7 @@ TEST_F(RegressCommand, SpoiltGoldenFilesAreRefused) {
   EXPECT_THAT(message(start + "0,0,0,1\n"), HasSubstr(":2: a table begins with"));
   EXPECT_THAT(message(start + "# rho_CC\ni,j,k\n"), HasSubstr(":3: no columns"));
   EXPECT_THAT(message(head + "0,0,0\n"), HasSubstr(":4: 3 values instead of 4"));
-  EXPECT_THAT(message(head + "0,0,0,1\n1,0,0,x\n"), HasSubstr(":5: 'x' is no number"));
+  EXPECT_THAT(message(head + "0,0,0,1\n1,0,0,x\n"), HasSubstr(":5: 'x' is not a number"));
 }
 
 TEST_F(RegressCommand, ParticlesAreComparedByTheirNumbers) {

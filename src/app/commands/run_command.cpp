@@ -84,7 +84,7 @@ std::string continuation(const RunRequest& o, const RunReport& report) {
   words.threads = o.run.threads;
   words.force_directions = o.run.force_directions;
   words.program = program_word();
-  return "the run goes on with\n" + command_to_continue(words) + "\n";
+  return "continue the run with\n" + command_to_continue(words) + "\n";
 }
 
 // Rank 0, the archive complete.
@@ -163,13 +163,15 @@ void declare_run_command(Command& command) {
   auto o = std::make_shared<RunRequest>();
   command.option("DECK", o->deck, "Deck (.ups); with --restart: the archive's own by default");
   command.option("-o,--output", o->parent, "Parent folder of the archive");
-  command.option("--max-steps", o->max_steps, "Stop with a checkpoint when this step is done");
-  command.option("--wall-limit", o->wall_limit, "Stop with a checkpoint after so many seconds");
-  command.option("--restart", o->restart, "Go on from the last checkpoint of this archive");
+  command.option("--max-steps", o->max_steps, "Stop with a checkpoint after this step");
+  command.option("--wall-limit", o->wall_limit,
+                 "Stop with a checkpoint after this number of seconds");
+  command.option("--restart", o->restart, "Continue from the last checkpoint of this archive");
   command.option("--step", o->step, "With --restart: from the checkpoint of this step");
-  command.flag("--copy", o->copy, "With --restart: copy earlier outputs, do not refer to them");
+  command.flag("--copy", o->copy,
+               "With --restart: copy earlier outputs instead of referring to them");
   command.flag("--any-memory", o->any_memory,
-               "Start even where the memory that is planned is more than there is");
+               "Start even if the planned memory is more than the available memory");
   command.option("--json", o->json,
                  "Write the report of the run to this file; -: to standard output");
   command.option("--progress", o->progress, "auto, plain or none (warnings and errors only)");

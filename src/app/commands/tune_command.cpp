@@ -176,7 +176,8 @@ int tune(const TuneRequest& o) {
   const auto loaded =
       load_scene(o.deck, o.overrides, {}, o.quiet ? Warnings::hidden : Warnings::told);
   if (!loaded->later.empty())
-    throw InputError("sluice tune runs one component; name the deck of one of the switcher's");
+    throw InputError(
+        "sluice tune runs one component; name the deck of one component of the switcher");
   need_solve(loaded->deck);
   const double begin = seconds_now();
   const auto clock = [begin] { return seconds_now() - begin; };
@@ -220,18 +221,18 @@ int tune(const TuneRequest& o) {
 void declare_tune_command(Command& command) {
   auto o = std::make_shared<TuneRequest>();
   command.option("DECK", o->deck, "Deck (.ups) with <ImplicitSolver>").required();
-  command.option("--budget", o->budget, "Seconds that the search may take (60)");
-  command.option("--steps", o->steps, "Steps of the deck that are run for their systems (20)");
+  command.option("--budget", o->budget, "Seconds for the search (60)");
+  command.option("--steps", o->steps, "Steps of the deck to run for systems (20)");
   command.option("--systems", o->systems,
                  "Systems to keep: the first, the last, and others evenly between (3)");
   command.option("--apply", o->apply,
-                 "Write a copy of the deck with the best solver; every other byte stays");
+                 "Write a copy of the deck with the best solver; all other bytes are unchanged");
   command.option("--picture", o->picture,
                  "Draw residual against time of the best (.png, .svg or .pdf)");
   command.option("--json", o->json, "Write all measurements to this file; -: to standard output");
   command.option("--set", o->overrides, "Override PATH=VALUE (may be repeated)").repeatable();
   command.option("--threads", o->threads, "Threads of the run (solvers take one)");
-  command.flag("--quiet", o->quiet, "Drop warnings of the deck and the progress line");
+  command.flag("--quiet", o->quiet, "Do not print warnings of the deck and the progress line");
   command.action([o] { return tune(*o); });
 }
 

@@ -62,8 +62,7 @@ IntVec3 cells_within(const Level& level, const Level& finer, const std::string& 
     ratio[d] = static_cast<int>(std::lround(cells));
     if (ratio[d] < 1 || std::fabs(cells - ratio[d]) > 1e-6 * cells)
       throw InputError(fmt::format(
-          "{}: {:g} cells of the reference lie along one of a run, along {}; a whole number is "
-          "needed",
+          "{}: {:g} cells of the reference per cell of a run, along {}; a whole number is needed",
           folder, cells, "xyz"[d]));
   }
   return ratio;
@@ -147,7 +146,7 @@ exact::ErrorNorms place_error(const ArchiveStep& step, const DeckReference& refe
   }
   if (off.empty())
     throw InputError(
-        fmt::format("{}: errors of places need p.x and p.displacement of material {}; save both",
+        fmt::format("{}: errors of positions need p.x and p.displacement of material {}; save both",
                     step.folder().string(), material));
   return exact::error_norms(off, far, volumes);
 }
@@ -156,7 +155,7 @@ exact::ErrorNorms archive_error(const ArchiveStep& step, const DeckReference& re
                                 const std::string& variable, int component, int material) {
   if (reference.solution->has_places()) {
     if (variable == "p.x") return place_error(step, reference, material);
-    throw InputError(fmt::format("the exact solution is a motion: it knows p.x, not {}", variable));
+    throw InputError(fmt::format("the exact solution is a motion: it gives p.x, not {}", variable));
   }
   const bool mixture = reference.solution->materials() > 1;
   const Grid& grid = step.grid();
@@ -185,10 +184,9 @@ exact::ErrorNorms archive_error(const ArchiveStep& step, const ArchiveStep& refe
                                 const std::string& variable, int component, int material) {
   const double time = step.info().time, late = reference.info().time;
   if (!(std::fabs(time - late) <= 1e-9 * std::fabs(late)))
-    throw InputError(
-        fmt::format("{}: its last output is of time {:g}, that of a run of {:g}; give both the "
-                    "same, by maxTime",
-                    reference.folder().string(), late, time));
+    throw InputError(fmt::format(
+        "{}: its last output is at time {:g}, that of a run at {:g}; give both the same maxTime",
+        reference.folder().string(), late, time));
   const Level& finest = reference.grid().levels.front();
   const std::string folder = reference.folder().string();
   if (reference.grid().levels.size() > 1)

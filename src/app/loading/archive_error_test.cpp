@@ -120,7 +120,7 @@ TEST(ErrorsAgainstAFinerRun, NeedItsTimeAndCellsThatDivide) {
     return "";
   };
   EXPECT_THAT(refusal(state(folder.path(), 6, 0.5, zero)), testing::HasSubstr("whole number"));
-  EXPECT_THAT(refusal(state(folder.path(), 8, 0.6, zero)), testing::HasSubstr("is of time 0.6"));
+  EXPECT_THAT(refusal(state(folder.path(), 8, 0.6, zero)), testing::HasSubstr("is at time 0.6"));
 }
 
 }  // namespace

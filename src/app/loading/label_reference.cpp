@@ -52,25 +52,26 @@ std::string table(const char* title, const char* text, const std::function<bool(
 std::string label_reference() {
   declare_all_labels();
   std::string page = head;
-  page += table("Cells", "Values at the centres of cells, after the step unless said otherwise.",
+  page += table("Cells", "Values at the centres of cells, after the step unless stated otherwise.",
                 [](Label l) { return l.info().centring == Centring::cell && !is_state(l); });
   page += table("Faces",
-                "Values on faces between cells: index i is the low face of cell i; the faces that "
-                "close the domain are stored too.",
+                "Values on faces between cells: index i is the low face of cell i; the closing "
+                "faces of the domain are stored too.",
                 [](Label l) { return face_direction(l.info().centring) >= 0; });
   page += table("Nodes",
-                "Values at the corners of cells: index i is the low corner of cell i; the nodes "
-                "that close the domain are stored too.",
+                "Values at the corners of cells: index i is the low corner of cell i; the closing "
+                "nodes of the domain are stored too.",
                 [](Label l) { return l.info().centring == Centring::node; });
-  page +=
-      table("Histories", "One number (or vector) a step, kept as a `.dat` file beside the index.",
-            [](Label l) { return l.info().centring == Centring::reduction; });
-  page +=
-      table("Particles",
-            "Values of particles, in no order; with any of them positions and numbers are saved.",
-            [](Label l) { return l.info().centring == Centring::particle; });
+  page += table("Histories",
+                "One number (or vector) per step, written to a `.dat` file beside the index.",
+                [](Label l) { return l.info().centring == Centring::reduction; });
+  page += table("Particles",
+                "Values of particles, in no particular order; positions and numbers are saved with "
+                "any of them.",
+                [](Label l) { return l.info().centring == Centring::particle; });
   page += table("Conserved state",
-                "What checkpoints hold. Not for `<save>`; listed because `sluice info` shows it.",
+                "Content of checkpoints. These labels are not for `<save>`; they are listed "
+                "because `sluice info` shows them.",
                 is_state);
   return page;
 }

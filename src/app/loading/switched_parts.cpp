@@ -39,11 +39,11 @@ void check_follows(const Scene& scene_before, const Component& before, const Sub
   for (std::size_t d = 0; d < 3; ++d)
     if (scene_before.directions[d].active != scene.directions[d].active)
       add_error(faults, place_of(part),
-                fmt::format("{}direction {} is active in one of them alone", follows, "xyz"[d]));
+                fmt::format("{}direction {} is active in only one of them", follows, "xyz"[d]));
   for (const PassedOn& p : passed_on(*before.particles(), *after.particles()))
     if (!p.lacking.empty())
       add_error(faults, place_of(part),
-                fmt::format("{}particles of '{}' need {}, which that does not carry", follows,
+                fmt::format("{}particles of '{}' need {}, which the other does not carry", follows,
                             p.kind, fmt::join(p.lacking, ", ")),
                 "give both the same constitutive models and the same flags");
 }

@@ -80,9 +80,8 @@ void require_memory(const LoadedScene& loaded, Communicator& ranks, int threads,
     const double here = all * machine.ranks / ranks.size();
     if (machine.bytes == 0 || here <= machine.bytes) continue;
     throw InputError(fmt::format(
-        "the run needs {} of memory at its peak{}, but {} are {}{}\n"
-        "  take larger cells, fewer particles per cell (res), or more machines; --any-memory tries "
-        "all the same",
+        "the run needs {} of memory at its peak{}, but {} are {}{}\n  use larger cells, fewer "
+        "particles per cell (res), or more machines; --any-memory starts it nevertheless",
         human_bytes(all), of_particles(particles), human_bytes(machine.bytes), machine.limit,
         machine.ranks < ranks.size()
             ? fmt::format(", of {} for the {} ranks on {}", human_bytes(here), machine.ranks, host)

@@ -26,7 +26,7 @@ std::string level_table(const PlannedHierarchy& p) {
                    {"boxes", Align::right},
                    {"of the domain", Align::right},
                    {"substeps", Align::right},
-                   {"updates a coarse step", Align::right}});
+                   {"updates per coarse step", Align::right}});
   for (const PlannedLevel& l : p.levels) {
     const bool finer = l.level.index > 0;
     const bool told = !finer || p.known;
@@ -75,17 +75,16 @@ std::string levels_text(const PlannedHierarchy& p) {
   std::string text = level_table(p);
   if (p.known && p.uniform_updates() > 0)
     text += fmt::format(
-        "  {}a coarse step is {} updates: {} of the {} of a grid that is fine "
-        "everywhere\n",
+        "  {}a coarse step has {} updates: {} of the {} of a grid that is fine everywhere\n",
         p.adaptive ? "at the start " : "", human_count(static_cast<std::int64_t>(p.updates())),
         percent(p.updates() / p.uniform_updates()),
         human_count(static_cast<std::int64_t>(p.uniform_updates())));
   else
     text +=
-        "  the finer levels are known when the run starts: the coarsest one is too large to be "
-        "set and flagged here\n";
+        "  the finer levels are known when the run starts: the coarsest level is too large to be "
+        "flagged in a plan\n";
   if (p.adaptive && p.criteria.empty())
-    text += "  nothing in the deck asks for finer levels\n";
+    text += "  the deck has no criterion for finer levels\n";
   else if (p.adaptive)
     text += "\n" + rule_table("refined by", "where", p.criteria);
   text += "\n" + rule_table("levels", "", p.rules);

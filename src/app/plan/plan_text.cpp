@@ -33,8 +33,8 @@ std::string kinds_text(const RunPlan& p) {
   for (std::size_t k = 0; k + 1 < p.kind_tasks.size(); ++k)
     tasks += fmt::format("{}{}", k > 0 ? ", " : "", p.kind_tasks[k]);
   return fmt::format(
-      "  blocks of one material run the step of that material alone ({} tasks); the table counts\n"
-      "  the step of blocks where materials meet ({} tasks)\n",
+      "  blocks of one material run only the step of that material ({} tasks); the table counts\n  "
+      "the step of blocks where materials meet ({} tasks)\n",
       tasks, p.kind_tasks.back());
 }
 
@@ -74,7 +74,7 @@ std::string memory_text(const RunPlan& p) {
   table.row({"program", human_bytes(m.base), ""});
   if (p.particles.any())
     table.row({"particles", human_bytes(m.particles),
-               "old and new; nodes of the blocks that hold some come on top"});
+               "old and new; nodes of the blocks that contain particles are additional"});
   table.row({"states", human_bytes(m.states),
              fmt::format("old and new{}, {:g} doubles per cell each, with ghost cells",
                          p.hierarchy.levels.size() > 1 ? ", with substeps also the start" : "",
@@ -83,7 +83,7 @@ std::string memory_text(const RunPlan& p) {
              fmt::format("{:g} doubles per cell, from the first step that stores them",
                          m.output_doubles_per_cell)});
   table.row({"scratch", human_bytes(m.scratch), "temporaries of one block, shared by all"});
-  table.row({"initial fill", human_bytes(m.initial_fill), "while the first state is set"});
+  table.row({"initial fill", human_bytes(m.initial_fill), "while the initial state is set"});
   if (m.messages > 0) table.row({"messages", human_bytes(m.messages), "sent and received"});
   return table.text("  ") +
          fmt::format("  peak {} per rank{}; fields {:g} doubles per cell (budget 40)\n",

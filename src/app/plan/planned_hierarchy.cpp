@@ -45,9 +45,9 @@ void add_criteria(const LoadedScene& loaded, PlannedHierarchy& p) {
 
 std::string when(const RefinementSettings& s) {
   if (s.once) return "at the start only";
-  std::string text = "when flags ask for cells that no finer level covers";
+  std::string text = "when flagged cells are not covered by a finer level";
   if (s.max_interval > 0) text += fmt::format(", and every {} coarse steps", s.max_interval);
-  if (s.min_interval > 1) text += fmt::format("; {} steps apart at least", s.min_interval);
+  if (s.min_interval > 1) text += fmt::format("; at least {} steps apart", s.min_interval);
   return text;
 }
 
@@ -55,12 +55,13 @@ void add_rules(const LoadedScene& loaded, PlannedHierarchy& p) {
   const RefinementSettings& s = loaded.scene.refinement;
   if (p.adaptive) {
     p.rules.push_back({"regrids", when(s), s.where});
-    p.rules.push_back({"flags are widened by",
-                       fmt::format("{} cells{}; at a regrid {} more; tiles stay within {} more",
-                                   cells_text(s.stability_dilation),
-                                   s.lock_step ? "" : " or what a wave crosses in a coarse step",
-                                   cells_text(s.regrid_dilation), cells_text(s.deletion_dilation)),
-                       s.where});
+    p.rules.push_back(
+        {"flags are widened by",
+         fmt::format("{} cells{}; at a regrid {} more; tiles stay within {} more",
+                     cells_text(s.stability_dilation),
+                     s.lock_step ? "" : " or the distance that a wave travels in a coarse step",
+                     cells_text(s.regrid_dilation), cells_text(s.deletion_dilation)),
+         s.where});
     p.rules.push_back(
         {"cells between levels", cells_text(s.min_boundary_cells) + " at least", s.where});
     p.rules.push_back({"new fine cells",
@@ -68,12 +69,12 @@ void add_rules(const LoadedScene& loaded, PlannedHierarchy& p) {
   }
   p.rules.push_back({"ghost cells of finer levels",
                      fmt::format("interpolated to order {}", s.interface_order), s.where});
-  std::string fluxes = "made equal: what leaves one level enters the other";
+  std::string fluxes = "matched: the flux out of one level enters the other";
   if (!s.reflux)
     fluxes = ice::scheme_of(*loaded.deck.root).matches_fluxes
-                 ? "made equal: do_Refluxing false has no effect, only the classic scheme obeys it"
-                 : "left as they are (do_Refluxing is false): levels do not conserve";
-  p.rules.push_back({"fluxes where levels meet", fluxes, s.reflux_where});
+                 ? "matched: do_Refluxing false has no effect, only the classic scheme obeys it"
+                 : "not matched (do_Refluxing is false): levels do not conserve";
+  p.rules.push_back({"fluxes between levels", fluxes, s.reflux_where});
 }
 
 void add_levels(const Scene& scene, PlannedHierarchy& p) {
@@ -143,7 +144,7 @@ PlannedHierarchy plan_hierarchy(const LoadedScene& loaded, int ranks, int thread
   p.adaptive = scene.refinement.adaptive;
   p.stepping = scene.refinement.lock_step
                    ? "lockstep: all levels take the same step"
-                   : "W-cycle: a finer level takes as many steps as its ratio says";
+                   : "W-cycle: the number of steps of a finer level is its ratio";
   add_levels(scene, p);
   if (p.levels.size() == 1) return p;
   if (p.adaptive) add_criteria(loaded, p);

@@ -122,7 +122,7 @@ std::string particles_text(const PlannedParticles& p) {
     table.row({k.name, p.known ? human_count(k.count) : "counted by the run",
                std::to_string(k.numbers), std::to_string(k.numbers_beside),
                p.known ? human_bytes(k.bytes()) : ""});
-  return table.text("  ") + fmt::format("  a step: {}\n", fmt::join(p.stages, "; "));
+  return table.text("  ") + fmt::format("  per step: {}\n", fmt::join(p.stages, "; "));
 }
 
 }  // namespace sluice

@@ -154,7 +154,7 @@ class Planner {
     for (const AnalysedVariable& v : m.variables) {
       PlannedOutput out;
       out.label = v.label;
-      out.made = fmt::format("{}, a file a particle", m.name);
+      out.made = fmt::format("{}, one file per particle", m.name);
       out.where = v.where;
       plan_.outputs.push_back(std::move(out));
     }
@@ -273,9 +273,9 @@ class Planner {
     plan_.quiet_allowed = component_.quiet_blocks_allowed() && !options_.force_all;
     const bool gravity = !(scene_.constants.gravity == Vec3{});
     plan_.quiet_reason = options_.force_all    ? "--force-all"
-                         : plan_.quiet_allowed ? "nothing in the problem acts on a uniform state"
-                         : gravity             ? "gravity acts on a uniform state"
-                                               : "something in the problem acts on a uniform state";
+                         : plan_.quiet_allowed ? "no effect of the problem changes a uniform state"
+                         : gravity             ? "gravity changes a uniform state"
+                                               : "an effect of the problem changes a uniform state";
     if (gravity) plan_.quiet_where = scene_.constants.gravity_where;
   }
 

@@ -18,12 +18,12 @@ bool has(const std::vector<std::string>& list, const std::string& label) {
 // What becomes of a variable that the deck names.
 std::string fate_of(const std::string& label, const std::vector<PassedOn>& kinds) {
   for (const PassedOn& p : kinds) {
-    if (has(p.carried, label)) return "carried, as by both components";
-    if (has(p.at_start, label)) return "zero, as at a start";
-    if (has(p.dropped, label)) return "dropped: the component has no use for it";
+    if (has(p.carried, label)) return "kept: both components carry it";
+    if (has(p.at_start, label)) return "zero, as at the start of a run";
+    if (has(p.dropped, label)) return "dropped: the component does not use it";
   }
-  if (label.starts_with("g.")) return "made anew from the particles in every step";
-  return "nothing to do: the component keeps no such variable";
+  if (label.starts_with("g.")) return "computed again from the particles in every step";
+  return "nothing to do: the component has no such variable";
 }
 
 std::vector<std::string> named_in(const DeckNode& component, const DeckNode& part,
@@ -74,13 +74,14 @@ std::string parts_text(const std::vector<PlannedPart>& parts) {
           fmt::join(kind.carried, ", "),
           kind.at_start.empty()
               ? ""
-              : fmt::format("; {} zero, as at a start", fmt::join(kind.at_start, ", ")),
+              : fmt::format("; {} zero, as at the start of a run", fmt::join(kind.at_start, ", ")),
           kind.dropped.empty() ? "" : fmt::format("; {} dropped", fmt::join(kind.dropped, ", ")));
   for (const PlannedPart& p : parts)
     for (const std::string& line : p.named) text += "  " + line + "\n";
   return text +
-         "  grid, output and times of the run are those of the switcher's deck, limits of "
-         "the time step those of\n  each component's; all that follows is of the first\n";
+         "  grid, output and times of the run are those of the switcher's deck, limits of the time "
+         "step those of\n  each component's deck; the rest of the plan is for the first "
+         "component\n";
 }
 
 Json parts_json(const std::vector<PlannedPart>& parts) {

@@ -21,8 +21,8 @@ fs::path tools_folder() {
   fs::path tools = data_folder() / "tools";
   if (!fs::exists(tools / "sluice_tools" / "__main__.py"))
     throw SystemError(
-        fmt::format("the Python tools are not beside this executable: looked for {}; "
-                    "install with cmake --install, or run the one in the build tree",
+        fmt::format("the Python tools are not installed with this executable: searched for {}; "
+                    "install with cmake --install, or run the executable in the build tree",
                     (tools / "sluice_tools").string()));
   return tools;
 }

@@ -63,14 +63,14 @@ std::string text_of(const GoldenTable& table, const GoldenTable::Row& row) {
 
 std::string table_difference(const GoldenTable& golden, const GoldenTable& now, double tolerance) {
   if (golden.title != now.title || golden.columns != now.columns)
-    return fmt::format("holds {} ({}), the golden file {} ({})", now.title,
+    return fmt::format("contains {} ({}), the golden file {} ({})", now.title,
                        fmt::join(now.columns, " "), golden.title, fmt::join(golden.columns, " "));
   if (golden.rows.size() != now.rows.size())
-    return fmt::format("{}: {} places, the golden file has {}", golden.title, now.rows.size(),
+    return fmt::format("{}: {} values, the golden file has {}", golden.title, now.rows.size(),
                        golden.rows.size());
   for (std::size_t n = 0; n < golden.rows.size(); ++n)
     if (golden.rows[n].place != now.rows[n].place)
-      return fmt::format("{}: {} is there, the golden file has {}", golden.title,
+      return fmt::format("{}: found {}, the golden file has {}", golden.title,
                          text_of(now, now.rows[n]), text_of(golden, golden.rows[n]));
   for (std::size_t c = 0; c + golden.place_columns() < golden.columns.size(); ++c) {
     double scale = 0;
@@ -86,7 +86,7 @@ std::string table_difference(const GoldenTable& golden, const GoldenTable& now, 
       where = n;
     }
     if (count > 0)
-      return fmt::format("{}: {} differs in {} of {} places, most in {}: {:.17g}, golden {:.17g}",
+      return fmt::format("{}: {} differs in {} of {} values, most in {}: {:.17g}, golden {:.17g}",
                          golden.title, golden.columns[golden.place_columns() + c], count,
                          golden.rows.size(), text_of(golden, golden.rows[where]),
                          now.rows[where].values[c], golden.rows[where].values[c]);

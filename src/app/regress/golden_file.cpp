@@ -38,7 +38,7 @@ struct Reader {
   double number(const std::string& word) const {
     char* end = nullptr;
     const double x = std::strtod(word.c_str(), &end);
-    if (word.empty() || *end != 0) refuse(fmt::format("'{}' is no number", word));
+    if (word.empty() || *end != 0) refuse(fmt::format("'{}' is not a number", word));
     return x;
   }
 };

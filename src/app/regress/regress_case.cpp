@@ -46,7 +46,7 @@ RegressCase read_case(const fs::path& file, const Json& json, std::size_t number
     refuse(file, where, problem.what());
   }
   if (c.name.empty() || c.name.find('/') != c.name.npos)
-    refuse(file, where, "the name cannot be that of a file");
+    refuse(file, where, "the name cannot be used as a file name");
   if (c.variables.empty()) refuse(file, where, "no variables to compare");
   if (!(c.tolerance >= 0)) refuse(file, where, "tolerance must be at least 0");
   if (c.restart != 0 && c.restart < 3)
@@ -113,7 +113,7 @@ std::vector<RegressCase> read_regress_cases(const fs::path& file) {
   for (std::size_t n = 0; n < json.at("cases").size(); ++n) {
     cases.push_back(read_case(file, json.at("cases").at(n), n));
     if (!names.insert(cases.back().name).second)
-      refuse(file, "case '" + cases.back().name + "'", "the name is there twice");
+      refuse(file, "case '" + cases.back().name + "'", "the name occurs twice");
   }
   return cases;
 }
@@ -177,7 +177,7 @@ RegressCheck RegressRunner::check_golden(const RegressCase& c, const Run& plain)
   }
   if (!fs::exists(c.golden))
     return {"golden", CaseVerdict::different,
-            fmt::format("there is no {}; sluice regress {} --bless writes it", c.golden.string(),
+            fmt::format("{} does not exist; sluice regress {} --bless writes it", c.golden.string(),
                         c.name)};
   return judged("golden", golden_difference(read_golden(c.golden), now, c.tolerance));
 }

@@ -42,8 +42,8 @@ std::vector<std::string> overrides_in(const std::string& file, const Json& value
   std::vector<std::string> out;
   const auto add = [&](const Json& one) {
     if (!one.is_text() || one.get<std::string>().find('=') == std::string::npos) {
-      refuse(file,
-             fmt::format("{} is no override; expected \"PATH=VALUE\" as for --set", one.dump()));
+      refuse(file, fmt::format("{} is not an override; expected \"PATH=VALUE\" as for --set",
+                               one.dump()));
     }
     out.push_back(one.get<std::string>());
   };
@@ -58,7 +58,8 @@ std::vector<std::string> overrides_in(const std::string& file, const Json& value
 IntVec3 resolution_in(const std::string& file, const Json& value) {
   IntVec3 out;
   if (!value.is_array() || value.size() != 3) {
-    refuse(file, fmt::format("{} in \"resolution\" is no triple such as [100,1,1]", value.dump()));
+    refuse(file,
+           fmt::format("{} in \"resolution\" is not a triple such as [100,1,1]", value.dump()));
   }
   for (int d = 0; d < 3; ++d) {
     const Json& n = value.at(static_cast<std::size_t>(d));
@@ -110,7 +111,7 @@ Json parse(const std::string& file) {
   try {
     return Json::parse({std::istreambuf_iterator<char>(in), {}}, Json::Comments::skipped);
   } catch (const JsonError& problem) {
-    refuse(file, fmt::format("this is no JSON: {}", problem.what()));
+    refuse(file, fmt::format("this is not JSON: {}", problem.what()));
   }
 }
 

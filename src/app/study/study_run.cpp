@@ -56,8 +56,7 @@ exact::ErrorNorms lost_energy(const Study& study, const Json& told) {
   const Json& account = told.at("energy_account");
   if (account.empty())
     throw InputError(
-        fmt::format("{}: the run of {} has no account of energy: no solids in it deform "
-                    "in explicit steps",
+        fmt::format("{}: the run of {} has no energy budget: no solids deform in explicit steps",
                     study.file, study.deck));
   double lost = 0;
   for (const auto& [name, value] : account.members())

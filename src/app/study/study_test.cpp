@@ -94,7 +94,7 @@ TEST_F(StudyFolder, AReferenceIsARunOfItsOwn) {
 
 TEST_F(StudyFolder, SaysWhatIsWrongWithAStudy) {
   const std::string head = R"({"title": "T", "deck": "deck.ups", )";
-  EXPECT_THAT(refusal("{"), HasSubstr("this is no JSON"));
+  EXPECT_THAT(refusal("{"), HasSubstr("this is not JSON"));
   EXPECT_THAT(refusal(R"({"title": "T"})"), HasSubstr("entry \"deck\" is missing"));
   EXPECT_THAT(refusal(R"({"title": "T", "deck": "no.ups"})"), HasSubstr("no.ups is neither at"));
   EXPECT_THAT(refusal(head + R"("norm": "l3", "resolution": [[1,1,1]]})"),

@@ -91,10 +91,10 @@ std::string verdict(const TuneReport& r) {
   const TunedSolver* best = r.best();
   if (best == nullptr) return "no solver met the goal within the budget: raise --budget\n";
   if (!r.worth_it())
-    return fmt::format("{} of the deck is the fastest found, or as good: nothing to change\n",
+    return fmt::format("{} of the deck is the fastest found, or equally fast: nothing to change\n",
                        short_name(r.own));
   if (r.gain() == 0)
-    return fmt::format("the deck's own solver fails here; {} does not. To paste:\n\n",
+    return fmt::format("the deck's own solver fails; {} does not. Tags for the deck:\n\n",
                        short_name(best->settings));
   std::string text = fmt::format("{} takes {} where the deck's own takes {}: {:.2f} times as fast",
                                  short_name(best->settings), human_duration(best->seconds()),
@@ -103,7 +103,7 @@ std::string verdict(const TuneReport& r) {
   if (r.step_seconds > r.own_result().seconds())
     text += fmt::format(";\nof a step that takes {} it saves {}", human_duration(r.step_seconds),
                         human_percent(saved / r.step_seconds));
-  return text + ". To paste:\n\n";
+  return text + ". Tags for the deck:\n\n";
 }
 
 Json settings_json(const SolverSettings& s) {
@@ -189,8 +189,8 @@ std::string tune_text(const TuneReport& r) {
       numbers_text(r), r.steps, r.steps == 1 ? "" : "s", norm_name(r.own.norm), goal_text(r.own));
   text += table_of(r);
   text += fmt::format(
-      "  * the deck's own. Processor time of set-up and all solves of a system, median over {} "
-      "system{}; {} of {} spent\n\n",
+      "  * the deck's own solver. Processor time of set-up and all solves of a system, median over "
+      "{} system{}; {} of {} spent\n\n",
       r.ranked_by, r.ranked_by == 1 ? "" : "s", human_duration(r.seconds),
       human_duration(r.budget));
   text += verdict(r);

@@ -124,7 +124,7 @@ void TuneSearch::first_trial(TunedSolver& solver, double best) {
   solver.settings = all;
   if (solver.state == TuneState::failed && bounded && std::isfinite(solver.trials[0].residual)) {
     solver.state = TuneState::slow;
-    solver.note = "stopped there, far behind";
+    solver.note = "stopped there, much slower";
   }
 }
 
@@ -170,7 +170,8 @@ void TuneSearch::leave_behind(double times) {
   for (TunedSolver* s : race) {
     if (s == &solvers_.front() || s->seconds() <= times * race.front()->seconds()) continue;
     s->state = TuneState::slow;
-    s->note = fmt::format("left after {} system{}", systems_done_, systems_done_ == 1 ? "" : "s");
+    s->note =
+        fmt::format("excluded after {} system{}", systems_done_, systems_done_ == 1 ? "" : "s");
   }
 }
 

@@ -26,14 +26,14 @@ class Scanner {
   }
   void pass(const char* what) {
     const std::size_t found = text_.find(what, next_);
-    if (found == nowhere) throw InputError("the text is no well-formed XML");
+    if (found == nowhere) throw InputError("the text is not well-formed XML");
     next_ = found + std::char_traits<char>::length(what);
   }
   // To the next start or end tag, over text, comments, instructions and declarations.
   void skip_to_tag() {
     for (;;) {
       next_ = text_.find('<', next_);
-      if (next_ == nowhere) throw InputError("the text is no well-formed XML");
+      if (next_ == nowhere) throw InputError("the text is not well-formed XML");
       if (at("<!--"))
         pass("-->");
       else if (at("<![CDATA["))

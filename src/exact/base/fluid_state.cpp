@@ -12,8 +12,8 @@ namespace {
 
 [[noreturn]] void refuse(const eos::EquationOfState& law, const std::string& what) {
   throw InputError(fmt::format(
-      "equation of state {}: there is no state of {}; allowed are the states inside the law's "
-      "range",
+      "equation of state {}: there is no admissible state with {}; allowed are the states inside "
+      "the law's range",
       eos::name_of(law), what));
 }
 
@@ -30,10 +30,10 @@ FluidState state_of_pressure(const eos::EquationOfState& law, double density, do
                                     pressure));
           return {density, velocity, pressure, rho_e / density};
         } else {
-          throw InputError(fmt::format(
-              "equation of state {}: density and pressure do not tell the energy, as the pressure "
-              "depends on density alone; give the temperature",
-              eos::name_of(law)));
+          throw InputError(
+              fmt::format("equation of state {}: density and pressure do not determine the energy, "
+                          "because the pressure depends on density only; give the temperature",
+                          eos::name_of(law)));
         }
       },
       law);

@@ -19,7 +19,8 @@ WaveCurve::WaveCurve(const eos::EquationOfState& law, const FluidState& ahead)
       law);
   if (!good || !std::isfinite(ahead.velocity) || !(sound_speed_ > 0)) {
     throw InputError(fmt::format(
-        "equation of state {}: density {}, pressure {}, energy {}, velocity {} is no state of it",
+        "equation of state {}: density {}, pressure {}, energy {}, velocity {} is not an "
+        "admissible state",
         eos::name_of(law), ahead.density, ahead.pressure, ahead.energy, ahead.velocity));
   }
 }

@@ -66,7 +66,7 @@ std::unique_ptr<LevelSampler> average_sampler(const AnalysisModule& m, const Lev
 
 void refuse(const AnalysisModule& m, const AnalysedVariable& v, const char* why) {
   throw DeckError(v.where, fmt::format("<Module name=\"{}\">: '{}' {}", m.name, v.label, why),
-                  "take another variable");
+                  "use another variable");
 }
 
 void check_averages(const AnalysisModule& m, const FindQuantity& find) {
@@ -77,13 +77,13 @@ void check_averages(const AnalysisModule& m, const FindQuantity& find) {
   if (!m.weight.empty() && find(weight_of(m)).components != 1)
     refuse(m, weight_of(m), "is a vector; the weight is a scalar");
   if (m.velocity) {
-    if (find(*m.velocity).components != 3) refuse(m, *m.velocity, "is no vector");
+    if (find(*m.velocity).components != 3) refuse(m, *m.velocity, "is not a vector");
     all.push_back(*m.velocity);
   }
   for (const AnalysedVariable& v : all) {
     const AnalysedQuantity q = find(v);
     if (q.label.info().centring != Centring::cell)
-      refuse(m, v, "lives on faces or nodes; averages over planes are of cell variables");
+      refuse(m, v, "is on faces or nodes; averages over planes are of cell variables");
     if (m.velocity && q.components != 1 && v.label != m.velocity->label)
       refuse(m, v, "is a vector; fluxes are of scalars and of the velocity itself");
   }
@@ -112,7 +112,7 @@ void check_fields(const AnalysisModule& m, const FindQuantity& find) {
   if (m.name != "pointExtract") return;
   for (const AnalysedVariable& v : m.variables)
     if (find(v).label.info().centring != Centring::cell)
-      refuse(m, v, "lives on faces or nodes; points are between the centres of cells");
+      refuse(m, v, "is on faces or nodes; points are between the centres of cells");
 }
 
 namespace {

@@ -93,7 +93,7 @@ void DataLines::split(std::string_view line) {
     if (commas && line[at] == ',') {
       if (open)
         throw InputError(
-            fmt::format("{}:{}:{}: nothing stands before this comma; expected a number", file_,
+            fmt::format("{}:{}:{}: there is nothing before this comma; expected a number", file_,
                         line_, column_of(line, at)));
       open = true;
       ++at;
@@ -153,16 +153,16 @@ void read_table(const std::string& file, const std::vector<std::string>& columns
     if (lines.words().size() > columns.size())
       lines.refuse(
           columns.size(),
-          fmt::format("{} stands behind the last number; expected {}: {}",
+          fmt::format("{} found after the last number; expected {}: {}",
                       shown(lines.words()[columns.size()].text),
-                      columns.size() == 1 ? "one number a line"
-                                          : fmt::format("{} numbers a line", columns.size()),
+                      columns.size() == 1 ? "one number per line"
+                                          : fmt::format("{} numbers per line", columns.size()),
                       fmt::join(columns, ", ")));
     row(TableRow(lines, numbers));
     ++rows;
   }
   if (rows == 0)
-    throw InputError(fmt::format("{}: no rows; expected {} numbers a line: {}", file,
+    throw InputError(fmt::format("{}: no rows; expected {} numbers per line: {}", file,
                                  columns.size(), fmt::join(columns, ", ")));
 }
 

@@ -63,14 +63,14 @@ TEST_F(Table, NumbersInTheFormsOfOtherPrograms) {
 
 TEST_F(Table, EveryRowIsReadToItsEnd) {
   EXPECT_EQ(refusal("0 1 2\n0 1 2 7\n"),
-            "t.tab:2:7: '7' stands behind the last number; expected 3 numbers a line: time, u, v");
+            "t.tab:2:7: '7' found after the last number; expected 3 numbers per line: time, u, v");
   EXPECT_EQ(refusal("0 1 2 m/s\n"),
-            "t.tab:1:7: 'm/s' stands behind the last number; expected 3 numbers a line: time, u, "
+            "t.tab:1:7: 'm/s' found after the last number; expected 3 numbers per line: time, u, "
             "v");
   EXPECT_EQ(refusal("0 1 2\r3 4\r"), "t.tab:2:4: number 3 of 3 (v) is missing");
   EXPECT_EQ(refusal("0 1 2x\n"), "t.tab:1:5: '2x' is not a number; expected number 3 of 3 (v)");
   EXPECT_EQ(refusal("\xef\xbb\xbf 0 1,,2\n"),
-            "t.tab:1:6: nothing stands before this comma; expected a number");
+            "t.tab:1:6: there is nothing before this comma; expected a number");
 }
 
 TEST_F(Table, WhatIsNoNumberIsRefused) {
@@ -89,7 +89,7 @@ TEST_F(Table, ColumnsBehindOtherLetters) {
 }
 
 TEST_F(Table, AFileWithoutRowsIsRefused) {
-  EXPECT_EQ(refusal("# nothing\n"), "t.tab: no rows; expected 3 numbers a line: time, u, v");
+  EXPECT_EQ(refusal("# nothing\n"), "t.tab: no rows; expected 3 numbers per line: time, u, v");
   EXPECT_THAT(refusal("\xff\xfe"
                       "0"),
               testing::HasSubstr("is in UTF-16"));

@@ -23,7 +23,7 @@ std::string unpacked_text(const std::string& file, const std::string& what) {
     text.append(buffer, static_cast<std::size_t>(read));
   int state = Z_OK;
   const char* why = gzerror(in.get(), &state);
-  if (state == Z_BUF_ERROR) fail("ends before it can be unpacked as a whole");
+  if (state == Z_BUF_ERROR) fail("ends before it is unpacked completely");
   if (read < 0 || (state != Z_OK && state != Z_STREAM_END))
     fail(fmt::format("cannot be unpacked: {}", why));
   return text;

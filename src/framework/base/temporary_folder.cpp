@@ -23,10 +23,10 @@ fs::path disk_folder() {
   const fs::path folder = fs::temp_directory_path(fault);
   if (!fault) return folder;
   const char* named = ::getenv("TMPDIR");
-  throw SystemError(fmt::format(
-      "the folder for temporary files, {}, is not there ({}); set TMPDIR to one that can "
-      "be written",
-      named != nullptr ? named : "/tmp", fault.message()));
+  throw SystemError(
+      fmt::format("the folder for temporary files, {}, does not exist ({}); set TMPDIR to a folder "
+                  "that can be written",
+                  named != nullptr ? named : "/tmp", fault.message()));
 }
 
 }  // namespace

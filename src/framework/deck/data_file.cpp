@@ -84,7 +84,7 @@ std::string find_data_file(const std::string& name, const std::string& ending,
       const std::string path = place.string() + packed;
       if (!is_file(path + ending)) continue;
       add_warning(faults, where,
-                  fmt::format("'{}' is not there; '{}' is taken", name + ending, path + ending),
+                  fmt::format("'{}' does not exist; '{}' is used", name + ending, path + ending),
                   "correct the name");
       return path;
     }
@@ -96,8 +96,8 @@ std::string data_file(const DeckNode& node, std::vector<Fault>& faults) {
   if (!path.empty()) return path;
   const fs::path folder = fs::path(node.where.file).parent_path();
   add_error(faults, node.where,
-            fmt::format("<{}>: there is no file '{}', neither from the working directory nor "
-                        "beside the deck, in '{}'",
+            fmt::format("<{}>: there is no file '{}', neither in the working directory nor in the "
+                        "folder of the deck, '{}'",
                         node.name, node.text, folder.empty() ? "." : folder.string()),
             "names are relative to one of the two, without quotation marks");
   return {};

@@ -61,7 +61,7 @@ TEST_F(DataFiles, AreFoundWithoutTheirFoldersOrGzippedWithAWarning) {
   const Deck deck = read("<piece><name>inputs/a.tab</name></piece>");
   EXPECT_EQ(deck.root->all("piece")[0]->string("name"), at("a.tab.gz"));
   ASSERT_EQ(deck.faults.size(), 1u);
-  EXPECT_THAT(to_string(deck.faults[0]), HasSubstr("warning: 'inputs/a.tab' is not there; '"));
+  EXPECT_THAT(to_string(deck.faults[0]), HasSubstr("warning: 'inputs/a.tab' does not exist; '"));
 }
 
 TEST_F(DataFiles, AreFoundBesideTheTargetOfALink) {

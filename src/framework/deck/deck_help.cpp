@@ -201,14 +201,13 @@ std::string help_overview(const Schema& schema) {
 
 std::string markdown_reference(const Schema& schema) {
   std::string text =
-      "# Deck reference\n\n"
-      "Every tag that Sluice reads, with its values and defaults. This page is written by\n"
-      "`sluice help --markdown`; `sluice help TAG` shows one tag, `sluice check DECK` finds all\n"
-      "faults of a deck. The root element is `<Uintah_specification>`. Units are whatever\n"
-      "consistent set the deck uses; nothing is converted.\n\n"
-      "`<include href=\"FILE\" section=\"A/B\"/>` stands for the tag `A/B` of another file; any "
-      "further\nattribute of the include must be found on that tag. The file is looked up beside "
-      "the\nincluding one, then in the current folder.\n";
+      "# Deck reference\n\nThis page lists every tag that Sluice reads, with its values and "
+      "defaults. It is written by\n`sluice help --markdown`; `sluice help TAG` shows one tag, "
+      "`sluice check DECK` finds all\nfaults of a deck. The root element is "
+      "`<Uintah_specification>`. A deck may use any consistent set of\nunits; nothing is "
+      "converted.\n\n`<include href=\"FILE\" section=\"A/B\"/>` is replaced by the tag `A/B` of "
+      "another file; any further\nattribute of the include must be present on that tag. The file "
+      "is searched for in the folder of the\nincluding file, then in the current folder.\n";
   std::vector<Place> pieces;
   for (const Place& place : all_places(schema)) {
     const bool leaf = place.spec->children.empty() && place.spec->attributes.empty();
@@ -226,8 +225,9 @@ std::string markdown_reference(const Schema& schema) {
     }
   }
   text +=
-      "\n## Geometry pieces\n\nRegions of space in a `<geom_object>`, and in each other for the "
-      "operators. An empty\ntag with the label of a piece elsewhere repeats that piece.\n";
+      "\n## Geometry pieces\n\nGeometry pieces are regions of space in a `<geom_object>`, or in "
+      "another piece for the operators. An empty\ntag with the label of another piece repeats that "
+      "piece.\n";
   for (Place place : pieces) {
     const auto at = place.path.find("geom_object/");
     if (at != std::string::npos) place.path = "geom_object" + place.path.substr(at + 11);

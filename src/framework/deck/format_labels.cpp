@@ -42,17 +42,18 @@ const LabelTable& label_table() {
 const std::vector<ForeignLabel>& foreign_labels() {
   static const std::vector<ForeignLabel> list = [] {
     std::vector<ForeignLabel> rows = {
-        {"temp_CC_Xchange", "heat passes between materials at the very end of a step",
+        {"temp_CC_Xchange", "heat exchange between materials is at the very end of a step",
          "save temp_CC, the temperature after it"},
-        {"grad_dp_", "the pressure changes in one go, without corrections",
+        {"grad_dp_", "the pressure changes in one operation, without corrections",
          "save grad_P_XFC, grad_P_YFC or grad_P_ZFC"},
         {"eq_press_iters",
-         "one pressure is found by closed forms and bracketed searches, not counted",
+         "the common pressure is found by closed forms and bracketed searches, which are not "
+         "counted",
          "remove the line"},
-        {"maxMach_", "LODI faces take the Mach number of each cell, not the largest of the face",
+        {"maxMach_", "LODI faces use the Mach number of each cell, not the largest of the face",
          "save mach"}};
     for (const char* face : {"sp_volX_FC", "sp_volY_FC", "sp_volZ_FC"})
-      rows.push_back({face, "the scheme takes no specific volume on faces",
+      rows.push_back({face, "the scheme uses no specific volume on faces",
                       "save sp_vol_CC of the cells on both sides"});
     return rows;
   }();

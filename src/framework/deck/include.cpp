@@ -75,7 +75,7 @@ class IncludeResolver {
       return std::nullopt;
     }
     fault(include, fmt::format("included file {} does not exist", in_quotes(href)),
-          "looked beside the including file and in the current folder");
+          "searched in the folder of the including file and in the current folder");
     return std::nullopt;
   }
 
@@ -89,8 +89,8 @@ class IncludeResolver {
     if (give_up_) return {};
     if (budget_.includes == 0 || stack_.size() >= budget_.include_depth) {
       give_up_ = true;
-      fault(include, fmt::format("too many includes: {} of {} stand inside one another",
-                                 stack_.size(), in_quotes(href)));
+      fault(include,
+            fmt::format("too many includes: {} of {} are nested", stack_.size(), in_quotes(href)));
       return {};
     }
     const auto path = locate(include, href);

@@ -186,7 +186,7 @@ TEST(PieceLabels, FaultsAreNamed) {
               HasSubstr("'a' is the label of a <box>"));
   EXPECT_THAT(
       resolve_labels("<box label='a'><min>1</min></box><box label='a'><min>2</min></box>").faults,
-      HasSubstr("warning: label 'a' is already that of the piece at pieces.ups:1:"));
+      HasSubstr("warning: label 'a' is already used by the piece at pieces.ups:1:"));
   EXPECT_THAT(resolve_labels("<box label='a'><min>1</min></box><box label='a'><min>2</min></box>"
                              "<box label='a'/>")
                   .faults,
@@ -198,7 +198,7 @@ TEST(PieceLabels, FaultsAreNamed) {
 
 TEST(PieceLabels, ThatHoldThemselvesEnd) {
   const Resolved r = resolve_labels("<union label='u'><union label='u'/><null/></union>");
-  EXPECT_THAT(r.faults, HasSubstr("without end"));
+  EXPECT_THAT(r.faults, HasSubstr("endlessly"));
 }
 
 // Conditions of a second face of one place follow those of the first; other places stay.

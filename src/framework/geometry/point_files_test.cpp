@@ -180,7 +180,7 @@ TEST_F(FromFiles, PointsWithVariables) {
       ThrowsMessage<InputError>(HasSubstr("p.pts:1:18: number 8 of 9 (p.normal y) is missing")));
   EXPECT_THAT([&] { read_point_file(name, PointFormat::text, {"p.volume"}); },
               ThrowsMessage<InputError>(
-                  HasSubstr("p.pts:1:13: '1' stands behind the last number; expected 4 numbers")));
+                  HasSubstr("p.pts:1:13: '1' found after the last number; expected 4 numbers")));
 }
 
 TEST_F(FromFiles, BinaryPointsInEitherByteOrder) {

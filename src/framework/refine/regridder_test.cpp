@@ -215,7 +215,7 @@ TEST(Regridder, WhatIsNoLongerAskedForGoesWhenItHasCostAStep) {
   auto flags = c.flags(1);
   flags[0].set(IntVec3{20, 0, 0});
   ASSERT_TRUE(r.regrid(1, flags));
-  ASSERT_EQ(r.cells(1), 8);  // 16 updates a coarse step, of 56 in all
+  ASSERT_EQ(r.cells(1), 8);  // 16 updates per coarse step, of 56 in all
   const auto none = c.flags(1);
   int step = 2;
   while (!r.regrid(step, none) && step < 50) ++step;

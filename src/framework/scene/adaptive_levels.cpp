@@ -29,10 +29,11 @@ bool check_ratio(IntVec3& ratio, std::size_t fine, const std::array<bool, 3>& ac
   for (int d = 0; d < 3; ++d) {
     if (!active[static_cast<std::size_t>(d)]) {
       if (ratio[d] != 1)
-        add_warning(faults, where,
-                    fmt::format("refinement ratio {} in direction {}, which is not a dimension of "
-                                "this run; read as 1",
-                                ratio[d], axis_letter[d]));
+        add_warning(
+            faults, where,
+            fmt::format(
+                "refinement ratio {} in direction {}, which is inactive in this run; read as 1",
+                ratio[d], axis_letter[d]));
       ratio[d] = 1;
       continue;
     }
@@ -41,7 +42,7 @@ bool check_ratio(IntVec3& ratio, std::size_t fine, const std::array<bool, 3>& ac
                 fmt::format("refinement ratio {} in direction {} between levels {} and {}; it must "
                             "be 1, 2 or 4",
                             ratio[d], axis_letter[d], fine - 1, fine),
-                ratio[d] > 4 ? "reach it with several levels" : "use 2 or 4");
+                ratio[d] > 4 ? "use several levels to reach it" : "use 2 or 4");
       return false;
     }
     refines = refines || ratio[d] > 1;
@@ -49,9 +50,9 @@ bool check_ratio(IntVec3& ratio, std::size_t fine, const std::array<bool, 3>& ac
   if (!refines)
     (by_hand ? add_warning : add_error)(
         faults, where,
-        fmt::format("level {} refines no direction of this run: its ratio to level {} is 1 in "
-                    "each of them",
-                    fine, fine - 1),
+        fmt::format(
+            "level {} refines no active direction: its ratio to level {} is 1 in each of them",
+            fine, fine - 1),
         "use 2 or 4 in at least one direction");
   return refines || by_hand;
 }
@@ -83,7 +84,7 @@ void check_margin(const GridSettings& grid, std::size_t level, std::vector<Fault
       if (finder.covers(part)) continue;
       add_error(faults, b.where,
                 fmt::format("box: it touches the edge of level {}; at least one cell of that level "
-                            "must lie around it where the domain goes on",
+                            "must surround it except at the boundary of the domain",
                             level - 1),
                 "make the coarser level larger or this box smaller");
       break;
@@ -109,15 +110,15 @@ bool check_tile(IntVec3& tile, IntVec3 ratio, IntVec3 cells, std::size_t level,
                 fmt::format("a tile of {} cell{} in direction {} for level {}; it must have at "
                             "least {}",
                             tile[d], tile[d] == 1 ? "" : "s", axis_letter[d], level, smallest_tile),
-                "8 or more cells per direction are worth their ghost cells");
+                "8 or more cells per direction are recommended because of the ghost cells");
       return false;
     }
     if (tile[d] % ratio[d] != 0) {
       const int whole = (tile[d] / ratio[d] + 1) * ratio[d];
       add_warning(
           faults, where,
-          fmt::format("a tile of {} cells in direction {} for level {}, where the "
-                      "refinement ratio is {}: tiles of whole coarse cells, of {}, take its place",
+          fmt::format("a tile of {} cells in direction {} for level {}, where the refinement ratio "
+                      "is {}: it is replaced by tiles of whole coarse cells, of {}",
                       tile[d], axis_letter[d], level, ratio[d], whole),
           fmt::format("use {}", whole));
       tile[d] = whole;
@@ -142,11 +143,12 @@ bool check_extent(IntVec3 coarse_cells, IntVec3 ratio, const Location& where,
 bool check_flags(IntVec3 cells, const Location& where, std::vector<Fault>& faults) {
   const double count = 1.0 * cells.x * cells.y * cells.z;
   if (count <= most_flags) return true;
-  add_error(faults, where,
-            fmt::format("a domain of {:.3g} cells is to be flagged for refinement; at most {:.0e} "
-                        "are",
-                        count, most_flags),
-            "use fewer levels");
+  add_error(
+      faults, where,
+      fmt::format(
+          "a domain of {:.3g} cells is to be flagged for refinement; at most {:.0e} are allowed",
+          count, most_flags),
+      "use fewer levels");
   return false;
 }
 

@@ -37,7 +37,7 @@ AnalysedVariable read_variable(const DeckNode& node, int default_material,
   AnalysedVariable v;
   v.where = node.where;
   v.label = node.attribute("label").value_or("");
-  if (v.label.empty()) throw InputError("<analyze>: no label; which variable is meant?");
+  if (v.label.empty()) throw InputError("<analyze>: no label; name the variable");
   v.material = integer_attribute(node, "matl").value_or(default_material);
   check_material(v.material, materials);
   v.levels = read_index_set(node.attribute("level").value_or(""));

@@ -62,13 +62,12 @@ std::vector<IndexBox> forced(const LevelSettings& settings, IntVec3 pieces) {
     for (int d = 0; d < 3; ++d)
       if (pieces[d] < 1 || pieces[d] > n[d])
         throw InputError(fmt::format(
-            "a split into {},{},{} boxes was asked for, but the level has {} x {} x {} cells; each "
-            "number must be between 1 and the cells of its direction",
+            "a split into {},{},{} boxes was requested, but the level has {} x {} x {} cells; each "
+            "number must be between 1 and the number of cells of its direction",
             pieces.x, pieces.y, pieces.z, n.x, n.y, n.z));
     if (static_cast<double>(pieces.x) * pieces.y * pieces.z > 1e6)
       throw InputError(
-          fmt::format("a split into {},{},{} boxes was asked for; at most a million "
-                      "boxes are made",
+          fmt::format("a split into {},{},{} boxes was requested; at most a million boxes are made",
                       pieces.x, pieces.y, pieces.z));
     append(boxes, b.cells, pieces);
   }
@@ -133,7 +132,7 @@ Grid build_grid(const GridSettings& settings, const GridOptions& options) {
       level.boxes.push_back({b, 0, static_cast<int>(level.boxes.size())});
     if (grid.levels.empty() && static_cast<int>(level.boxes.size()) < options.ranks)
       throw InputError(fmt::format(
-          "{} ranks, but the grid can be cut into {} boxes only; use at most that many ranks",
+          "{} ranks, but the grid can be divided into only {} boxes; use at most that many ranks",
           options.ranks, level.boxes.size()));
     assign_owners(level.boxes, options.ranks);
     grid.levels.push_back(std::move(level));

@@ -91,7 +91,8 @@ std::array<ActiveDirection, 3> find_active_directions(const GridSettings& grid,
                                            judge(1, grid, boundary, facts),
                                            judge(2, grid, boundary, facts)};
   if (!result[0].active && !result[1].active && !result[2].active)
-    result[0] = stays("one cell in every direction; one direction must remain", result[0].where);
+    result[0] = stays("one cell in every direction; at least one direction must be active",
+                      result[0].where);
   return result;
 }
 

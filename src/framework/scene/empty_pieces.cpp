@@ -35,7 +35,7 @@ void check_object(const DeckNode& node, const GeometryReader& geometry, const Gr
                     [&](const Level& level) { return covers_a_cell(*piece, res, level); });
     if (covers) continue;
     add_warning(faults, tag->where, fmt::format("<{}> covers no cell: no effect", tag->name),
-                "it must hold centres of cells, or sub-points where <res> asks for several");
+                "it must contain centres of cells, or sub-points if <res> is above 1");
   }
 }
 

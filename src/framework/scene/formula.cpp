@@ -73,7 +73,7 @@ Formula::Formula(const std::string& text, const std::map<std::string, double>& c
     const std::string token = error.GetToken();
     fail(text, placed ? error.GetPos() : static_cast<int>(text.size()),
          error.GetCode() == mu::ecUNASSIGNABLE_TOKEN
-             ? fmt::format("'{}' is no variable, constant or function", token)
+             ? fmt::format("'{}' is not a variable, constant or function", token)
          : error.GetCode() == mu::ecUNEXPECTED_EOF ? "the expression ends too early"
                                                    : error.GetMsg());
   }

@@ -86,8 +86,8 @@ const DeckNode* GeometryReader::labelled(const DeckNode& node, const std::string
     std::vector<std::string> known;
     for (const auto& [name, definition] : labels_) known.push_back(name);
     add_error(faults, node.where,
-              fmt::format("no geometry is labelled '{}'; this empty <{}> stands for one", label,
-                          node.name),
+              fmt::format("no geometry piece has the label '{}', which this empty <{}> refers to",
+                          label, node.name),
               suggest_name(label, known));
     return nullptr;
   }

@@ -138,7 +138,7 @@ TEST(GeometryReader, LabelFaults) {
                      "</box>",
                      &said),
             nullptr);
-  EXPECT_THAT(said, HasSubstr("no geometry is labelled 'bx'"));
+  EXPECT_THAT(said, HasSubstr("no geometry piece has the label 'bx'"));
   EXPECT_THAT(said, HasSubstr("did you mean 'box'?"));
   EXPECT_EQ(piece_of("<sphere label=\"a\"/><box label=\"a\"><min>[0,0,0]</min><max>[1,1,1]</max>"
                      "</box>",

@@ -58,8 +58,8 @@ bool settle_cells(int d, const CellSource& source, const BoxSettings& box, doubl
   if (std::abs(cells - whole) > on_node * whole && source.resolution == nullptr && cells > 1) {
     const double fit = std::floor(cells);
     add_warning(faults, source.node().where,
-                fmt::format("box: {} cells in direction {}; it ends with the last whole one, at "
-                            "{:g} in place of {:g}",
+                fmt::format("box: {} cells in direction {}; it ends with the last complete "
+                            "cell, at {:g} in place of {:g}",
                             cells, axis_letter[d], box.lower[d] + fit * spacing, box.upper[d]),
                 "fit the spacing to upper - lower");
     cells = fit;
@@ -239,7 +239,7 @@ void nest(LevelSettings& fine, const LevelSettings& coarse, std::vector<Fault>& 
       covered.upper[d] = b.cells.upper[d] / r;
     }
     if (volume_of(coarse, covered) != covered.volume())
-      add_error(faults, b.where, "box: it reaches out of the next coarser level");
+      add_error(faults, b.where, "box: it extends beyond the next coarser level");
   }
 }
 
@@ -292,7 +292,7 @@ GridSettings read_grid_settings(const DeckNode& grid, std::vector<Fault>& faults
       if (volume_of(level, all) < all.volume())
         add_warning(faults, level.where,
                     "the boxes of the coarsest level leave gaps: cells there are walls",
-                    "a rectangular block has none");
+                    "a rectangular block has no gaps");
     }
     if (!g.levels.empty()) level.periodic = g.levels.front().periodic;
     g.levels.push_back(std::move(level));

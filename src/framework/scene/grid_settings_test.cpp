@@ -108,7 +108,7 @@ TEST(GridSettings, Faults) {
        "not both"},
       {"<Level>" + box("[0,0,0]", "[1,1,1]", resolution("[0,1,1]")) + "</Level>", "0 cells"},
       {"<Level>" + box("[0,0,0]", "[1,1,1]", "<spacing>[0.3,1,1]</spacing>") + "</Level>",
-       "3.3333333333333335 cells in direction x; it ends with the last whole one, at 0.9"},
+       "3.3333333333333335 cells in direction x; it ends with the last complete cell, at 0.9"},
       {"<Level>" + box("[0,0,0]", "[1,1,1]", "<spacing>[0,1,1]</spacing>") + "</Level>",
        "cells in direction x"},
       {"<Level>" + box("[0,0,0]", "[1,1,1]", resolution("[10000,10000,10000]")) + "</Level>",
@@ -140,7 +140,7 @@ TEST(GridSettings, Faults) {
        "not on nodes of the coarser level"},
       {"<Level>" + box("[0,0,0]", "[1,1,1]", one) + "</Level><Level>" +
            box("[0.5,0,0]", "[1.5,1,1]", resolution("[20,1,1]")) + "</Level>",
-       "reaches out of the next coarser level"},
+       "extends beyond the next coarser level"},
   };
   for (const Case& c : cases) {
     const Read r = read(c.levels);

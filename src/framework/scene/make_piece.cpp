@@ -134,8 +134,8 @@ PiecePtr make_image(const DeckNode& node) {
   const std::vector<double> range = node.need("threshold").as_reals();
   if (range.size() != 2)
     throw InputError(
-        fmt::format("image: threshold has {} numbers; expected the least and the "
-                    "greatest grey value, as [0,255]",
+        fmt::format("image: threshold has {} numbers; expected the smallest and the largest grey "
+                    "value, as [0,255]",
                     range.size()));
   return read_image(find_file(node, ""), node.int_vector("res"), static_cast<int>(range[0]),
                     static_cast<int>(range[1]), {node.vector("lower"), node.vector("upper")});

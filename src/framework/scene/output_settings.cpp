@@ -16,7 +16,7 @@ SaveRequest read_save(const DeckNode& node, const std::string& compression) {
   SaveRequest s;
   s.where = node.where;
   s.label = node.attribute("label").value_or("");
-  if (s.label.empty()) throw InputError("<save>: no label; which variable is to be saved?");
+  if (s.label.empty()) throw InputError("<save>: no label; name the variable to be saved");
   s.materials = read_index_set(node.attribute("material").value_or(""));
   s.levels = read_index_set(node.attribute("levels").value_or(""));
   s.compression = node.attribute("compression").value_or(compression);
@@ -66,8 +66,8 @@ void check_intervals(const OutputSettings& output, const TimeSettings& time,
                             output.interval > 0 ? fmt::format("{:g}", output.interval)
                                                 : fmt::format("{} steps", output.timestep_interval),
                             end(output.interval),
-                            output.last_timestep ? "beside the first step only its end is kept"
-                                                 : "only the first step is kept"),
+                            output.last_timestep ? "only the first step and its end are saved"
+                                                 : "only the first step is saved"),
                 output.last_timestep ? "write a shorter interval"
                                      : "write a shorter interval, or <outputLastTimestep>");
   const CheckpointSettings& c = output.checkpoint;
@@ -77,7 +77,7 @@ void check_intervals(const OutputSettings& output, const TimeSettings& time,
         fmt::format("the interval of checkpoints, {}, is beyond the end of the run, {}: {}",
                     c.interval > 0 ? fmt::format("{:g}", c.interval)
                                    : fmt::format("{} steps", c.timestep_interval),
-                    end(c.interval), c.last_timestep ? "only its end is kept" : "none is written"),
+                    end(c.interval), c.last_timestep ? "only its end is saved" : "none is written"),
         "write a shorter interval");
 }
 
@@ -115,7 +115,7 @@ OutputSettings read_output_settings(const DeckNode& archiver, std::vector<Fault>
     collect(faults, checkpoint->where, [&] { o.checkpoint = read_checkpoint(*checkpoint); });
   if (o.any() && o.saves.empty() && archiver.all("save").empty()) {
     add_warning(faults, archiver.where,
-                "<DataArchiver> asks for output but saves nothing: no output is written",
+                "<DataArchiver> has an output interval but saves nothing: no output is written",
                 "add <save label=\"...\"/>");
     o.interval = 0;
     o.timestep_interval = 0;

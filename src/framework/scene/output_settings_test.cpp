@@ -94,11 +94,11 @@ TEST(OutputSettings, IntervalsBeyondTheEndAreTold) {
   EXPECT_EQ(told("<outputInterval>2</outputInterval>", time), "");
   EXPECT_THAT(told("\n<outputInterval>2.5</outputInterval>", time),
               HasSubstr("deck.ups:3:1: warning: the interval of outputs, 2.5, is beyond the end of "
-                        "the run, maxTime 2: only the first step is kept"));
+                        "the run, maxTime 2: only the first step is saved"));
   EXPECT_THAT(told("<outputInterval>9</outputInterval><outputLastTimestep>true"
                    "</outputLastTimestep>",
                    time),
-              HasSubstr("beside the first step only its end is kept"));
+              HasSubstr("only the first step and its end are saved"));
   EXPECT_THAT(told("<checkpoint interval=\"3\" cycle=\"1\"/>", time),
               HasSubstr("the interval of checkpoints, 3, is beyond"));
   // Multiples of the interval itself: 4 lies between 3 and 5.

@@ -195,7 +195,7 @@ void read_condition(const DeckNode& node, int materials, bool strict, BoundaryRe
   c.kind_name = node.attribute("var").value_or("");
   c.kind = kind_of(c.kind_name);
   if (c.variable.empty() && c.kind == ConditionKind::symmetry) c.variable = "Symmetric";
-  if (c.variable.empty()) throw InputError("<BCType>: no label; which variable is meant?");
+  if (c.variable.empty()) throw InputError("<BCType>: no label; name the variable");
   read_value(node, c);
   if (strict) check_condition(c);
   for (int m : read_materials(node, materials, faults)) {

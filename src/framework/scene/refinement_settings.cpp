@@ -49,12 +49,11 @@ void check_dilation(const DeckNode& node, const Active& active, RefinementSettin
     if (!active[static_cast<std::size_t>(d)]) continue;
     if (least < 0 || s.stability_dilation[d] < least) least = s.stability_dilation[d];
     if (s.stability_dilation[d] == 0)
-      add_warning(
-          faults, place_of(node, "cell_stability_dilation"),
-          fmt::format("cell_stability_dilation 0 in direction {}: a wave can leave the finer "
-                      "level before it is laid anew",
-                      axis_letter[d]),
-          "use at least 1");
+      add_warning(faults, place_of(node, "cell_stability_dilation"),
+                  fmt::format("cell_stability_dilation 0 in direction {}: a wave can leave the "
+                              "finer level before it is rebuilt",
+                              axis_letter[d]),
+                  "use at least 1");
     if (s.min_boundary_cells[d] == 0) {
       add_warning(faults, place_of(node, "min_boundary_cells"),
                   fmt::format("min_boundary_cells 0 in direction {}; read as 1: a level may touch "
@@ -66,7 +65,7 @@ void check_dilation(const DeckNode& node, const Active& active, RefinementSettin
   if (least > 0 && s.min_interval > least + 1)
     add_warning(faults, place_of(node, "min_timestep_interval"),
                 fmt::format("min_timestep_interval {} with a cell_stability_dilation of {}: a wave "
-                            "can leave the finer level before it is laid anew",
+                            "can leave the finer level before it is rebuilt",
                             s.min_interval, least),
                 fmt::format("use at most {}", least + 1));
   if (s.max_interval > 0 && s.max_interval < s.min_interval)
@@ -100,7 +99,7 @@ bool read_lists(const DeckNode& node, const Active& active, bool tiled, Adaptive
     levels.ratio_where = list->where;
     if (const DeckNode* one = node.child("simple_refinement_ratio"))
       add_warning(faults, one->where,
-                  "<simple_refinement_ratio> has no effect beside <cell_refinement_ratio>",
+                  "<simple_refinement_ratio> has no effect together with <cell_refinement_ratio>",
                   "keep one of them");
   } else if (const DeckNode* one = node.child("simple_refinement_ratio")) {
     IntVec3 ratio{1, 1, 1};
@@ -135,19 +134,19 @@ const DeckNode* working_regridder(const DeckNode& amr, std::vector<Fault>& fault
   if (node == nullptr) {
     if (type == "Dynamic")
       add_warning(faults, amr.where,
-                  "type Dynamic, but no <Regridder>: the levels of <Grid> stay as they are");
+                  "type Dynamic, but no <Regridder>: the levels of <Grid> are fixed");
     return nullptr;
   }
   const int most = integer_or(*node, "max_levels", 1);
   if (type == "StaticGridML") {
     add_warning(faults, node->where,
-                "<Regridder> has no effect with type StaticGridML: the levels of <Grid> stay",
+                "<Regridder> has no effect with type StaticGridML: the levels of <Grid> are fixed",
                 "write type Dynamic for levels that follow the solution");
     return nullptr;
   }
   if (node->attribute("type") == "SingleLevel") {
     add_warning(faults, node->where,
-                "a SingleLevel regridder has no effect: boxes are cut as ranks need them");
+                "a SingleLevel regridder has no effect: boxes are divided as ranks need them");
     return nullptr;
   }
   if (most <= 1) return nullptr;
@@ -177,7 +176,8 @@ void read_regridder(const DeckNode& amr, const Active& active, GridSettings& gri
   if (type != "Tiled")
     add_warning(
         faults, node->where,
-        fmt::format("the {} regridder is done by the Tiled one: flagged tiles are refined", type));
+        fmt::format("the {} regridder is replaced by the Tiled one: flagged tiles are refined",
+                    type));
   collect(faults, node->where, [&] {
     read_intervals(*node, active, s, faults);
     take_start_boxes(grid, s);
@@ -245,7 +245,7 @@ void read_regions(const DeckNode& root, const DeckNode& amr, const GridSettings&
                   fmt::format("<Refine>: {} has no effect: no cell of the coarsest level has its "
                               "centre there",
                               region.name),
-                  "it must reach into the domain and be a cell wide in every direction");
+                  "it must overlap the domain and be at least one cell wide in every direction");
     s.regions.push_back(std::move(region));
   }
 }
@@ -278,7 +278,7 @@ void read_interfaces(const DeckNode& amr, RefinementSettings& s, std::vector<Fau
       const std::optional<double> distance = real_attribute(*node, "distance");
       if (!distance || !(*distance >= 0))
         throw InputError(
-            "<MaterialInterface> needs a distance of 0 (cells that hold the interface) or more, "
+            "<MaterialInterface> needs a distance of 0 (cells that contain the interface) or more, "
             "as distance=\"0.05\"");
       c.distance = *distance;
       c.finest_level = finest_level(*node, s, faults);

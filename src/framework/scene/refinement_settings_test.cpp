@@ -150,15 +150,15 @@ TEST(RefinementSettings, Faults) {
            Case{two + ratio, "error: <Regridder> has no <min_patch_size>"},
            Case{two + tile + ratios("[[3,3,1]]"),
                 "error: refinement ratio 3 in direction x between levels 0 and 1; it must be 1, 2"},
-           Case{two + tile + ratios("[[2,8,1]]"), "reach it with several levels"},
-           Case{two + tile + ratios("[[1,1,1]]"), "error: level 1 refines no direction"},
-           Case{two + tile + ratios("[[1,1,4]]"), "error: level 1 refines no direction"},
+           Case{two + tile + ratios("[[2,8,1]]"), "use several levels to reach it"},
+           Case{two + tile + ratios("[[1,1,1]]"), "error: level 1 refines no active direction"},
+           Case{two + tile + ratios("[[1,1,4]]"), "error: level 1 refines no active direction"},
            Case{two + ratio + tiles("[[2,8,1]]"),
                 "error: a tile of 2 cells in direction x for level 1; it must have at least 4"},
            Case{two + ratio + tiles("[[8,9,1]]"),
                 "warning: a tile of 9 cells in direction y for level 1, where the refinement ratio "
                 "is "
-                "2: tiles of whole coarse cells, of 10"},
+                "2: it is replaced by tiles of whole coarse cells, of 10"},
            Case{two + tile + ratios("[[2,2,1],[4,4,1]]"),
                 "warning: 2 refinement ratios for 1 finer level"},
            Case{two + ratio + tiles("[[8,8,1],[4,4,1]]"),
@@ -173,7 +173,7 @@ TEST(RefinementSettings, Faults) {
            Case{two + ratio + tile + "<min_timestep_interval>3</min_timestep_interval>",
                 "use at most 2"},
            Case{two + ratio + tile + "<simple_refinement_ratio>4</simple_refinement_ratio>",
-                "warning: <simple_refinement_ratio> has no effect beside"},
+                "warning: <simple_refinement_ratio> has no effect together with"},
            Case{two + ratio + tile +
                     "<min_timestep_interval>2</min_timestep_interval>"
                     "<max_timestep_interval>1</max_timestep_interval>",
@@ -218,7 +218,8 @@ TEST(RefinementSettings, OtherTypesStandForTheTiledOne) {
       read(regridder("<max_levels>2</max_levels><cell_refinement_ratio>[[4,4,1]]"
                      "</cell_refinement_ratio>",
                      "Hierarchical"));
-  EXPECT_THAT(r.faults, HasSubstr("warning: the Hierarchical regridder is done by the Tiled one"));
+  EXPECT_THAT(r.faults,
+              HasSubstr("warning: the Hierarchical regridder is replaced by the Tiled one"));
   ASSERT_TRUE(r.settings.adaptive);
   EXPECT_EQ(r.settings.tile[1], (IntVec3{8, 8, 1}));
   const Read single = read(regridder("<max_levels>2</max_levels>", "SingleLevel"));

@@ -23,7 +23,7 @@ const Location& where_of(const DeckNode& time, std::string_view tag) {
 void check(const TimeSettings& t, const DeckNode& time, std::vector<Fault>& faults) {
   if (t.max_time < t.initial_time)
     add_error(faults, where_of(time, "maxTime"),
-              fmt::format("maxTime {} lies before initTime {}", t.max_time, t.initial_time));
+              fmt::format("maxTime {} is before initTime {}", t.max_time, t.initial_time));
   if (!(t.timestep_multiplier > 0))
     add_error(
         faults, where_of(time, "timestep_multiplier"),

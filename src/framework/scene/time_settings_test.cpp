@@ -52,7 +52,7 @@ TEST(TimeSettings, ReportsAllContradictionsAtTheirLines) {
   const std::string text = all_faults(faults);
   EXPECT_EQ(faults.size(), 4u);
   EXPECT_THAT(text, HasSubstr("deck.ups:4:"));
-  EXPECT_THAT(text, HasSubstr("maxTime 2 lies before initTime 3"));
+  EXPECT_THAT(text, HasSubstr("maxTime 2 is before initTime 3"));
   EXPECT_THAT(text, HasSubstr("timestep_multiplier is 0"));
   EXPECT_THAT(text, HasSubstr("delt_min 1 is greater than delt_max 0.1"));
   EXPECT_THAT(text, HasSubstr("max_delt_increase is -1"));

@@ -82,7 +82,8 @@ std::vector<std::string> faults_of(const SolverSettings& s) {
     faults.push_back(
         fmt::format("solver type '{}' measures residuals in the norm L2 only", s.type));
   if (s.relax_type > 1 && (s.solver == "sparsemsg" || s.preconditioner == "sparsemsg"))
-    faults.push_back(fmt::format("sparsemsg has no relax_type {}; 0 or 1 is needed", s.relax_type));
+    faults.push_back(
+        fmt::format("sparsemsg does not support relax_type {}; 0 or 1 is needed", s.relax_type));
   return faults;
 }
 

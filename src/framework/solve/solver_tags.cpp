@@ -27,7 +27,7 @@ Spec with_spellings(Spec spec, const std::vector<std::pair<std::string, std::str
 }
 
 TagSpec solver_name() {
-  return with_spellings(tag("solver", "method of hypre; amg is conjugate gradients with BoomerAMG")
+  return with_spellings(tag("solver", "method of hypre; amg: conjugate gradients with BoomerAMG")
                             .words(hypre_solvers())
                             .not_built({"fac", "FAC"})
                             .by_default("cg"),
@@ -63,19 +63,23 @@ std::vector<TagSpec> goal_tags() {
           .real()
           .at_least(0)
           .by_default("1e-10"),
-      tag("maxiterations", "most iterations of a solve").integer().at_least(1).by_default("75"),
+      tag("maxiterations", "maximum number of iterations of a solve")
+          .integer()
+          .at_least(1)
+          .by_default("75"),
       with_spellings(tag("norm", "of the residual; hypre has L2 only")
                          .words({"L2", "L1", "LInfinity"})
                          .spelling("l2", "L2")
                          .spelling("l1", "L1"),
                      {{"linfinity", "LInfinity"}, {"Linfinity", "LInfinity"}}),
       tag("criteria",
-          "the tolerance is a share of the right-hand side's norm (Relative), or the "
-          "norm that may be left (Absolute); hypre knows shares only")
+          "the tolerance is relative to the norm of the right-hand side (Relative), or the "
+          "absolute norm of the residual (Absolute); hypre supports only Relative")
           .words({"Relative", "Absolute"})
           .spelling("relative", "Relative")
           .spelling("absolute", "Absolute"),
-      tag("initial_tolerance", "accepted without effect: a start within the tolerance is taken")
+      tag("initial_tolerance",
+          "accepted without effect: an initial guess within the tolerance is accepted")
           .real()
           .at_least(0),
   };
@@ -99,16 +103,12 @@ std::vector<TagSpec> hypre_tags() {
           .at_most(1000)
           .by_default("1"),
       tag("npost", "sweeps after it").integer().at_least(0).at_most(1000).by_default("1"),
-      tag("skip", "1: PFMG smooths no level that it need not")
+      tag("skip", "1: PFMG skips smoothing on levels where it is not needed")
           .integer()
           .at_least(0)
           .at_most(1)
           .by_default("0"),
-      tag("jump", "levels that SparseMSG leaves out")
-          .integer()
-          .at_least(0)
-          .at_most(30)
-          .by_default("0"),
+      tag("jump", "levels that SparseMSG omits").integer().at_least(0).at_most(30).by_default("0"),
       tag("relax_type",
           "smoother of PFMG and SparseMSG: 0 Jacobi, 1 weighted Jacobi, 2 red-black, "
           "3 red-black, not symmetric")
@@ -122,15 +122,18 @@ std::vector<TagSpec> hypre_tags() {
 std::vector<TagSpec> frequency_tags() {
   return {
       tag("setupFrequency",
-          "steps that a set-up of a solver of hypre serves at most; without it, or beyond a drift "
-          "of the coefficients by a tenth, as long as it serves well")
+          "maximum number of steps for which a set-up of a solver of hypre is used; absent: until "
+          "convergence degrades or the coefficients change by a tenth")
           .integer()
           .at_least(1),
-      tag("updateCoefFrequency", "steps that the coefficients of the system serve")
+      tag("updateCoefFrequency", "steps for which the coefficients of the system are used")
           .integer()
           .at_least(1)
           .by_default("1"),
-      tag("solveFrequency", "steps that a solution serves").integer().at_least(1).by_default("1"),
+      tag("solveFrequency", "steps for which a solution is used")
+          .integer()
+          .at_least(1)
+          .by_default("1"),
       tag("logging", "accepted without effect: residuals are always recorded")
           .integer()
           .at_least(0),
@@ -148,14 +151,14 @@ void read_methods(const DeckNode& node, SolverSettings& s, std::vector<Fault>& f
   if (s.preconditioner == "amg") {
     if (s.solver != "cg" && s.solver != "pcg" && s.solver != "amg")
       add_error(faults, node.need("preconditioner").where,
-                fmt::format("amg is no preconditioner of {}", s.solver),
+                fmt::format("amg is not a preconditioner of {}", s.solver),
                 "valid are cg, or " + join(hypre_preconditioners(), ", "));
     s.solver = "amg";
     s.preconditioner = "none";
   }
   if (s.type == "hypre" && (s.solver == "sparsemsg" || s.preconditioner == "sparsemsg"))
     add_warning(faults, node.where,
-                "hypre keeps the memory of each set-up of sparsemsg until the run ends",
+                "hypre does not free the memory of the set-ups of sparsemsg until the run ends",
                 "pfmg is also faster");
 }
 
@@ -170,9 +173,9 @@ void read_goal(const DeckNode& node, SolverSettings& s, std::vector<Fault>& faul
   } else if (norm != Norm::two || absolute) {
     add_warning(faults, node.child(norm != Norm::two ? "norm" : "criteria")->where,
                 fmt::format("<norm> and <criteria> have no effect: {} measures the residual in L2, "
-                            "as a share of the right-hand side",
+                            "relative to the right-hand side",
                             s.type),
-                "they are of CGSolver");
+                "they apply to CGSolver");
   }
 }
 
@@ -230,8 +233,8 @@ void warn_of_unheard(const DeckNode& node, const SolverSettings& s, std::vector<
   add_warning(faults, first->where,
               fmt::format("{} {} no effect: the solver is {}", join(unheard, ", "),
                           unheard.size() == 1 ? "has" : "have", name_of(s)),
-              s.type == "hypre" ? "remove what is of another solver"
-                                : "remove them, or ask for <Solver type=\"hypre\">");
+              s.type == "hypre" ? "remove the parameters of other solvers"
+                                : "remove them, or write <Solver type=\"hypre\">");
 }
 
 // The block for a variable: of that name, or of none.
@@ -256,8 +259,8 @@ TagSpec solver_parameters_tag() {
 void add_solver_tag(Schema& schema) {
   schema.add(tag("Solver", "which linear solver")
                  .attribute(attribute("type",
-                                      "CGSolver: our own, the same bits on any boxes and "
-                                      "ranks; hypre; hypreamr: its BoomerAMG")
+                                      "CGSolver: Sluice's own solver, the same bits on any boxes "
+                                      "and ranks; hypre; hypreamr: BoomerAMG of hypre")
                                 .once()
                                 .words(solver_types()))
                  .child(solver_parameters_tag()));

@@ -89,7 +89,7 @@ TEST(SolverTags, AlgebraicMultigridIsNamedEitherWay) {
                    parameters("<solver>gmres</solver>\n<preconditioner>amg"
                               "</preconditioner>"))
                   .faults,
-              HasSubstr("deck.ups:4:1: error: amg is no preconditioner of gmres"));
+              HasSubstr("deck.ups:4:1: error: amg is not a preconditioner of gmres"));
 }
 
 TEST(SolverTags, NormAndCriteriaAreOfOurOwnSolver) {
@@ -138,7 +138,7 @@ TEST(SolverTags, TheBlockOfTheSolveGoesFirstAndOfItsVariableOnly) {
 TEST(SolverTags, SettingsThatNoSolverTakesNameTheirPlace) {
   EXPECT_THAT(
       read("hypre", "", parameters("<solver>sparsemsg</solver><relax_type>2</relax_type>")).faults,
-      HasSubstr("deck.ups:3:1: error: sparsemsg has no relax_type 2"));
+      HasSubstr("deck.ups:3:1: error: sparsemsg does not support relax_type 2"));
 }
 
 }  // namespace

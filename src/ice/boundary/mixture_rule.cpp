@@ -70,8 +70,10 @@ class MixtureRuleMaker {
       const GhostRule& rule = rule_.parts[m].rule;
       if (!rule.waves) refuse("LODI for some materials, but not for {}; write it for all", name(m));
       if (rule.fixed_density || rule.fixed_temperature)
-        refuse("LODI beside a given {} of {}; of several materials give the pressure or velocity",
-               rule.fixed_density ? "density" : "temperature", name(m));
+        refuse(
+            "LODI together with a given {} of {}; with several materials give the pressure or "
+            "velocity",
+            rule.fixed_density ? "density" : "temperature", name(m));
     }
   }
   // What a material of this density fills at a pressure.
@@ -94,7 +96,7 @@ class MixtureRuleMaker {
       for (const std::size_t m : present) {
         const Part& part = rule_.parts[m];
         if (part.rule.fixed_density && part.rule.specific_volume <= 0 && !temperature_known(part))
-          refuse("the density of {} is given, but not what it fills; give its Temperature too",
+          refuse("the density of {} is given, but not its volume; give its Temperature too",
                  name(m));
       }
       return;
@@ -105,15 +107,15 @@ class MixtureRuleMaker {
     }
     if (!known)
       refuse(
-          "the densities of {} materials are given, but not what they fill; give the Temperature "
-          "or the SpecificVol of each",
+          "the densities of {} materials are given, but not their volumes; give the Temperature or "
+          "the SpecificVol of each",
           present.size());
     const bool from_volumes = std::all_of(present.begin(), present.end(), [&](std::size_t m) {
       return rule_.parts[m].rule.specific_volume > 0;
     });
     GhostRule& pressure = rule_.parts.front().rule;
     if (pressure.pressure_flow != nullptr && !from_volumes)
-      refuse("give the SpecificVol of each material where the pressure swings");
+      refuse("give the SpecificVol of each material where the pressure oscillates");
     if (!pressure.fixed_pressure && !from_volumes) {
       const double found = filling_pressure(present);
       for (Part& part : rule_.parts) {
@@ -126,7 +128,7 @@ class MixtureRuleMaker {
       Part& part = rule_.parts[m];
       part.volume = volume_at(m, pressure.pressure);
       if (!(part.volume > 0))
-        refuse("{} has no state at {:.6g} Pa and {:.6g} K", name(m), pressure.pressure,
+        refuse("{} has no admissible state at {:.6g} Pa and {:.6g} K", name(m), pressure.pressure,
                part.rule.temperature);
       sum += part.volume;
     }
@@ -147,7 +149,7 @@ class MixtureRuleMaker {
     };
     double low = 1e-12, high = 1e15;
     if (!(excess(low) > 0) || !(excess(high) < 0))
-      refuse("at no pressure do these densities and temperatures fill a cell");
+      refuse("these densities and temperatures fill a cell at no pressure");
     for (int n = 0; n < most_bisections && high > low * (1 + 1e-15); ++n) {
       const double middle = std::sqrt(low * high);
       (excess(middle) > 0 ? low : high) = middle;
@@ -166,7 +168,7 @@ class MixtureRuleMaker {
       }
       if (part.rule.mirrored() != first->rule.mirrored())
         refuse(
-            "a wall for {} and none for {}, but the materials have one velocity; give all the "
+            "a wall for {} but not for {}, although the materials have one velocity; give all the "
             "same kind of Velocity",
             name(first->rule.mirrored() ? index : m), name(first->rule.mirrored() ? m : index));
       rule_.plain = rule_.plain && part.rule.plain();

@@ -202,7 +202,7 @@ TEST(MixtureWaves, AreForAllMaterialsOrForNone) {
   mixed.push_back(copy);
   const std::vector<Condition> one = {open_for("Density", 0)};
   for (const auto& [conditions, says] :
-       {std::pair{mixed, "LODI beside a given density of material 1"},
+       {std::pair{mixed, "LODI together with a given density of material 1"},
         std::pair{one, "LODI for some materials, but not for material 1"}}) {
     try {
       Tube tube(2, conditions);

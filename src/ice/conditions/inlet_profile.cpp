@@ -28,7 +28,8 @@ namespace {
 TagSpec profile_tag() {
   return tag("inletVelocity", "conditions of kind powerLawProfile and logLawProfile")
       .attribute(
-          attribute("type", "accepted without effect: the kind of each condition says it").text())
+          attribute("type", "accepted without effect: the kind of each condition determines it")
+              .text())
       .with_children(
           {tag("verticalDirection", "direction of the height, from the low side of the domain")
                .integer()
@@ -46,7 +47,10 @@ TagSpec profile_tag() {
                .real()
                .above(0)
                .unit("length"),
-           tag("vonKarmanConstant", "of the log law").real().above(0).by_default("0.4"),
+           tag("vonKarmanConstant", "von Karman constant of the log law")
+               .real()
+               .above(0)
+               .by_default("0.4"),
            tag("material", "accepted without effect").text()});
 }
 

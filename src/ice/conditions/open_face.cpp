@@ -9,19 +9,19 @@ namespace sluice::ice {
 namespace {
 
 TagSpec lodi_tag() {
-  return tag("LODI", "what waves that leave are drawn to: conditions of kind LODI")
+  return tag("LODI", "far-field state of open faces: conditions of kind LODI")
       .with_children(
-          {tag("press_infinity", "pressure far away").once().real().above(0).unit("pressure"),
-           tag("sigma", "how fast the pressure goes back to it")
+          {tag("press_infinity", "far-field pressure").once().real().above(0).unit("pressure"),
+           tag("sigma", "coefficient of the relaxation of the pressure to it")
                .real()
                .at_least(0)
                .by_default("0.27"),
-           tag("Li_scale", "factor of all that comes in").real().at_least(0).by_default("1"),
+           tag("Li_scale", "factor of all incoming waves").real().at_least(0).by_default("1"),
            tag("vel_infinity",
-               "velocity far away, with rho_infinity: it carries what leaves, and draws what "
-               "enters; absent: means over the faces carry, nothing draws")
+               "far-field velocity, with rho_infinity: advects outgoing waves, and is the target "
+               "of incoming ones; absent: advection with face averages, no relaxation")
                .vector(),
-           tag("rho_infinity", "density that inflow is drawn to").real().above(0),
+           tag("rho_infinity", "density to which inflow relaxes").real().above(0),
            tag("material", "accepted without effect").text(),
            tag("ice_material_index", "accepted without effect").integer()});
 }

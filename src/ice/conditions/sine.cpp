@@ -36,7 +36,7 @@ TagSpec sine_tag() {
           {tag("omega", "angular frequency").once().real().at_least(0).unit("1/time"),
            tag("A", "amplitude, of the pressure and of the velocity").once().real(),
            tag("reference_pressure", "mean pressure").once().real().above(0).unit("pressure"),
-           tag("reference_velocity", "mean velocity; components that are zero stay so")
+           tag("reference_velocity", "mean velocity; components that are zero stay zero")
                .vector()
                .by_default("[0,0,0]")});
 }

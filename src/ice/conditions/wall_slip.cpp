@@ -71,24 +71,30 @@ namespace {
 TagSpec slip_tag() {
   return tag("microSlip", "rarefied gas at walls: conditions of kind slip and creep")
       .with_children(
-          {tag("alpha_momentum", "share of the molecules that leave with the wall's velocity")
+          {tag("alpha_momentum",
+               "accommodation coefficient of momentum: fraction of the molecules that leave with "
+               "the wall's velocity")
                .once()
                .real()
                .above(0)
                .at_most(2),
-           tag("alpha_temperature", "share of the molecules that leave with the wall's temperature")
+           tag("alpha_temperature",
+               "accommodation coefficient of energy: fraction of the molecules that leave with the "
+               "wall's temperature")
                .once()
                .real()
                .above(0)
                .at_most(2),
-           tag("CreepFlow", "gas creeps along walls towards where it is warmer")
+           tag("CreepFlow", "thermal creep: gas flows along walls towards higher temperature")
                .boolean()
                .by_default("false"),
-           tag("SlipModel", "what the velocity on the wall depends on")
-               .attribute(attribute("type", "FirstOrder: its slope; the others: its curvature too")
-                              .words({"FirstOrder", "SecondOrder_Deissler",
-                                      "SecondOrder_Karniadakis-Beskok"})
-                              .by_default("FirstOrder"))});
+           tag("SlipModel", "model of the slip velocity")
+               .attribute(
+                   attribute("type",
+                             "FirstOrder: from the gradient; the others: also from the curvature")
+                       .words(
+                           {"FirstOrder", "SecondOrder_Deissler", "SecondOrder_Karniadakis-Beskok"})
+                       .by_default("FirstOrder"))});
 }
 
 template <bool with_creep>
@@ -99,10 +105,9 @@ void apply_slip(const Condition& c, int normal, const FlowConditions& settings, 
     return;
   }
   if (c.vector[normal] != 0)
-    throw InputError(
-        fmt::format("{}: {} is for walls, but this velocity has {:g} across the face; write 0 "
-                    "there",
-                    to_string(c.where), c.kind_name, c.vector[normal]));
+    throw InputError(fmt::format(
+        "{}: {} is for walls, but this velocity has the normal component {:g}; write 0 there",
+        to_string(c.where), c.kind_name, c.vector[normal]));
   rule.velocity_kind = GhostRule::Velocity::slip;
   rule.creep = settings.slip->creep || with_creep;
   rule.waves = false;  // no wave passes a wall

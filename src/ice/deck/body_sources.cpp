@@ -22,14 +22,14 @@ std::vector<TagSpec> body_source_tags() {
   for (const char* name : force_tags)
     force = force.child(
         tag(name, "component of the force").real().unit("pressure/length").by_default("0"));
-  return {tag("ADD_HEAT", "heat given to materials everywhere")
+  return {tag("ADD_HEAT", "heat source in materials everywhere")
               .with_children(
-                  {tag("add_heat_matls", "which materials, by index").once().integers().at_least(0),
+                  {tag("add_heat_matls", "indices of the materials").once().integers().at_least(0),
                    tag("add_heat_coeff", "power per mass, one number per material")
                        .once()
                        .reals()
                        .unit("power/mass"),
-                   tag("add_heat_t_start", "from when on").once().real().unit("time"),
+                   tag("add_heat_t_start", "start time").once().real().unit("time"),
                    tag("add_heat_t_final", "until when").once().real().unit("time")}),
           force};
 }
@@ -57,10 +57,11 @@ void check_body_sources(const DeckNode& root, std::vector<Fault>& faults) {
               "one number per material, in the same order");
   const auto start = real_of(heat, "add_heat_t_start"), stop = real_of(heat, "add_heat_t_final");
   if (start && stop && *start >= *stop)
-    add_error(faults, heat->child("add_heat_t_final")->where,
-              fmt::format("add_heat_t_final {:g} is not after add_heat_t_start {:g}: no heat is "
-                          "ever added",
-                          *stop, *start));
+    add_error(
+        faults, heat->child("add_heat_t_final")->where,
+        fmt::format(
+            "add_heat_t_final {:g} is not after add_heat_t_start {:g}: no heat would be added",
+            *stop, *start));
 }
 
 std::vector<models::AddedHeat> read_added_heat(const DeckNode& ice) {

@@ -129,7 +129,7 @@ void check_material(const DeckNode& face, const DeckNode& condition, int materia
   const auto ids = condition.attribute("ids");
   if (!id && !ids && !has_default) {
     add_error(faults, condition.where,
-              fmt::format("<BCType> on {} does not say for which material", face_name(face)),
+              fmt::format("<BCType> on {} has no material", face_name(face)),
               "add id=\"0\" or id=\"all\", or <DefaultMaterial> in <BoundaryConditions>");
   }
   std::vector<int> indices;
@@ -247,7 +247,7 @@ void check_ice_coverage(const DeckNode& root, std::vector<Fault>& faults) {
     if (!missing.empty()) {
       add_error(faults, whole.front()->where,
                 fmt::format("side {} has no condition for {}", side_names[s], missing),
-                "every variable needs one, unless Symmetric stands for all");
+                "every variable needs one, unless the side is Symmetric");
     }
   }
   if (conditions == nullptr) return;
@@ -257,7 +257,7 @@ void check_ice_coverage(const DeckNode& root, std::vector<Fault>& faults) {
     if (!missing.empty()) {
       add_error(faults, face->where,
                 fmt::format("{} has no condition for {}", face_name(*face), missing),
-                "every variable needs one, unless Symmetric stands for all");
+                "every variable needs one, unless the side is Symmetric");
     }
   }
 }

@@ -47,15 +47,15 @@ Fault refusal(const DeckNode& node, std::string_view name) {
   if (label && label->name().find('.') == std::string::npos) {
     const Centring centring = label->info().centring;
     if (face_direction(centring) >= 0)
-      fault.message = in + "lies on faces; a criterion of refinement needs one value per cell";
+      fault.message = in + "is on faces; a refinement criterion needs one value per cell";
     else if (centring == Centring::reduction)
       fault.message =
-          in + "is one number per step; a criterion of refinement needs one value per cell";
+          in + "is one number per step; a refinement criterion needs one value per cell";
     else if (*label == ice::labels().refine_flag)
-      fault.message = in + "is what the criteria of refinement make";
+      fault.message = in + "is the result of the refinement criteria";
     else
       fault.message =
-          in + "exists only within a step; a criterion of refinement needs a function of the state";
+          in + "exists only within a step; a refinement criterion needs a function of the state";
   } else if (const ForeignLabel* foreign = find_foreign_label(name)) {
     fault.message = fmt::format("<{}>: {}", node.name, refusal_of(*foreign, name));
     fault.not_built = true;
@@ -77,11 +77,12 @@ void check_variable(const DeckNode& node, std::string_view attribute, int count,
   if (!listed(usable_variables(), *name))
     faults.push_back(refusal(node, *name));
   else if (count < 2 && constant(*name))
-    add_warning(faults, node.where,
-                fmt::format("<{}>: {} is the same in all cells of this deck; the criterion "
-                            "never asks for a finer level",
-                            node.name, *name),
-                "remove it");
+    add_warning(
+        faults, node.where,
+        fmt::format(
+            "<{}>: {} is the same in all cells of this deck; the criterion never flags a cell",
+            node.name, *name),
+        "remove it");
 }
 
 void check_material(const DeckNode& node, int count, std::vector<Fault>& faults) {

@@ -51,7 +51,7 @@ TEST(CriterionRules, OthersAreRefusedByName) {
     EXPECT_THAT(told("rho_C", "0"), HasSubstr("did you mean 'rho_CC'"));
     EXPECT_THAT(told("uvel_FC", "0"), HasSubstr("uvel_FC lies on faces"));
     EXPECT_THAT(told("TotalMass", "0"), HasSubstr("TotalMass is one number per step"));
-    EXPECT_THAT(told("refineFlag", "0"), HasSubstr("is what the criteria of refinement make"));
+    EXPECT_THAT(told("refineFlag", "0"), HasSubstr("is the result of the refinement criteria"));
     EXPECT_THAT(told("delP_Dilatate", "0"), HasSubstr("exists only within a step"));
     EXPECT_THAT(told("max_RHS", "0"), HasSubstr("[not built]"));
     EXPECT_THAT(told("state.mass", "0"), HasSubstr("error"));

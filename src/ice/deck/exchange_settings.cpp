@@ -103,13 +103,14 @@ void check_surface(const DeckNode& parent, const char* fluid_tag, const char* so
   if (!fluid || !solid || *fluid < 0 || *fluid >= count) return;
   if (*fluid == *solid)
     add_error(faults, parent.child(solid_tag)->where,
-              fmt::format("<{}> and <{}> are both {}: a material has no surface against itself",
+              fmt::format("<{}> and <{}> are both {}: a material has no surface with itself",
                           fluid_tag, solid_tag, *fluid));
   const DeckNode* law = materials[static_cast<std::size_t>(*fluid)]->child("EOS");
   if (!slips || law == nullptr || law->attribute("type") == "ideal_gas") return;
-  add_error(faults, parent.child(fluid_tag)->where,
-            fmt::format("<{}>: slip follows from the free path of an ideal gas; material {} is {}",
-                        fluid_tag, *fluid, law->attribute("type").value_or("another law")));
+  add_error(
+      faults, parent.child(fluid_tag)->where,
+      fmt::format("<{}>: slip follows from the mean free path of an ideal gas; material {} is {}",
+                  fluid_tag, *fluid, law->attribute("type").value_or("another law")));
 }
 
 // What a deck does not say is zero; said once.
@@ -118,14 +119,14 @@ void warn_of_no_exchange(const DeckNode& material, const DeckNode* exchange,
   const DeckNode* coefficients =
       exchange == nullptr ? nullptr : exchange->child("exchange_coefficients");
   if (exchange == nullptr)
-    add_warning(faults, material.where,
-                "several materials without <exchange_properties>: they neither drag nor heat each "
-                "other",
-                "see sluice help MaterialProperties/exchange_properties");
+    add_warning(
+        faults, material.where,
+        "several materials without <exchange_properties>: they exchange neither momentum nor heat",
+        "see sluice help MaterialProperties/exchange_properties");
   else if (coefficients != nullptr && coefficients->child("heat") == nullptr)
     add_warning(faults, coefficients->where,
-                "<exchange_coefficients> without <heat>: materials do not heat each other",
-                "write <heat> with a coefficient a pair, or 0 for each");
+                "<exchange_coefficients> without <heat>: materials exchange no heat",
+                "write <heat> with a coefficient per pair, or 0 for each");
 }
 
 void check_models(const DeckNode& exchange, const std::vector<const DeckNode*>& materials,
@@ -220,8 +221,8 @@ TagSpec exchange_tag() {
   return tag("exchange_properties", "momentum and heat exchange between materials")
       .with_children(
           {tag("CoefficientModel",
-               "how coefficients vary; linearVariation: times r^2/1e5, from 1 to 1e7, r the ratio "
-               "of the masses, so that next to nothing is bound as well")
+               "variation of the coefficients; linearVariation: times r^2/1e5, limited to 1 to "
+               "1e7, with r the ratio of the masses, so that traces are coupled too")
                .with_children({variation("momentum", "variation of the momentum coefficients"),
                                variation("heat", "variation of the heat coefficients")}),
            tag("Model", "slip of a rarefied gas along the surface of a material")
@@ -232,22 +233,23 @@ TagSpec exchange_tag() {
                         .once()
                         .integer()
                         .at_least(0),
-                    tag("momentum_accommodation_coeff", "share of diffuse reflection")
+                    tag("momentum_accommodation_coeff",
+                        "accommodation coefficient of momentum (fraction of diffuse reflection)")
                         .once()
                         .real()
                         .above(0)
                         .at_most(1),
-                    tag("thermal_accommodation_coeff", "share of heat accommodation")
+                    tag("thermal_accommodation_coeff", "accommodation coefficient of energy")
                         .once()
                         .real()
                         .above(0)
                         .at_most(1),
                     tag("useSlipCoeffs", "false: no slip").boolean().by_default("true")}),
            tag("do_convective_heat_transfer",
-               "heat between a surface and the fluid in the cell beside it, by the coefficient of "
-               "the two times the spacing")
+               "heat exchange between a surface and the fluid in the adjacent cell, with the "
+               "coefficient of the two times the spacing")
                .boolean(),
-           tag("convective_fluid", "the fluid of that exchange").integer().at_least(0),
+           tag("convective_fluid", "the fluid of the exchange").integer().at_least(0),
            tag("convective_solid", "the material with the surface").integer().at_least(0),
            tag("exchange_coefficients", "coefficients of the pairs 0-1, 0-2, ..., 1-2, ...")
                .once()

@@ -109,10 +109,10 @@ void warn_of_flat_plane(const DeckNode& node, int axis, const Scene& scene,
     const ActiveDirection& direction = scene.directions[static_cast<std::size_t>(d)];
     if (direction.velocity != VelocityComponent::dropped) continue;
     add_warning(faults, node.where,
-                fmt::format("<{}> about {} also turns the velocity along {}, which is no "
-                            "dimension of this run; that part is dropped",
+                fmt::format("<{}> about {} also gives a velocity along {}, which is an inactive "
+                            "direction of this run; that part is dropped",
                             node.name, "xyz"[axis], "xyz"[d]),
-                "an axis along a direction of one cell turns the other two");
+                "an axis along a direction of one cell gives velocities along the other two");
   }
 }
 
@@ -126,7 +126,7 @@ void warn_of_narrow_pairs(const DeckNode& node, const VortexPairs& pairs, const 
               fmt::format("<vortexPairs>: {} pairs side by side along {}, where the coarsest level "
                           "has {} cells",
                           pairs.pairs, "xyz"[along], cells),
-              fmt::format("take fewer pairs, or {} cells for each", least_cells));
+              fmt::format("use fewer pairs, or {} cells for each", least_cells));
 }
 
 void warn_of_vortices(const Deck& deck, const Scene& scene, const IceScene& s,
@@ -153,9 +153,9 @@ void check_fixed_values(const IceScene& s, std::vector<Fault>& faults) {
     const double rho_e = m.fluid.energy_from_temperature(f.density, f.temperature);
     if (m.fluid.admissible(f.density, rho_e)) continue;
     add_error(faults, f.where,
-              fmt::format("the equation of state of '{}' has no state with density_src {:g} and "
-                          "temperature_src {:g}: pressure {:g} (must be above {:g}), sound speed "
-                          "squared must be above 0",
+              fmt::format("density_src {1:g} and temperature_src {2:g} are inadmissible for the "
+                          "equation of state of '{0}': pressure {3:g} (must be above {4:g}), sound "
+                          "speed squared must be above 0",
                           m.name, f.density, f.temperature, m.fluid.pressure(f.density, rho_e),
                           m.fluid.lowest_pressure()),
               "see the range of the law in docs/theory_eos.md");
@@ -183,11 +183,11 @@ void complete_mixed_gas(IceScene& s, std::vector<Fault>& faults) {
   for (const GeomObject& object : m.objects) {
     const double T = object.value("temperature");
     if (ox == 0 || T == ox || T == fuel) continue;
-    add_warning(faults, gas.where,
-                fmt::format("<{}> has T(f) of streams at {:g} K and {:g} K; a region of '{}' "
-                            "starts at {:g} K: the heat given is the same, temperatures differ "
-                            "by as much",
-                            gas.type, ox, fuel, m.name, T));
+    add_warning(
+        faults, gas.where,
+        fmt::format("<{}> has T(f) of streams at {:g} K and {:g} K; a region of '{}' starts at "
+                    "{:g} K: the heat released is the same, temperatures differ by the difference",
+                    gas.type, ox, fuel, m.name, T));
   }
 }
 
@@ -233,7 +233,7 @@ IceScene read_ice_scene(const Deck& deck, const Scene& scene, std::vector<Fault>
   const auto count = static_cast<int>(s.materials.size());
   if (count < 1) {
     add_error(faults, place(root.child("MaterialProperties")),
-              "no <MaterialProperties><ICE><material>: there is no fluid to run",
+              "no <MaterialProperties><ICE><material>: there is no fluid",
               s.solids > 0 ? "add one, or write <SimulationComponent type=\"mpm\"/>" : "");
     return s;
   }

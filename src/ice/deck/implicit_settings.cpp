@@ -11,10 +11,10 @@ namespace sluice::ice {
 
 TagSpec implicit_solver_tag() {
   return tag("ImplicitSolver",
-             "the pressure is solved for: steps as long as the flow allows, not its sound")
+             "semi-implicit pressure: the time step is limited by the flow, not by sound")
       .with_children({tag("max_outer_iterations",
-                          "solves in a step, at most; 1: what is left of the volume "
-                          "of cells is taken up by the next step")
+                          "maximum number of solves in a step; 1: the remaining volume error of "
+                          "cells is corrected in the next step")
                           .once()
                           .integer()
                           .at_least(1),
@@ -24,9 +24,8 @@ TagSpec implicit_solver_tag() {
                           .real()
                           .at_least(0),
                       tag("iters_before_timestep_restart",
-                          "solves after which a step whose error does not fall to a third in a "
-                          "solve is redone "
-                          "with a smaller one")
+                          "number of solves after which a step is repeated with a smaller step if "
+                          "a solve does not reduce its error to a third")
                           .integer()
                           .at_least(1)})
       .child(solve::solver_parameters_tag());

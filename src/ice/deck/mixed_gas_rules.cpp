@@ -29,7 +29,7 @@ void check_gas_beside_others(const DeckNode& root, const DeckNode& model,
   const auto refuse = [&](const DeckNode* node, const std::string& what, const char* advice) {
     if (node != nullptr)
       add_not_built(faults, node->where,
-                    fmt::format("{} with <{}> beside other materials", what, name), advice);
+                    fmt::format("{} with <{}> and other materials", what, name), advice);
   };
   const auto refuse_above_zero = [&](const DeckNode* parent, const char* tag) {
     if (real_of(parent, tag).value_or(0) > 0)
@@ -46,8 +46,8 @@ void check_gas_beside_others(const DeckNode& root, const DeckNode& model,
   const DeckNode* written = root.find("MaterialProperties/exchange_properties");
   const DeckNode* properties = written != nullptr ? written : &model;
   if (exchange.momentum.least_of_pairs() < ice::one_velocity_coefficient)
-    refuse(properties, "velocities of their own",
-           "give the pairs momentum coefficients of 1e10 or more");
+    refuse(properties, "one velocity per material",
+           "use momentum coefficients of 1e10 or more for all pairs");
   if (exchange.slip) refuse(properties, "slip of a gas along a material", "remove the <Model>");
 }
 
@@ -63,8 +63,8 @@ void check_mixed_gas(const DeckNode& root, const DeckNode& model,
     if (other != &model && models::mixes_gas(other->attribute("type").value_or("")) &&
         other->where.line > model.where.line)
       add_error(faults, other->where,
-                fmt::format("a gas is one mixture: there are the models <{}> and <{}>", name,
-                            other->attribute("type").value_or("")));
+                fmt::format("a gas can be only one mixture: there are the models <{}> and <{}>",
+                            name, other->attribute("type").value_or("")));
   const DeckNode* law = material.child("EOS");
   if (law != nullptr && law->attribute("type") != "ideal_gas")
     add_error(faults, law->where, fmt::format("<{}> needs <EOS type=\"ideal_gas\">", name));
@@ -78,9 +78,7 @@ void check_mixed_gas(const DeckNode& root, const DeckNode& model,
     for (const DeckNode* viscosity : viscosities->all("Model"))
       if (viscosity->attribute("name") == "Sutherland")
         add_error(faults, viscosity->where,
-                  fmt::format("two laws of viscosity: <{}> has one, and Sutherland's stands beside "
-                              "it",
-                              name),
+                  fmt::format("two laws of viscosity: that of <{}> and Sutherland's", name),
                   "remove one of the two");
   // Whose temperature and energy would be those of another fraction than the cell has.
   for (const DeckNode* other : root.child("Models")->all("Model"))

@@ -10,7 +10,7 @@ namespace sluice::ice {
 namespace {
 
 TagSpec axis_tag() {
-  return tag("axis", "direction about which it turns")
+  return tag("axis", "axis of the vortex")
       .once()
       .words({"x", "y", "z"})
       .spelling("X", "x")
@@ -122,8 +122,8 @@ std::optional<CustomStart> read_one(const DeckNode& node) {
 
 std::vector<TagSpec> custom_start_tags() {
   std::vector<TagSpec> tags = {
-      tag("vortices", "Gaussian vortices, cut off at their radius")
-          .child(tag("vortex", "one of them")
+      tag("vortices", "Gaussian vortices, truncated at their radius")
+          .child(tag("vortex", "one vortex")
                      .at_least_once()
                      .with_children({axis_tag(),
                                      tag("origin", "its middle").once().vector().unit("length"),
@@ -134,30 +134,28 @@ std::vector<TagSpec> custom_start_tags() {
                                          .real(),
                                      length_tag("radius", "R")})),
       tag("vortexPairs",
-          "vortices across the domain that turn in turn: u += S sin^2(pi y) cos(2 pi n z) from "
-          "side "
-          "to side, without divergence and at rest at both sides")
-          .with_children(
-              {tag("strength", "largest velocity S").once().real().unit("velocity"), axis_tag(),
-               tag("numVortexPairs", "pairs n, one beside the other along a periodic direction")
-                   .once()
-                   .integer()
-                   .at_least(1)}),
-      tag("gaussianTemperature", "a spot of another temperature, on top of the geometry objects")
+          "vortices of alternating sense across the domain: u += S sin^2(pi y) cos(2 pi n z) from "
+          "side to side, divergence-free and at rest at both sides")
+          .with_children({tag("strength", "largest velocity S").once().real().unit("velocity"),
+                          axis_tag(),
+                          tag("numVortexPairs", "number n of pairs along a periodic direction")
+                              .once()
+                              .integer()
+                              .at_least(1)}),
+      tag("gaussianTemperature", "a spot of another temperature, added to the geometry objects")
           .with_children(
               {tag("origin", "its middle").once().vector().unit("length"),
                length_tag("spread_x", "width along x"), length_tag("spread_y", "width along y"),
-               tag("amplitude", "rise of the temperature").once().real().unit("temperature")}),
+               tag("amplitude", "increase of the temperature").once().real().unit("temperature")}),
       tag("manufacturedSolution", "state of a manufactured solution at time 0")
           .attribute(
               attribute("type", "which one").once().words({"mms_1", "mms_3"}).not_built({"mms_2"}))
           .with_children({tag("A", "amplitude; absent: 1").real().only_for("type", {"mms_1"}),
                           tag("angle", "phase; absent: 0").real().only_for("type", {"mms_3"})}),
       tag("counterflow", "two jets that meet: u = -s (x - x_m), v = s (y - y_m)")
-          .with_children({tag("strainRate", "s").once().real().above(0),
-                          tag("referenceCell", "cell where the pressure is that of reference")
-                              .once()
-                              .vector()})};
+          .with_children(
+              {tag("strainRate", "s").once().real().above(0),
+               tag("referenceCell", "cell that has the reference pressure").once().vector()})};
   for (TagSpec& profile : profile_tags()) tags.push_back(std::move(profile));
   return tags;
 }

@@ -120,9 +120,9 @@ void warn_of_gas_constants(const DeckNode& node, double mixture, double deck,
   if (std::abs(mixture - deck) <= gas_constant_tolerance * deck) return;
   add_warning(faults, node.where,
               fmt::format("the mixture of <SpecificHeatModel> has a gas constant of {:.6g} J/(kg "
-                          "K), (gamma - 1) specific_heat is {:.6g}; the pressure takes the latter",
+                          "K), (gamma - 1) specific_heat is {:.6g}; the pressure uses the latter",
                           mixture, deck),
-              fmt::format("write specific_heat {:.6g} beside the same gamma", mixture));
+              fmt::format("write specific_heat {:.6g} with the same gamma", mixture));
 }
 
 // A gas whose specific heat varies is a law of its own.
@@ -136,9 +136,9 @@ void make_perfect_gas(const DeckNode& node, const eos::SpecificHeat& heat, Fluid
     fluid.law = eos::PerfectGas<eos::PolynomialHeat>{R, *polynomial};
   } else {
     add_error(faults, node.where,
-              "<SpecificHeatModel type=\"Debye\"> is the specific heat of a crystal; it cannot "
-              "stand beside ideal_gas",
-              "take Component, Polynomial or airNasa, or another EOS");
+              "<SpecificHeatModel type=\"Debye\"> is the specific heat of a crystal; it cannot be "
+              "used with ideal_gas",
+              "use Component, Polynomial or airNasa, or another EOS");
   }
 }
 
@@ -163,12 +163,11 @@ void add_heat(const DeckNode& node, const std::string& type, Fluid& fluid,
                         fluid.law)) {
     fluid.heat = heat;
   } else {
-    add_error(
-        faults, node.where,
-        fmt::format("<SpecificHeatModel> cannot stand beside {}: the specific heat is part of "
-                    "that law's pressure",
-                    type),
-        "laws that take any specific heat: " + laws_that_take_any_heat());
+    add_error(faults, node.where,
+              fmt::format("<SpecificHeatModel> cannot be used with {}: the specific heat is part "
+                          "of that law's pressure",
+                          type),
+              "laws that take any specific heat: " + laws_that_take_any_heat());
   }
 }
 
@@ -252,12 +251,12 @@ TagSpec specific_heat_tag() {
            .at_least(0)
            .at_most(eos::PolynomialHeat::most_order)
            .only_for("type", {"Polynomial"}),
-       tag("Tmin", "below it the specific heat keeps its value; absent: 1")
+       tag("Tmin", "below it the specific heat is constant; absent: 1")
            .real()
            .above(0)
            .unit("temperature")
            .only_for("type", {"Polynomial"}),
-       tag("Tmax", "above it the specific heat keeps its value; absent: 1e6")
+       tag("Tmax", "above it the specific heat is constant; absent: 1e6")
            .real()
            .above(0)
            .unit("temperature")

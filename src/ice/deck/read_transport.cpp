@@ -82,28 +82,28 @@ void check_subgrid_analysis(const DeckNode& root, std::vector<Fault>& faults) {
   for (const DeckNode* module : analysis->all("Module"))
     if (module->attribute("name") == "SGS_ReynoldsStress")
       add_error(faults, module->where,
-                "<Module name=\"SGS_ReynoldsStress\"> needs a turbulence model, whose stress it is",
+                "<Module name=\"SGS_ReynoldsStress\"> needs a turbulence model",
                 "write <turbulence> in <CFD><ICE>, or remove the module");
 }
 
 }  // namespace
 
 TagSpec viscosity_models_tag() {
-  return tag("dynamicViscosityModels", "viscosity that varies; absent: <dynamic_viscosity>")
+  return tag("dynamicViscosityModels", "variable viscosity; absent: <dynamic_viscosity>")
       .child(
-          tag("Model", "a law in place of <dynamic_viscosity>, or a layer")
+          tag("Model", "a law that replaces <dynamic_viscosity>, or a sponge layer")
               .at_least_once()
               .attribute(attribute("name", "which one").once().words({"Sutherland", "SpongeLayer"}))
-              .with_children({tag("a", "of mu = a sqrt(T)/(1 + b/T), kg/(m s K^1/2)")
+              .with_children({tag("a", "constant a of mu = a sqrt(T)/(1 + b/T), kg/(m s K^1/2)")
                                   .real()
                                   .above(0)
                                   .only_for("name", {"Sutherland"}),
-                              tag("b", "of the same law")
+                              tag("b", "constant b of the law")
                                   .real()
                                   .at_least(0)
                                   .unit("temperature")
                                   .only_for("name", {"Sutherland"}),
-                              tag("maxDynamicViscosity", "the least viscosity in the layer")
+                              tag("maxDynamicViscosity", "the minimum viscosity in the layer")
                                   .real()
                                   .at_least(0)
                                   .unit("pressure time")
@@ -134,7 +134,7 @@ std::vector<TagSpec> transport_tags() {
                    .real()
                    .above(0)
                    .by_default("0.9")}),
-      tag("wallShearStress", "friction on a side from the velocity next to it")
+      tag("wallShearStress", "friction at a side from the velocity of the adjacent cell")
           .multiple()
           .attribute(attribute("model", "logLawModel: rough wall; smoothWall")
                          .once()
@@ -205,14 +205,14 @@ std::vector<WallShear> read_wall_shear(const DeckNode& ice, const Scene& scene,
     });
     if (!wall)
       add_error(faults, node->where,
-                fmt::format("<wallShearStress> on side {}, which is no wall", face),
+                fmt::format("<wallShearStress> on side {}, which is not a wall", face),
                 "give the side a Dirichlet velocity without a component across it");
     for (const Level& level : scene.grid.levels)
       if (!w.smooth && 0.5 * level.spacing[d] <= w.roughness)
         add_error(
             faults, node->where,
-            fmt::format("<roughnessConstant> {:g} is not below half the spacing {:g} of level "
-                        "{}: the cell next to the wall lies inside the roughness",
+            fmt::format("<roughnessConstant> {:g} is not below half the spacing {:g} of level {}: "
+                        "the centre of the cell at the wall is within the roughness",
                         w.roughness, level.spacing[d], level.index),
             "make it smaller, or the cells larger");
     walls.push_back(w);

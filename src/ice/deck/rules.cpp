@@ -44,7 +44,7 @@ void check_names(const std::vector<const DeckNode*>& materials, std::vector<Faul
       add_error(faults, material->where,
                 fmt::format("a second material {}; the first is at {}", in_quotes(name),
                             to_string(at->second->where)),
-                "give each a name of its own");
+                "give each a different name");
   }
 }
 
@@ -56,7 +56,7 @@ void check_surrounding(const DeckNode& root, const std::vector<const DeckNode*>&
     if (is_true(material, "isSurroundingMatl")) marked.push_back(material);
   if (marked.size() > 1)
     add_error(faults, marked[1]->child("isSurroundingMatl")->where,
-              fmt::format("<isSurroundingMatl> is true for {} materials; it may be for one",
+              fmt::format("<isSurroundingMatl> is true for {} materials; it may be true for one",
                           marked.size()),
               "write false for the others");
   const auto gravity = vector_of(root.child("PhysicalConstants"), "gravity");
@@ -64,11 +64,11 @@ void check_surrounding(const DeckNode& root, const std::vector<const DeckNode*>&
   const DeckNode* balanced = ice == nullptr ? nullptr : ice->child("applyHydrostaticPressure");
   const bool off = balanced != nullptr && balanced->text == "false";
   if (materials.size() < 2 || !marked.empty() || !gravity || *gravity == Vec3{} || off) return;
-  add_error(faults, root.find("PhysicalConstants/gravity")->where,
-            "<gravity> is not zero, and no material says that its weight makes the hydrostatic "
-            "pressure",
-            "write <isSurroundingMatl>true</isSurroundingMatl> in one material, or "
-            "<applyHydrostaticPressure>false</applyHydrostaticPressure>");
+  add_error(
+      faults, root.find("PhysicalConstants/gravity")->where,
+      "<gravity> is not zero, and no material is marked to determine the hydrostatic pressure",
+      "write <isSurroundingMatl>true</isSurroundingMatl> in one material, or "
+      "<applyHydrostaticPressure>false</applyHydrostaticPressure>");
 }
 
 // Materials named by index in <save> and <analyze>.
@@ -158,7 +158,7 @@ void check_start(const ice::Fluid& fluid, const DeckNode& object, std::vector<Fa
   if (fluid.admissible(*density, rho_e)) return;
   add_error(
       faults, object.where,
-      fmt::format("the equation of state has no state with density {:g} and temperature {:g}: "
+      fmt::format("density {:g} and temperature {:g} are inadmissible for the equation of state: "
                   "pressure {:g} (must be above {:g}), sound speed squared must be above 0",
                   *density, *temperature, fluid.pressure(*density, rho_e), fluid.lowest_pressure()),
       "see the range of the law in docs/theory_eos.md");
@@ -244,7 +244,7 @@ void check_ice_materials(const DeckNode& root, std::vector<Fault>& faults) {
   if (materials.size() > most)
     add_error(faults, materials[most]->where,
               fmt::format("{} materials are more than the {} of one deck", materials.size(), most),
-              "join materials of the same law");
+              "combine materials of the same law");
   for (const DeckNode* material : materials) {
     const DeckNode* work = material->child("includeFlowWork");
     if (work != nullptr && work->text == "false") {
@@ -328,14 +328,13 @@ void check_ice_fill(const DeckNode& root, std::vector<Fault>& faults) {
   const auto materials = ice_materials(root);
   const DeckNode* density = root.find("CFD/ICE/customInitialization/formula/density");
   if (density != nullptr && materials.size() > 1)
-    add_error(faults, density->where,
-              "a formula cannot say which of several materials has this <density>",
+    add_error(faults, density->where, "with several materials a formula cannot give a <density>",
               "give densities in the geometry objects");
   const DeckNode* formula = root.find("CFD/ICE/customInitialization/formula");
   if (formula != nullptr && formula->has("density") && formula->has("pressure") &&
       formula->has("temperature"))
     add_error(faults, formula->child("temperature")->where,
-              "<formula> gives density, pressure and temperature; two of them say the third",
+              "<formula> gives density, pressure and temperature; two of them determine the third",
               "remove one of them");
   const auto mixed = mixed_material(root, material_names(root));
   for (std::size_t m = 0; m < materials.size(); ++m) {

@@ -38,9 +38,9 @@ TagSpec advection() {
                .alias("compatibleFluxes")
                .by_default("true"),
            attribute("shearAlongShocks",
-                     "faces whose normals lie in the plane of a strong shock exchange momentum "
-                     "along them, so that the shock stays straight; not in the classic form, nor "
-                     "where the pressure is solved for")
+                     "faces whose normals lie in the plane of a strong shock exchange tangential "
+                     "momentum, so that the shock stays straight; not in the classic form or with "
+                     "<ImplicitSolver>")
                .boolean()
                .by_default("true")});
 }
@@ -51,12 +51,12 @@ TagSpec time_step_control() {
       .with_children({tag("Scheme_for_delT_calc", "which rule")
                           .words({"aggressive", "conservative"})
                           .by_default("aggressive"),
-                      tag("knob_for_speedSound", "share of the sound speed in the rule")
+                      tag("knob_for_speedSound", "factor of the sound speed in the rule")
                           .real()
                           .at_least(0)
                           .at_most(1)
                           .by_default("1"),
-                      tag("knob_for_diffusion", "share of diffusion in the rule")
+                      tag("knob_for_diffusion", "factor of diffusion in the rule")
                           .real()
                           .at_least(0)
                           .at_most(1)
@@ -64,13 +64,15 @@ TagSpec time_step_control() {
 }
 
 TagSpec formula_of(const std::string& name, const std::string& unit) {
-  return tag(name, "formula of x, y, z; absent: as the geometry objects say").text().unit(unit);
+  return tag(name, "formula of x, y, z; absent: the value of the geometry objects")
+      .text()
+      .unit(unit);
 }
 
 TagSpec custom_initialization() {
   return tag("customInitialization",
-             "initial state that geometry objects cannot give; the last of several acts first, a "
-             "formula after all")
+             "initial state that geometry objects cannot describe; if there are several, the last "
+             "is applied first, and a formula after all others")
       .with_children(ice::custom_start_tags())
       .child(
           tag("formula", "initial state as formulas of x, y, z at the centre of each cell")
@@ -82,32 +84,32 @@ TagSpec custom_initialization() {
 
 TagSpec ice_block() {
   return tag("ICE", "the multi-material finite-volume method")
-      .with_children({tag("scheme",
-                          "conservative: total energy conserved, second order in space "
-                          "and time; classic: internal energy, one stage")
-                          .words(ice::scheme_words())
-                          .by_default("conservative"),
-                      advection(), time_step_control(), custom_initialization(),
-                      ice::implicit_solver_tag(),
-                      tag("max_iteration_equilibration",
-                          "accepted without effect: the search for one pressure always ends")
-                          .integer()
-                          .at_least(1),
-                      tag("ClampSpecificVolume", "accepted without effect: there are no clamps")
-                          .boolean()
-                          .by_default("false"),
-                      tag("applyHydrostaticPressure",
-                          "with gravity: the pressure at the start balances the weight")
-                          .boolean()
-                          .by_default("true")})
+      .with_children(
+          {tag("scheme",
+               "conservative: total energy conserved, second order in space "
+               "and time; classic: internal energy, one stage")
+               .words(ice::scheme_words())
+               .by_default("conservative"),
+           advection(), time_step_control(), custom_initialization(), ice::implicit_solver_tag(),
+           tag("max_iteration_equilibration",
+               "accepted without effect: the search for the common pressure always ends")
+               .integer()
+               .at_least(1),
+           tag("ClampSpecificVolume", "accepted without effect: there are no clamps")
+               .boolean()
+               .by_default("false"),
+           tag("applyHydrostaticPressure", "with gravity: the initial pressure is hydrostatic")
+               .boolean()
+               .by_default("true")})
       .with_children(ice::transport_tags())
       .with_children(ice::body_source_tags());
 }
 
 TagSpec fluid_dynamics() {
   return tag("CFD", "the fluid")
-      .with_children({tag("cfl", "share of the stable time step").once().real().above(0).at_most(1),
-                      ice_block()});
+      .with_children(
+          {tag("cfl", "fraction of the stable time step").once().real().above(0).at_most(1),
+           ice_block()});
 }
 
 TagSpec geom_object() {
@@ -125,11 +127,11 @@ TagSpec geom_object() {
            tag("velocity", "velocity").once().vector().unit("velocity"),
            tag("temperature", "temperature").once().real().above(0).unit("temperature"),
            tag("density", "density of the material itself").once().real().above(0).unit("density"),
-           tag("volumeFraction", "share of the object that is this material; absent: 1")
+           tag("volumeFraction", "volume fraction of this material in the object; absent: 1")
                .real()
                .at_least(0)
                .at_most(1),
-           tag("pressure", "read, not used: density and temperature give the pressure")
+           tag("pressure", "read but not used: the pressure follows from density and temperature")
                .real()
                .unit("pressure")});
 }
@@ -137,19 +139,20 @@ TagSpec geom_object() {
 TagSpec material() {
   return tag("material", "a material of ICE")
       .at_least_once()
-      .with_attributes({attribute("name", "name of the material").text(),
-                        attribute("index", "accepted without effect: order gives the index")
-                            .integer()
-                            .at_least(0)})
+      .with_attributes(
+          {attribute("name", "name of the material").text(),
+           attribute("index", "accepted without effect: the index follows from the order")
+               .integer()
+               .at_least(0)})
       .with_children(
           {ice::equation_of_state_tag(), ice::specific_heat_tag(),
            tag("gamma",
-               fmt::format("ratio of specific heats; above 1 for {}, without effect for the rest",
+               fmt::format("ratio of specific heats; above 1 for {}, without effect for the others",
                            ice::laws_with_gamma()))
                .once()
                .real()
                .above(0),
-           tag("specific_heat", "at constant volume; <SpecificHeatModel> stands in its place")
+           tag("specific_heat", "at constant volume; replaced by <SpecificHeatModel>")
                .once()
                .real()
                .above(0)
@@ -166,8 +169,9 @@ TagSpec material() {
                .above(0)
                .unit("density"),
            tag("isSurroundingMatl",
-               "at heights where it is, the weight of what it has most of makes the hydrostatic "
-               "pressure; with one material this may be left out")
+               "surrounding material: at heights where it is present, the cell in which it has the "
+               "largest fraction determines the hydrostatic pressure; with one material this may "
+               "be omitted")
                .boolean()
                .by_default("false"),
            tag("includeFlowWork",
@@ -191,7 +195,7 @@ TagSpec refinement() {
                .at_most(2),
            tag("do_Refluxing", "fluxes are matched between levels").boolean().by_default("true"),
            tag("ClampSpecificVolume", "accepted without effect: there are no clamps").boolean(),
-           tag("Refinement_Criteria_Thresholds", "gradients that flag a cell")
+           tag("Refinement_Criteria_Thresholds", "gradient criteria")
                .child(tag("Variable", "one criterion")
                           .multiple()
                           .with_attributes(
@@ -254,9 +258,9 @@ FieldLabels ice_field_labels() {
 // empty.
 std::string why_zero(const std::string& label) {
   if (label.ends_with("_FC_flux") || label.ends_with("_FC_corr"))
-    return "registers match the fluxes where levels meet";
+    return "flux registers match the fluxes between levels";
   if (label == "mom_exch_error" || label == "eng_exch_error")
-    return "what one material gives another takes";
+    return "momentum and energy are exchanged in equal amounts";
   return "";
 }
 
@@ -268,7 +272,7 @@ void drop_labels_of_errors(DeckNode& root, std::vector<Fault>& faults) {
     const std::string why = save->name == "save" ? why_zero(label) : "";
     if (why.empty()) return false;
     add_warning(faults, save->where,
-                fmt::format("variable '{}' is no field here: {}; dropped", label, why),
+                fmt::format("variable '{}' is not a field: {}; dropped", label, why),
                 "remove the line");
     return true;
   });
@@ -306,7 +310,7 @@ void add_ice_tags(Schema& schema) {
   schema.add(fluid_dynamics());
   schema.add(tag("AMR", "").child(refinement()));
   schema.add(
-      tag("MaterialProperties", "the materials and how they act on each other")
+      tag("MaterialProperties", "the materials and their interaction")
           .multiple()
           .attribute(attribute("add", "accepted without effect").boolean())
           .with_children({tag("ICE", "materials of ICE").child(material()), ice::exchange_tag()}));

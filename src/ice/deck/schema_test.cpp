@@ -214,7 +214,7 @@ TEST(IceSchema, DropsLabelsOfWhatIsZeroByConstruction) {
     std::string text = Sample{}.text();
     text.replace(text.find("'ICE'"), 5, "'ice'");
     const std::string said = said_of_save(text, label);
-    EXPECT_THAT(said, ::testing::HasSubstr(std::string("variable '") + label + "' is no field"));
+    EXPECT_THAT(said, ::testing::HasSubstr(std::string("variable '") + label + "' is not a field"));
     EXPECT_EQ(said.find("error:"), std::string::npos) << said;
   }
 }
@@ -311,7 +311,7 @@ TEST(IceSchema, TellsOfWeightThatNothingCarries) {
 
 TEST(IceSchema, AsksWhichMaterialMakesTheHydrostaticPressure) {
   EXPECT_THAT(messages(with_a_second_material("", "[0,-9.8,0]")),
-              HasSubstr("no material says that its weight makes the hydrostatic pressure"));
+              HasSubstr("no material is marked to determine the hydrostatic pressure"));
   for (const std::string& said :
        {messages(with_a_second_material("", "[0,-9.8,0]",
                                         "<isSurroundingMatl>true</isSurroundingMatl>")),
@@ -358,7 +358,7 @@ TEST(IceSchema, ChecksAddedHeat) {
   EXPECT_EQ(said("[0]", "[3e9]", "2"), "");
   EXPECT_THAT(said("[1]", "[3e9]", "2"), HasSubstr("there is no material 1: the deck has 1"));
   EXPECT_THAT(said("[0]", "[1,2]", "2"), HasSubstr("has 2 numbers for 1 material"));
-  EXPECT_THAT(said("[0]", "[1]", "1"), HasSubstr("no heat is ever added"));
+  EXPECT_THAT(said("[0]", "[1]", "1"), HasSubstr("no heat would be added"));
   Sample sample;
   sample.ice = "<ADD_HEAT/>";
   EXPECT_THAT(messages(sample.load()), HasSubstr("<ADD_HEAT> needs <add_heat_matls>"));

@@ -31,24 +31,24 @@ Label reduction(const char* name, ValueType type, const char* unit, const char* 
 void declare_state(Labels& l) {
   l.mass = cell("state.mass", "kg/m^3", "Conserved state: mass per volume of the cell.");
   l.momentum = cell("state.momentum", "kg/(m^2 s)",
-                    "Conserved state: momentum per volume, one component a carried direction.");
+                    "Conserved state: momentum per volume, one component per stored direction.");
   constexpr const char* components[] = {"state.momentum_x", "state.momentum_y", "state.momentum_z"};
   for (int d = 0; d < 3; ++d)
     l.momentum_component[d] = cell(components[d], "kg/(m^2 s)",
                                    "Conserved state: momentum per volume along one direction.");
   l.energy = cell("state.energy", "J/m^3", "Conserved state: internal energy per volume.");
-  l.volume = cell("state.volume", "1",
-                  "Conserved state of several materials: share of the cell that each fills.");
+  l.volume =
+      cell("state.volume", "1", "Conserved state of several materials: volume fraction of each.");
   l.slip = cell("state.slip", "kg/(m^2 s)",
-                "Conserved state of materials with velocities of their own: momentum of each "
-                "relative to the mixture, one component a carried direction.");
+                "Conserved state with one velocity per material: momentum of each relative to the "
+                "mixture, one component per stored direction.");
   constexpr const char* of_slip[] = {"state.slip_x", "state.slip_y", "state.slip_z"};
   for (int d = 0; d < 3; ++d)
     l.slip_component[d] = cell(
         of_slip[d], "kg/(m^2 s)",
         "Conserved state: momentum of a material relative to the mixture along one direction.");
   l.mask = cell("state.slope_mask", "1",
-                "1 where slopes are used, 0 in cells whose faces are redone at first order.");
+                "1 where slopes are used, 0 in cells whose faces are repeated at first order.");
 }
 
 void declare_solve(Labels& l) {
@@ -59,7 +59,7 @@ void declare_solve(Labels& l) {
                               "Semi-implicit steps: change of the work pressure in the step, as it "
                               "is solved for.");
   l.pressure_correction = cell("work.pressure_correction", "Pa",
-                               "Semi-implicit steps: what the last solve of the step added.");
+                               "Semi-implicit steps: increment of the last solve of the step.");
   l.last_correction = cell("imp_delP", "Pa",
                            "Semi-implicit steps: change of the work pressure by the last solve of "
                            "the step.");
@@ -67,19 +67,19 @@ void declare_solve(Labels& l) {
                               "Semi-implicit steps: change of the work pressure by all solves of "
                               "the step.");
   l.matrix_cell = cell("pressure_matrix_CC", "1/Pa",
-                       "Semi-implicit steps: what a rise of the pressure takes of the volume of a "
-                       "cell, 1/(al rho c^2), the diagonal of the system without its faces.");
+                       "Semi-implicit steps: relative compression of a cell per increase of the "
+                       "pressure, 1/(al rho c^2), the diagonal of the system without its faces.");
   constexpr const char* faces[] = {"pressure_matrix_FCX", "pressure_matrix_FCY",
                                    "pressure_matrix_FCZ"};
   for (int d = 0; d < 3; ++d)
     l.matrix_face[d] = face(faces[d], d, "1/Pa",
                             "Semi-implicit steps: coupling of two cells in the pressure's system, "
                             "A dt^2/(rho dx^2); 0 on faces whose velocity is given.");
-  l.work_pressure = cell("work_press_CC", "Pa",
-                         "Semi-implicit steps: the pressure that the step before has solved for.");
+  l.work_pressure =
+      cell("work_press_CC", "Pa", "Semi-implicit steps: the work pressure of the previous step.");
   l.interface_pressure = cell("work.interface_pressure", "Pa",
-                              "Semi-implicit steps on levels: the same in ghost cells where a "
-                              "coarser level begins.");
+                              "Semi-implicit steps on levels: the same in ghost cells that are "
+                              "filled from a coarser level.");
   constexpr const char* finer_u[] = {"work.finer_face_velocity_x", "work.finer_face_velocity_y",
                                      "work.finer_face_velocity_z"};
   constexpr const char* finer_p[] = {"work.finer_face_pressure_x", "work.finer_face_pressure_y",
@@ -87,27 +87,29 @@ void declare_solve(Labels& l) {
   for (int d = 0; d < 3; ++d) {
     l.finer_face_velocity[d] = cell(finer_u[d], "m/s",
                                     "Semi-implicit steps on levels: mean velocity of the fine "
-                                    "faces on the cell's low face, where a finer level begins.");
-    l.finer_face_pressure[d] = cell(finer_p[d], "Pa", "Likewise the mean of their pressures.");
+                                    "faces on the cell's low face, at the edge of a finer level.");
+    l.finer_face_pressure[d] = cell(finer_p[d], "Pa",
+                                    "Semi-implicit steps on levels: mean pressure of the fine "
+                                    "faces on the cell's low face, at the edge of a finer level.");
   }
   l.right_side = cell("rhs", "1",
                       "Semi-implicit steps: right-hand side of the first solve of the step, the "
-                      "relative volume by which a cell would be wrong without it.");
+                      "relative volume error of a cell without it.");
   l.volume_error = cell("volume_error", "1",
-                        "Semi-implicit steps: relative volume by which a cell is wrong after the "
-                        "last solve; the largest is held below outer_iteration_tolerance.");
+                        "Semi-implicit steps: relative volume error of a cell after the last "
+                        "solve; the largest is kept below outer_iteration_tolerance.");
 }
 
 void declare_walls(Labels& l) {
   l.solid_fraction =
-      cell("solid.fraction", "1", "Share of the cell that solids fill; the rest is the fluid's.");
+      cell("solid.fraction", "1", "Volume fraction of solids in the cell; the rest is fluid.");
   l.solid_fraction_next = cell("work.solid_fraction_next", "1", "The same at the end of the step.");
   l.wall_pressure = cell("solid.wall_pressure", "Pa",
                          "Pressure between the fluid of a cell and the solid in it.");
   const auto at_surfaces = [](const char* saved, const char* kept, const char* unit,
                               const char* definition) {
     return Labels::AtSurfaces{cell(saved, unit, definition),
-                              cell(kept, unit, "The same, while steps are taken.")};
+                              cell(kept, unit, "The same, within a step.")};
   };
   l.burning_steady =
       at_surfaces("SteadyBurn.BurningCell", "work.burning", "1",
@@ -120,29 +122,28 @@ void declare_walls(Labels& l) {
                   "Temperature of surfaces of that solid where they burn, mean over the pieces in "
                   "the cell; 0 elsewhere.");
   l.surface_gradient = at_surfaces("UnsteadyBurn.SurfTempGrad", "work.surface_gradient", "K/m",
-                                   "Likewise the gradient of temperature in the solid there.");
+                                   "Gradient of temperature in the solid at these surfaces, mean "
+                                   "over the pieces in the cell; 0 elsewhere.");
   l.detonating = at_surfaces("detonating", "work.detonating", "1",
                              "1 where the explosive of DDT1 detonated in the step.");
-  l.burning =
-      at_surfaces("burning", "work.burning_explosive", "1",
-                  "What the explosive of DDT1 does in a cell: 1 a flame is on its way, 2 its "
-                  "surface burns, 3 its cracks burn; 0: nothing of it.");
-  l.induction_time =
-      at_surfaces("inductionTime", "work.induction_time", "s",
-                  "Time that flames on their way need at the present pressure, mean over the "
-                  "particles of DDT1 in the cell to which one is; 0: none.");
+  l.burning = at_surfaces("burning", "work.burning_explosive", "1",
+                          "State of the explosive of DDT1 in a cell: 1 a flame approaches, 2 its "
+                          "surface burns, 3 its cracks burn; 0: none of these.");
+  l.induction_time = at_surfaces("inductionTime", "work.induction_time", "s",
+                                 "Induction time of flames at the present pressure, mean over the "
+                                 "particles of DDT1 in the cell that a flame approaches; 0: none.");
   l.count_time = at_surfaces("countTime", "work.count_time", "s",
-                             "How long flames have been on their way or were, mean over the "
-                             "particles of DDT1 in the cell to which one has set out.");
-  l.kept_burned_share = cell("work.F", "1", "F, while steps are taken.");
-  l.kept_burned_in_step = cell("work.delF", "1", "delF, while steps are taken.");
-  l.kept_model_mass = cell("work.burned_mass", "kg",
-                           "Mass that burning solids give, or fluids get from them, in the step.");
+                             "Elapsed induction time of flames, mean over the particles of DDT1 in "
+                             "the cell that a flame has approached.");
+  l.kept_burned_share = cell("work.F", "1", "F, within a step.");
+  l.kept_burned_in_step = cell("work.delF", "1", "delF, within a step.");
+  l.kept_model_mass =
+      cell("work.burned_mass", "kg", "Mass transferred from burning solids to fluids in the step.");
   constexpr const char* axes[] = {"x", "y", "z"};
   for (int d = 0; d < 3; ++d) {
     const std::string axis = axes[d];
     l.covered[d] = cell(("work.covered_" + axis).c_str(), "1",
-                        "Share of the low face that solids cover at the start of the step.");
+                        "Fraction of the low face covered by solids at the start of the step.");
     l.mean_covered[d] =
         cell(("work.mean_covered_" + axis).c_str(), "1", "The same, its mean over the step.");
     l.swept[d] = cell(("work.swept_" + axis).c_str(), "1",
@@ -159,7 +160,7 @@ void declare_primitives(Labels& l) {
   l.temperature = cell("temp_CC", "K", "Temperature from density and internal energy.");
   l.pressure = cell("press_CC", "Pa", "Pressure of the equation of state.");
   l.specific_volume = cell("sp_vol_CC", "m^3/kg", "Specific volume, the inverse true density.");
-  l.volume_fraction = cell("vol_frac_CC", "1", "Share of the cell that the material fills.");
+  l.volume_fraction = cell("vol_frac_CC", "1", "Volume fraction of the material.");
   l.sound_speed = cell("speedSound_CC", "m/s", "Speed of sound.");
   l.mach = cell("mach", "1", "Speed over speed of sound.");
   l.sum_rho = cell("sum_rho_CC", "kg/m^3", "Mass of all materials per volume of the cell.");
@@ -172,16 +173,15 @@ void declare_primitives(Labels& l) {
   l.compressibility_of_cell =
       cell("sumKappa", "1/Pa", "Compressibility of the cell: sum of vol_frac_CC compressiblity.");
   l.compressibility_share = cell("f_theta", "1",
-                                 "Share of the material in the compressibility of the cell, "
+                                 "Fraction of the material in the compressibility of the cell, "
                                  "vol_frac_CC compressiblity/sumKappa.");
   l.viscosity = cell("viscosity", "Pa s", "Dynamic viscosity of the material itself.");
   l.eddy_viscosity =
       cell("turb_viscosity_CC", "Pa s", "Subgrid viscosity of the turbulence model.");
   l.total_viscosity = cell("total_viscosity_CC", "Pa s", "Sum of viscosity and turb_viscosity_CC.");
-  l.subgrid_normal =
-      cell_vector("SGS_uu_vv_ww", "m^2/s^2",
-                  "Decks with a turbulence model: what it takes for the covariances uu, vv, ww of "
-                  "the velocity below the grid, without their mean.");
+  l.subgrid_normal = cell_vector("SGS_uu_vv_ww", "m^2/s^2",
+                                 "Decks with a turbulence model: modelled covariances uu, vv, ww "
+                                 "of the subgrid velocity, without their mean.");
   l.subgrid_shear = cell_vector("SGS_uv_vw_wu", "m^2/s^2", "The same of uv, vw, wu.");
   l.thermal_conductivity = cell("thermalCond", "W/(m K)", "Thermal conductivity.");
   l.specific_heat = cell("specific_heat", "J/(kg K)", "Specific heat at constant volume.");
@@ -210,9 +210,9 @@ void declare_derivatives(Labels& l) {
   l.divergence_velocity = cell("mag_div_vel_CC", "1/s",
                                "Norm of the diagonal velocity derivatives, "
                                "sqrt(sum (du_d/dx_d)^2).");
-  l.refine_flag = declare({"refineFlag", ValueType::integer, Centring::cell, "1",
-                           "1 where a refinement criterion of the deck asks for a finer "
-                           "level, 0 elsewhere."});
+  l.refine_flag =
+      declare({"refineFlag", ValueType::integer, Centring::cell, "1",
+               "1 where a refinement criterion of the deck flags the cell, 0 elsewhere."});
   l.vorticity = cell_vector("vorticity", "1/s", "Curl of the velocity, central differences.");
 }
 
@@ -220,7 +220,7 @@ void declare_derivatives(Labels& l) {
 void declare_phase_labels(Labels& l) {
   l.lagrangian_mass = cell("mass_L_CC", "kg",
                            "Mass of the material in the cell before advection: that of the start "
-                           "of the step, for models add theirs at its end.");
+                           "of the step, because models add mass at its end.");
   l.momentum_before_exchange = cell_vector(
       "mom_L_CC", "kg m/s",
       "Momentum of the material in the cell after pressure, friction and forces, before exchange "
@@ -237,9 +237,9 @@ void declare_phase_labels(Labels& l) {
   l.lagrangian_velocity =
       cell_vector("vel_CC_Xchange", "m/s",
                   "Velocity of the material before advection: mom_L_ME_CC over mass_L_CC.");
-  l.stress_velocity = cell_vector("velTau_CC", "m/s",
-                                  "Velocity of the material that friction is taken from: of the "
-                                  "start of the step.");
+  l.stress_velocity = cell_vector(
+      "velTau_CC", "m/s",
+      "Velocity of the material from which friction is computed: that of the start of the step.");
   l.energy_before_exchange = cell("int_eng_L_CC", "J",
                                   "Internal energy of the material in the cell after pressure and "
                                   "forces, before exchange between materials and advection.");
@@ -256,8 +256,8 @@ void declare_phase_labels(Labels& l) {
   l.volume_source =
       cell("sp_vol_src_CC", "m^3/kg", "Change of the specific volume that leads to sp_vol_L_CC.");
   l.dilation = cell("term2", "1",
-                    "Volume of all materials that flows out of the cell in the step less what "
-                    "flows in, as share of the cell.");
+                    "Net volume of all materials that flows out of the cell in the step, as a "
+                    "fraction of the cell.");
   l.lagrangian_heating = cell("Tdot", "K/s",
                               "Rate of change of the temperature before advection, in the cell as "
                               "it moves, by work and conduction.");
@@ -270,21 +270,20 @@ void declare_step_labels(Labels& l) {
       cell("delP_Dilatate", "Pa", "Change of the pressure over the step by compression and flow.");
   l.source_pressure = cell("delP_MassX", "Pa",
                            "Change of the pressure over the step by mass and energy that models "
-                           "add or pass on, to first order.");
-  l.burned_share =
-      cell("F", "1",
-           "Burned share of an explosive in the cell, product over reactant and "
-           "product by mass; of the models JWLpp and DDT1, with the reactant; of the latter 0 "
-           "in cells without explosive.");
-  l.burned_in_step = cell("delF", "1", "What that share has gained by burning in the step.");
+                           "add or transfer, to first order.");
+  l.burned_share = cell(
+      "F", "1",
+      "Burned fraction of an explosive in the cell, product over reactant and product by mass; for "
+      "the models JWLpp and DDT1, with the reactant; for the latter 0 in cells without explosive.");
+  l.burned_in_step = cell("delF", "1", "Increase of that fraction by burning in the step.");
   l.model_mass = cell("modelMass_src", "kg", "Mass that models add to the material in the step.");
   l.model_momentum = cell_vector("modelMom_src", "kg m/s",
                                  "Momentum that models add to the material in the step.");
   l.model_energy =
       cell("modelEng_src", "J", "Internal energy that models add to the material in the step.");
-  l.model_volume =
-      cell("modelVol_src", "m^3",
-           "Volume that models add to the material in the step, before one pressure is found.");
+  l.model_volume = cell(
+      "modelVol_src", "m^3",
+      "Volume that models add to the material in the step, before the common pressure is found.");
   constexpr const char* velocity[] = {"uvel_FC", "vvel_FC", "wvel_FC"};
   constexpr const char* exchanged[] = {"uvel_FCME", "vvel_FCME", "wvel_FCME"};
   constexpr const char* pressure[] = {"pressX_FC", "pressY_FC", "pressZ_FC"};
@@ -305,22 +304,21 @@ void declare_step_labels(Labels& l) {
     l.face_temperature[d] = face(temperature[d], d, "K",
                                  "Mean by mass of the temperatures that the material has in the "
                                  "two cells at the start of the step.");
-    l.face_volume_fraction[d] =
-        face(fraction[d], d, "1",
-             "Share of the material in the volume that passes the face in the step; where nothing "
-             "passes, mean of the two cells.");
+    l.face_volume_fraction[d] = face(fraction[d], d, "1",
+                                     "Fraction of the material in the volume flux through the face "
+                                     "in the step; without flux, the mean of the two cells.");
     l.face_pressure_gradient[d] =
         face(gradient[d], d, "Pa/m",
              "Difference of press_equil_CC between the two cells over their distance.");
   }
-  l.temperature_rate = cell("dTdt_CC", "K/s",
-                            "Change of temp_CC over the step by its length: work, heat, exchange "
-                            "and flow, without what finer levels change then; 0 where the "
-                            "material is new, gone or a trace.");
-  l.velocity_rate = cell_vector("dVdt_CC", "m/s^2",
-                                "Change of vel_CC over the step by its length: forces, exchange "
-                                "and flow, without what finer levels change then; 0 where the "
-                                "material is new or gone.");
+  l.temperature_rate =
+      cell("dTdt_CC", "K/s",
+           "Change of temp_CC over the step divided by its length: work, heat, exchange and flow, "
+           "without later changes by finer levels; 0 where the material is new, gone or a trace.");
+  l.velocity_rate = cell_vector(
+      "dVdt_CC", "m/s^2",
+      "Change of vel_CC over the step divided by its length: forces, exchange and flow, without "
+      "later changes by finer levels; 0 where the material is new or gone.");
   l.viscous_source =
       cell_vector("viscous_src_CC", "N", "Viscous force on the cell, from its faces.");
   l.heat_source =
@@ -341,12 +339,11 @@ void declare_reductions(Labels& l) {
                                      "Momentum that models have added since the start.");
   l.total_model_energy = reduction("TotalModelEng_src", ValueType::real, "J",
                                    "Total energy that models have added since the start.");
-  l.total_mass_exchanged =
-      reduction("totalMassExchanged", ValueType::real, "kg",
-                "Mass that has passed from material to material since the start.");
+  l.total_mass_exchanged = reduction("totalMassExchanged", ValueType::real, "kg",
+                                     "Mass transferred between materials since the start.");
   l.total_energy_exchanged =
       reduction("totalIntEngExchanged", ValueType::real, "J",
-                "Internal energy that has passed with that mass since the start.");
+                "Internal energy transferred with that mass since the start.");
   l.total_mass_burned = reduction("totalMassBurned", ValueType::real, "kg",
                                   "Mass that models have burned since the start.");
   const auto of_solves = [](const char* name, const char* text) {
@@ -363,10 +360,9 @@ void declare_reductions(Labels& l) {
   l.largest_volume_error = of_solves("largest_volume_error",
                                      "Semi-implicit steps: the largest volume_error after the last "
                                      "solve of the step.");
-  l.total_heat_released =
-      reduction("totalHeatReleased", ValueType::real, "J",
-                "Heat that burning has given to the products since the start, beside what the "
-                "burned mass brought with it.");
+  l.total_heat_released = reduction("totalHeatReleased", ValueType::real, "J",
+                                    "Heat of reaction given to the products since the start, in "
+                                    "addition to the energy of the burned mass.");
 }
 
 }  // namespace

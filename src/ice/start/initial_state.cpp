@@ -253,11 +253,11 @@ void check_admissible(const IceMaterial& m, const Level& level, IntVec3 c, std::
   const Vec3 x = level.centre(c);
   throw DeckError(
       m.where,
-      fmt::format(
-          "ICE material {} starts with density {:g} and pressure {:g} in cell [{}, {}, {}] "
-          "at ({:g}, {:g}, {:g}); its equation of state has no such state: the density must "
-          "be above 0, the pressure above {:g}",
-          m.index, density, pressure, c.x, c.y, c.z, x.x, x.y, x.z, m.fluid.lowest_pressure()),
+      fmt::format("ICE material {} starts with density {:g} and pressure {:g} in cell [{}, {}, {}] "
+                  "at ({:g}, {:g}, {:g}), which is inadmissible for its equation of state: the "
+                  "density must be above 0, the pressure above {:g}",
+                  m.index, density, pressure, c.x, c.y, c.z, x.x, x.y, x.z,
+                  m.fluid.lowest_pressure()),
       "see docs/theory_eos.md");
 }
 

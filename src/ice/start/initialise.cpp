@@ -32,7 +32,7 @@ namespace {
       fmt::format("initial state: the materials of cell [{}, {}, {}] of level {} have no common "
                   "pressure; material {} ('{}') finds no state:{}\n  ",
                   cell.x, cell.y, cell.z, level, failed, material.name, states),
-      "give the materials that share a cell densities and temperatures of about one pressure");
+      "give materials that share a cell densities and temperatures of about the same pressure");
 }
 
 // Of a material of a mixture: its fields in the state.

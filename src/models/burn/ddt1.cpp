@@ -16,26 +16,27 @@ TagSpec intervals(TagSpec of) {
   const auto interval = [](const char* name, const char* text) {
     return tag(name, text).once().real().above(0).unit("time");
   };
-  return of.child(interval("newOutputInterval", "interval of outputs from then on"))
-      .child(interval("newCheckPointInterval", "interval of checkpoints from then on"));
+  return of.child(interval("newOutputInterval", "interval of outputs after that"))
+      .child(interval("newCheckPointInterval", "interval of checkpoints after that"));
 }
 
 TagSpec intervals_tag() {
   return tag("adjust_IO_intervals",
-             "other intervals of outputs and checkpoints from a moment on, each once")
+             "other intervals of outputs and checkpoints after an event, each once")
       .child(intervals(
-          tag("PressureSwitch", "once the pressure of a cell with explosive is above a threshold")
+          tag("PressureSwitch", "when the pressure of a cell with explosive is above a threshold")
               .child(tag("PressureThreshold", "that pressure")
                          .once()
                          .real()
                          .above(0)
                          .unit("pressure"))))
-      .child(intervals(
-          tag("DetonationDetected", "once explosive detonates somewhere")
-              .child(tag("remainingTimesteps", "the run ends so many steps later; 0: as it would")
-                         .integer()
-                         .at_least(0)
-                         .by_default("0"))));
+      .child(intervals(tag("DetonationDetected", "when explosive detonates anywhere")
+                           .child(tag("remainingTimesteps",
+                                      "the run ends this number of steps later; 0: the end of the "
+                                      "run is not changed")
+                                      .integer()
+                                      .at_least(0)
+                                      .by_default("0"))));
 }
 
 constexpr const char* of_flames[] = {"IgnitionConst", "PressureShift", "PreexpoConst",
@@ -60,50 +61,51 @@ TagSpec ddt1_tag() {
     return tag(name, std::string(text) + "; with <useInductionTime>").real();
   };
   return tag("DDT1",
-             "explosive that burns at surfaces and in cracks, and detonates: by the pressure")
+             "explosive that burns at surfaces and in cracks, or detonates, depending on the "
+             "pressure")
       .with_children(surface_and_flame_tags("ThresholdPressureSB"))
       .with_children(
           {tag("burnMaterial",
-               "name of the fluid that surfaces become; as <toMaterial> where it is absent")
+               "name of the fluid that burning surfaces produce; absent: that of <toMaterial>")
                .text(),
-           detonation("ThresholdPressureJWL", "detonates above this pressure, does not burn there")
+           detonation("ThresholdPressureJWL", "detonates above this pressure instead of burning")
                .unit("pressure"),
-           tag("ThresholdVolFrac", "detonates where it fills more than this of a cell")
+           tag("ThresholdVolFrac", "detonates where it fills more than this fraction of a cell")
                .real()
                .at_least(0)
                .at_most(1)
                .by_default("0"),
            detonation("G", "rate of the detonation, with the pressure in the deck's units"),
-           detonation("b", "its exponent of the pressure"),
+           detonation("b", "exponent of the pressure in this rate"),
            tag("E0", "heat of the detonation per mass, given to the product")
                .once()
                .real()
                .unit("energy/mass"),
            tag("useCrackModel",
-               "cracked explosive burns beside hot gas; its law must have cracks (visco_scram)")
+               "cracked explosive burns next to hot gas; its law must have cracks (visco_scram)")
                .boolean()
                .by_default("false"),
            tag("Gcrack", "accepted without effect").real(),
            tag("nCrack", "accepted without effect").real(),
            tag("CrackVolThreshold",
-               "fluid that fills no more of a cell than this brings no hot gas to cracks")
+               "fluid that fills no more than this fraction of a cell does not ignite cracks")
                .real()
                .at_least(0)
                .at_most(1)
                .by_default("1e-14"),
            tag("CrackConstant",
-               "cracks of radius a let flames in where a^2 p^n is above it; in the deck's units")
+               "cracks of radius a burn where a^2 p^n is above it; in the deck's units")
                .real()
                .above(0)
                .by_default("8e8"),
            tag("CrackExponent", "n").real().above(0).by_default("2.84"),
-           tag("CrackSpacing", "volume of explosive over the area of the walls of its cracks")
+           tag("CrackSpacing", "volume of explosive divided by the area of its crack walls")
                .real()
                .above(0)
                .unit("length")
                .by_default("0.002"),
-           tag("useInductionTime", "flames need time to come along").boolean().by_default("false"),
-           flame("IgnitionConst", "share of its way that a flame has to go head on, I")
+           tag("useInductionTime", "flames have an induction time").boolean().by_default("false"),
+           flame("IgnitionConst", "fraction I of the path for a flame normal to the surface")
                .above(0)
                .at_most(1),
            flame("PressureShift", "pressure of the speed of flames, p_0").above(0).unit("pressure"),
@@ -118,7 +120,8 @@ void check_ddt1(const DeckNode& parameters, const MaterialNames& names,
   if (const DeckNode* burned = parameters.child("burnMaterial")) {
     const auto to = check_material(parameters, "burnMaterial", names.all(), faults);
     if (to && *to < static_cast<int>(names.solids.size()))
-      add_error(faults, burned->where, "<burnMaterial> is a solid: what a model makes is a fluid",
+      add_error(faults, burned->where,
+                "<burnMaterial> is a solid: the product of a model is a fluid",
                 "name a material of <ICE>");
   }
   if (boolean_or(parameters, "useInductionTime", false))

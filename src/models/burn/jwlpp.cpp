@@ -10,14 +10,15 @@ TagSpec jwlpp_tag() {
   return tag("JWLpp", "JWL++: an explosive becomes its products, dF/dt = G (1 - F) p^b")
       .with_children(
           {tag("fromMaterial", "name of the explosive, a fluid or a solid").once().text(),
-           tag("toMaterial", "name of the fluid that its products are").once().text(),
+           tag("toMaterial", "name of the fluid of its products").once().text(),
            tag("Active", "accepted without effect").boolean(),
            tag("ThresholdPressure", "burns above this pressure")
                .once()
                .real()
                .at_least(0)
                .unit("pressure"),
-           tag("ThresholdVolFrac", "burns where the explosive fills more than this of a cell")
+           tag("ThresholdVolFrac",
+               "burns where the explosive fills more than this fraction of a cell")
                .real()
                .at_least(0)
                .at_most(1)
@@ -28,7 +29,7 @@ TagSpec jwlpp_tag() {
                .once()
                .real()
                .unit("energy/mass"),
-           tag("rho0", "density of the explosive at the start: a step burns at most a fifth of it")
+           tag("rho0", "initial density of the explosive: a step burns at most a fifth of it")
                .once()
                .real()
                .above(0)

@@ -7,12 +7,15 @@
 namespace sluice::models {
 
 TagSpec light_time_tag() {
-  return tag("LightTime", "a prescribed detonation: a front of given speed burns what it passes")
+  return tag("LightTime", "a prescribed detonation: a front of given speed burns the explosive")
       .with_children(
           {tag("fromMaterial", "name of the explosive, a fluid").once().text(),
-           tag("toMaterial", "name of the fluid that its products are").once().text(),
-           tag("starting_location", "where the front is at time 0").once().vector().unit("length"),
-           tag("direction_if_plane", "normal of the front that begins there; zero: from a point")
+           tag("toMaterial", "name of the fluid of its products").once().text(),
+           tag("starting_location", "position of the front at time 0")
+               .once()
+               .vector()
+               .unit("length"),
+           tag("direction_if_plane", "normal of a plane front; zero: the front starts at a point")
                .vector()
                .by_default("[0, 0, 0]"),
            tag("D", "speed of the front").once().real().above(0).unit("velocity"),
@@ -22,8 +25,8 @@ TagSpec light_time_tag() {
                .unit("energy/mass"),
            tag("rho0", "accepted without effect").real().unit("density"),
            tag("react_mixed_cells",
-               "whether cells burn that hold other materials too; false: those that explosive and "
-               "products fill by 0.99")
+               "whether cells with other materials burn too; false: only cells filled to 0.99 by "
+               "explosive and products")
                .boolean()
                .by_default("true")});
 }

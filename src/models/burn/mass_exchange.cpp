@@ -13,20 +13,19 @@ double MassExchange::share(double time, double dt) const {
 }
 
 TagSpec mass_exchange_tag() {
-  return tag("Test", "mass of one material becomes another's at a constant rate")
+  return tag("Test", "mass of one material is transferred to another at a constant rate")
       .with_children(
-          {tag("fromMaterial", "name of the material that gives its mass").once().text(),
+          {tag("fromMaterial", "name of the material that loses mass").once().text(),
            tag("toMaterial",
-               "name of the material that gets it, with its momentum, energy and "
-               "volume")
+               "name of the material that receives it, with its momentum, energy and volume")
                .once()
                .text(),
-           tag("rate", "share of the mass that passes, m' = -rate m")
+           tag("rate", "fraction of the mass transferred per time, m' = -rate m")
                .once()
                .real()
                .at_least(0)
                .unit("1/time"),
-           tag("startTime", "from when on").real().at_least(0).unit("time").by_default("0")});
+           tag("startTime", "start time").real().at_least(0).unit("time").by_default("0")});
 }
 
 namespace {

@@ -8,37 +8,38 @@ namespace sluice::models {
 
 TagSpec simple_burn_tag() {
   return tag("Simple_Burn", "surface of a solid burns: mass flux A (p/p_ref)^0.778")
-      .with_children({tag("fromMaterial", "name of the solid that burns").once().text(),
-                      tag("toMaterial",
-                          "name of the fluid that it becomes, with its momentum, energy and volume")
-                          .once()
-                          .text(),
-                      tag("Active", "accepted without effect").boolean(),
-                      tag("ThresholdTemp",
-                          "burns where the fluid at the surface, or the solid, is hotter than this")
-                          .once()
-                          .real()
-                          .at_least(0)
-                          .unit("temperature"),
-                      tag("ThresholdPressure", "burns above this pressure")
-                          .once()
-                          .real()
-                          .at_least(0)
-                          .unit("pressure"),
-                      tag("Enthalpy", "heat of the reaction per mass, given to the product")
-                          .once()
-                          .real()
-                          .unit("energy/mass"),
-                      tag("BurnCoeff", "mass flux at the reference pressure")
-                          .once()
-                          .real()
-                          .at_least(0)
-                          .unit("mass/(area time)"),
-                      tag("refPressure", "pressure of that mass flux")
-                          .once()
-                          .real()
-                          .above(0)
-                          .unit("pressure")});
+      .with_children(
+          {tag("fromMaterial", "name of the solid that burns").once().text(),
+           tag("toMaterial",
+               "name of the fluid that is produced, with its momentum, energy and volume")
+               .once()
+               .text(),
+           tag("Active", "accepted without effect").boolean(),
+           tag("ThresholdTemp",
+               "burns where the fluid at the surface, or the solid, is hotter than this")
+               .once()
+               .real()
+               .at_least(0)
+               .unit("temperature"),
+           tag("ThresholdPressure", "burns above this pressure")
+               .once()
+               .real()
+               .at_least(0)
+               .unit("pressure"),
+           tag("Enthalpy", "heat of the reaction per mass, given to the product")
+               .once()
+               .real()
+               .unit("energy/mass"),
+           tag("BurnCoeff", "mass flux at the reference pressure")
+               .once()
+               .real()
+               .at_least(0)
+               .unit("mass/(area time)"),
+           tag("refPressure", "pressure of that mass flux")
+               .once()
+               .real()
+               .above(0)
+               .unit("pressure")});
 }
 
 namespace {

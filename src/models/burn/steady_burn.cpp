@@ -61,7 +61,7 @@ std::vector<TagSpec> surface_and_flame_tags(const char* threshold) {
     return tag(name, text).once().real().above(0).unit(unit);
   };
   return {tag("fromMaterial", "name of the solid that burns").once().text(),
-          tag("toMaterial", "name of the fluid that it becomes").once().text(),
+          tag("toMaterial", "name of the fluid that is produced").once().text(),
           tag("Active", "accepted without effect").boolean(),
           positive("IdealGasConst", "gas constant", "energy/(K mol)"),
           number("PreExpCondPh", "rate of the reaction in the solid, A_c", "1/time"),
@@ -71,13 +71,13 @@ std::vector<TagSpec> surface_and_flame_tags(const char* threshold) {
           number("GasPhaseHeat", "heat of the reaction in the gas, Q_g", "energy/mass"),
           positive("HeatConductGasPh", "conductivity of the gas, K_g", "W/(m K)"),
           positive("HeatConductCondPh", "conductivity of the solid, K_c", "W/(m K)"),
-          positive("SpecificHeatBoth", "specific heat of both, c_p", "energy/(mass K)"),
+          positive("SpecificHeatBoth", "specific heat of solid and gas, c_p", "energy/(mass K)"),
           positive("MoleWeightGasPh", "molar mass of the gas, W", "kg/mol"),
           tag("BoundaryParticles",
-              "accepted without effect: which faces of particles are on the surface is known")
+              "accepted without effect: the faces of particles on the surface are known")
               .real()
               .at_least(0),
-          number(threshold, "burns from this pressure on", "pressure"),
+          number(threshold, "burns at this pressure and above", "pressure"),
           number("IgnitionTemp",
                  "burns where the fluid at the surface or around it, or the solid, is hotter than "
                  "this",

@@ -44,16 +44,15 @@ TagSpec unsteady_burn_tag() {
     return tag(name, text).once().real().at_least(0);
   };
   return tag("Unsteady_Burn",
-             "surface of a solid burns as by Steady_Burn, and follows changes of pressure with a "
+             "surface of a solid burns as with Steady_Burn, and follows changes of pressure with a "
              "delay")
       .with_children(surface_and_flame_tags())
-      .with_children({coefficient("BurnrateModCoef",
-                                  "power of the ratio of unsteady to steady rate that counts, B_m"),
-                      coefficient("CondUnsteadyCoef",
-                                  "delay of the gradient in the solid, in K_c rho/(c_p m^2), N_c"),
-                      coefficient("GasUnsteadyCoef",
-                                  "delay of the surface's temperature, in that of the gradient, "
-                                  "N_g")});
+      .with_children(
+          {coefficient("BurnrateModCoef", "exponent of the ratio of unsteady to steady rate, B_m"),
+           coefficient("CondUnsteadyCoef",
+                       "delay of the gradient in the solid, in K_c rho/(c_p m^2), N_c"),
+           coefficient("GasUnsteadyCoef",
+                       "delay of the surface temperature, in units of that of the gradient, N_g")});
 }
 
 namespace {

@@ -21,10 +21,10 @@ void check_reactant(const DeckNode& parameters, const MaterialNames& names,
   if (!from || !to) return;
   const Location& where = parameters.child("toMaterial")->where;
   if (*from == *to)
-    add_error(faults, where, "<toMaterial> is <fromMaterial>: nothing would pass",
+    add_error(faults, where, "<toMaterial> is <fromMaterial>: there would be no exchange",
               "name two materials");
   else if (*to < static_cast<int>(names.solids.size()))
-    add_error(faults, where, "<toMaterial> is a solid: what a model makes is a fluid",
+    add_error(faults, where, "<toMaterial> is a solid: the product of a model is a fluid",
               "name a material of <ICE>");
 }
 

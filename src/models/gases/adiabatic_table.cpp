@@ -25,14 +25,15 @@ TagSpec table_tag() {
       .attribute(attribute("type", "its format").once().words({"Arches"}))
       .with_children(
           {tag("filename",
-               "file of the table, packed with gzip or not, as seen from the working folder or the "
-               "deck's")
+               "file of the table, compressed with gzip or not, relative to the working folder or "
+               "the folder of the deck")
                .once()
                .file(),
            named_value("defaultValue", "value of a further axis of the table").real(),
            named_value("constantValue", "a column of one value").real(),
-           named_value("derivedValue",
-                       "a column from others: [column], {mixture_fraction}, numbers, + - * / ( )")
+           named_value(
+               "derivedValue",
+               "a column computed from others: [column], {mixture_fraction}, numbers, + - * / ( )")
                .text()});
 }
 
@@ -87,13 +88,13 @@ TagSpec adiabatic_table_tag() {
   return tag("AdiabaticTable",
              "an ideal gas with properties and heat of mixing from a table over mixture fraction")
       .with_children(of_mixture)
-      .with_children(
-          {tag("varianceScale", "must be 0: the table is taken at the default of its second axis")
-               .real()
-               .at_least(0)
-               .by_default("0"),
-           tag("varianceMax", "without effect where varianceScale is 0").real().at_least(0),
-           tag("tableValue", "further columns to save").multiple().text()});
+      .with_children({tag("varianceScale",
+                          "must be 0: the table is evaluated at the default of its second axis")
+                          .real()
+                          .at_least(0)
+                          .by_default("0"),
+                      tag("varianceMax", "without effect if varianceScale is 0").real().at_least(0),
+                      tag("tableValue", "further columns to save").multiple().text()});
 }
 
 void check_adiabatic_table(const DeckNode& parameters, const std::vector<std::string>& materials,

@@ -44,19 +44,17 @@ TagSpec constants() {
     for (std::size_t k = 0; k < 2; ++k)
       c = c.child(tag(tags[k], fmt::format(fmt::runtime(doc), k)).real().at_least(0).unit(unit));
   };
-  pair(densities, "density at the start where f is {}; absent: that of the geometry objects",
-       "density");
-  pair(conductivities, "heat conductivity where f is {}; absent: that of the material",
+  pair(densities, "initial density for f = {}; absent: that of the geometry objects", "density");
+  pair(conductivities, "thermal conductivity for f = {}; absent: that of the material",
        "power/(length temperature)");
-  pair(viscosities, "dynamic viscosity where f is {}; absent: that of the material",
-       "pressure time");
+  pair(viscosities, "dynamic viscosity for f = {}; absent: that of the material", "pressure time");
   return c;
 }
 
 }  // namespace
 
 TagSpec binary_properties_tag() {
-  return tag("BinaryProperties", "an ideal gas that is a mixture of two, by mass fraction")
+  return tag("BinaryProperties", "an ideal gas that is a mixture of two gases, by mass fraction")
       .with_children(mixture_tags("the mass fraction of gas B", {constants()}));
 }
 

@@ -4,12 +4,12 @@ namespace sluice::models {
 
 ReactionLabels reaction_labels() {
   return {declare_label({"HeatReleaseRate", ValueType::real, Centring::cell, "W/m^3",
-                         "Heat that reactions of species release, per time."}),
+                         "Heat released by reactions of species, per time."}),
           declare_label({"dt_chemistry", ValueType::real, Centring::cell, "s",
                          "Last step of the integration of reactions in the cell."}),
           declare_label({"dt_chemistry_limiter", ValueType::real, Centring::cell, "1",
-                         "Place, from 1, of the species whose mass fraction reactions change most "
-                         "against its tolerance in the step; 0: none changes."})};
+                         "Index, from 1, of the species whose mass fraction changes most by "
+                         "reactions relative to its tolerance in the step; 0: none changes."})};
 }
 
 }  // namespace sluice::models

@@ -30,7 +30,7 @@ TagSpec flame_sheet_tag() {
                    .real()
                    .above(0)
                    .at_most(1),
-               tag("delta_H_combustion", "heat that a mass of fuel gives")
+               tag("delta_H_combustion", "heat of reaction per mass of fuel")
                    .once()
                    .real()
                    .at_least(0)
@@ -42,7 +42,7 @@ TagSpec flame_sheet_tag() {
                    .real()
                    .at_least(0)
                    .unit("length^2/time")});
-  return tag("flameSheet_rxn", "fuel and oxidizer that burn at once where they mix")
+  return tag("flameSheet_rxn", "fuel and oxidizer that burn immediately where they mix")
       .with_children(mixture_tags("the mass fraction of the fuel stream", {constants}));
 }
 
@@ -53,7 +53,7 @@ void check_flame_sheet(const DeckNode& parameters, const std::vector<std::string
   const DeckNode* constants = scalar == nullptr ? nullptr : scalar->child("reaction_constants");
   if (real_of(constants, "f_stoichometric").value_or(0) == 1)
     add_error(faults, constants->child("f_stoichometric")->where,
-              "<f_stoichometric> is 1: there would be no fuel to spare anywhere",
+              "<f_stoichometric> is 1: there would be no excess fuel anywhere",
               "the mass fraction of fuel in a mixture without excess, below 1");
 }
 

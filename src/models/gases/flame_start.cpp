@@ -77,7 +77,7 @@ class FlameReader {
                                 numbers.size(), species_.size(), expected));
     FlameStart& state = flame_.state;
     if (!state.density.x.empty() && !(numbers[0] > state.density.x.back()))
-      lines_.refuse(0, fmt::format("x = {:g} does not lie above the x before it, {:g}", numbers[0],
+      lines_.refuse(0, fmt::format("x = {:g} is not above the previous x, {:g}", numbers[0],
                                    state.density.x.back()));
     if (!(numbers[1] > 0 && numbers[3] > 0 && numbers[4] > 0))
       lines_.refuse(1, "temperature, density and pressure must be above 0");

@@ -68,7 +68,7 @@ TEST(FlameStart, SaysWhatIsWrongInWhichLine) {
   EXPECT_THAT(refusal(names + "0 300 2 0.9 1e5 0.02 0 m/s\n"),
               HasSubstr("flame.dat:2:24: 'm/s' is not a number; expected a number (no column)"));
   EXPECT_THAT(refusal(names + "1 300 2 0.9 1e5 0 0\n1 300 2 0.9 1e5 0 0\n"),
-              HasSubstr("flame.dat:3:1: x = 1 does not lie above the x before it"));
+              HasSubstr("flame.dat:3:1: x = 1 is not above the previous x"));
   EXPECT_THAT(refusal(names + "0 -3 2 0.9 1e5 0 0\n"), HasSubstr("must be above 0"));
   EXPECT_THAT(refusal("# nothing\n"), HasSubstr("has no lines"));
 }

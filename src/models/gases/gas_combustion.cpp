@@ -36,17 +36,17 @@ std::vector<TagSpec> common_tags() {
         .above(0);
   };
   return {
-      tag("material", "the gas: name or number").once().text(),
+      tag("material", "the gas: name or index").once().text(),
       tag("doChemistry", "whether the species react").boolean().by_default("true"),
       tag("doDiffusion",
           "whether viscosity, conductivity and diffusion of species follow from the mechanism; "
-          "false: the material's viscosity and conductivity hold, species do not spread")
+          "false: the material's viscosity and conductivity are used, species do not diffuse")
           .boolean()
           .by_default("false"),
       tag("debug", "accepted without effect").boolean().by_default("false"),
       tolerance("rtol", "relative tolerance of the integration of reactions", "1e-8"),
-      tolerance("atol_T", "its absolute tolerance of temperature", "1e-6").unit("temperature"),
-      tolerance("atol_Y", "its absolute tolerance of mass fractions", "1e-14"),
+      tolerance("atol_T", "absolute tolerance of the temperature", "1e-6").unit("temperature"),
+      tolerance("atol_Y", "absolute tolerance of mass fractions", "1e-14"),
       without_effect("safety"),
       without_effect("max_grow"),
       without_effect("max_shrink"),
@@ -59,7 +59,7 @@ std::vector<TagSpec> common_tags() {
                               "order")
                               .once()
                               .reals()}),
-      tag("initProfile", "a state along an axis to start from, in place of the material's regions")
+      tag("initProfile", "an initial state along an axis, in place of the material's regions")
           .with_children(
               {tag("filename", "file with lines x T u rho p Y_1 ... Y_N").once().file(),
                tag("axis", "along which").once().words({"x", "X", "y", "Y", "z", "Z"})})};
@@ -127,7 +127,7 @@ void check_fractions(const DeckNode& list, const kinetics::SpeciesGas& gas,
               fmt::format("<{}>: mass fractions lie in [0, 1] and sum to 1 at most; these sum to "
                           "{:.10g}",
                           list.name, sum),
-              "the closure species has what they leave of 1");
+              "the closure species completes the sum to 1");
 }
 
 void check_units(const DeckNode& parameters, std::vector<Fault>& faults) {
@@ -166,16 +166,15 @@ TagSpec gas_combustion_tag() {
   const auto unit = [](const char* name, const std::vector<std::string>& words) {
     return tag(name, "of the deck; SI is supported").words(words);
   };
-  return tag("gasCombustion", "a gas of species that react and spread, by a mechanism in a file")
+  return tag("gasCombustion",
+             "a gas of reacting and diffusing species, with a mechanism from a file")
       .with_children(common_tags())
       .with_children(
           {tag("mechanismFile", "XML file with species, reactions and fits of transport")
                .once()
                .file(),
-           tag("closureSpecies", "the species that fills up to 1").once().text(),
-           tag("Y_init",
-               "mass fractions of the other species at the start, in the mechanism's "
-               "order")
+           tag("closureSpecies", "the species that completes the sum to 1").once().text(),
+           tag("Y_init", "initial mass fractions of the other species, in the mechanism's order")
                .once()
                .reals(),
            tag("units", "units of the deck")
@@ -188,10 +187,10 @@ TagSpec hydrogen_burke_tag() {
   const auto fraction = [](const char* name, const char* doc) {
     return tag(name, doc).once().real().at_least(0).at_most(1);
   };
-  return tag("hydrogenBurke", "hydrogen, oxygen and nitrogen that react: 9 species, 23 reactions")
+  return tag("hydrogenBurke", "reacting hydrogen, oxygen and nitrogen: 9 species, 23 reactions")
       .with_children(common_tags())
-      .with_children({fraction("YH2_init", "mass fraction of H2 at the start"),
-                      fraction("YO2_init", "mass fraction of O2 at the start; the rest is N2")});
+      .with_children({fraction("YH2_init", "initial mass fraction of H2"),
+                      fraction("YO2_init", "initial mass fraction of O2; the rest is N2")});
 }
 
 void check_gas_combustion(const DeckNode& parameters, const std::vector<std::string>& materials,
@@ -200,7 +199,7 @@ void check_gas_combustion(const DeckNode& parameters, const std::vector<std::str
   if (materials.size() > 1)
     add_not_built(faults, parameters.where,
                   fmt::format("<{}> with several materials", parameters.name),
-                  "keep the gas alone");
+                  "remove the other materials");
   check_units(parameters, faults);
   for (const char* name : {"safety", "max_grow", "max_shrink"})
     if (const DeckNode* node = parameters.child(name))
@@ -208,13 +207,13 @@ void check_gas_combustion(const DeckNode& parameters, const std::vector<std::str
                   fmt::format("<{}> has no effect: the integration of reactions controls its own "
                               "steps",
                               name),
-                  "remove it; <rtol>, <atol_T>, <atol_Y> say how exact it is");
+                  "remove it; <rtol>, <atol_T>, <atol_Y> are its tolerances");
   const auto gas = find_gas(parameters, &faults);
   if (gas == nullptr) return;
   if (is_true(&parameters, "doDiffusion") && gas->mechanism().diffusion.empty())
     add_error(faults, parameters.child("doDiffusion")->where,
               "<doDiffusion> true: the mechanism has no fits of transport",
-              "write false, or take a mechanism with <binaryDiffusionFits>");
+              "write false, or use a mechanism with <binaryDiffusionFits>");
   if (const DeckNode* start = parameters.child("Y_init")) check_fractions(*start, *gas, faults);
   if (const DeckNode* profile = parameters.child("initProfile")) {
     const DeckNode *file = profile->child("filename"), *axis = profile->child("axis");
@@ -227,7 +226,7 @@ void check_gas_combustion(const DeckNode& parameters, const std::vector<std::str
     if (H2 + O2 > 1 + 1e-9)
       add_error(faults, parameters.child("YO2_init")->where,
                 fmt::format("<YH2_init> and <YO2_init> sum to {:.10g}, above 1", H2 + O2),
-                "the rest of 1 is N2");
+                "the remainder to 1 is N2");
   }
   for (const DeckNode* object : parameters.all("geom_object"))
     if (const DeckNode* Y = object->child("Y")) check_fractions(*Y, *gas, faults);

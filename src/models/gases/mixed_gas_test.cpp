@@ -148,12 +148,12 @@ TEST_F(Tables, SayWhatIsWrongWithThem) {
       HasSubstr("gas.rxn:8:3: 'x' is not a number; expected a number (values of a column)"));
   EXPECT_THAT(refusal("1\nF\n2\n1\nTemp\nK\n0 1\n2 3 4\n"), HasSubstr("gas.rxn:8:5: "));
   EXPECT_THAT(refusal("1\nF\n2\n1\nTemp\nK\n0 1\n2 3\n7\n"),
-              HasSubstr("gas.rxn:9:1: '7' stands behind the end of the table"));
+              HasSubstr("gas.rxn:9:1: '7' found after the end of the table"));
   EXPECT_THAT(refusal("1\nF\n2\n1\nTemp\nK\n1 0\n2 2\n"), HasSubstr("increasing"));
   EXPECT_THAT(refusal("1\nF\n2\n1\nTemp\nK\n0 1\n"), HasSubstr("ends where"));
   PropertyTable::Additions circle;
   circle.derived = {{"gamma", "[a]"}, {"a", "[gamma]"}};
-  EXPECT_THAT(refusal(two_columns, circle), HasSubstr("follows from itself"));
+  EXPECT_THAT(refusal(two_columns, circle), HasSubstr("depends on itself"));
   EXPECT_THROW(PropertyTable("there_is_no.rxn", {}), InputError);
 }
 
@@ -179,7 +179,7 @@ TEST_F(Tables, ThatArePackedAreTheSame) {
       return "accepted";
     };
     EXPECT_THAT(said_of(packed.substr(0, packed.size() - 9)),
-                HasSubstr(path + ": ends before it can be unpacked as a whole"));
+                HasSubstr(path + ": ends before it is unpacked completely"));
     packed[packed.size() - 5] ^= 1;  // of the check sum
     EXPECT_THAT(said_of(packed), HasSubstr(path + ": cannot be unpacked"));
   }

@@ -47,7 +47,7 @@ void check_alone(const DeckNode& parameters, const std::vector<std::string>& mat
   if (materials.size() > 1)
     add_not_built(faults, parameters.where,
                   fmt::format("<{}> with several materials", parameters.name),
-                  "keep the gas alone, or take <BinaryProperties>");
+                  "remove the other materials, or use <BinaryProperties>");
 }
 
 MixedGas read_mixture(const DeckNode& parameters, const std::vector<std::string>& materials) {

@@ -76,7 +76,7 @@ class TableLines {
   // What stands behind the last line that the table has.
   void expect_end() {
     if (lines_.next_row())
-      lines_.refuse(0, fmt::format("'{}' stands behind the end of the table",
+      lines_.refuse(0, fmt::format("'{}' found after the end of the table",
                                    std::string(lines_.words().front().text.substr(0, 40))));
   }
 
@@ -84,7 +84,7 @@ class TableLines {
   void next(const char* what) {
     if (!lines_.next_row())
       throw InputError(
-          fmt::format("property table {}: ends where {} should stand", lines_.file(), what));
+          fmt::format("property table {}: ends where {} is expected", lines_.file(), what));
   }
 
   DataLines lines_;
@@ -172,7 +172,7 @@ double PropertyTable::value(const std::string& asked, std::size_t point, int dep
   if (derived != additions_.derived.end()) {
     constexpr int deepest = 32;
     if (depth > deepest)
-      throw InputError(fmt::format("property table {}: {} follows from itself", file_, name));
+      throw InputError(fmt::format("property table {}: {} depends on itself", file_, name));
     return evaluate_expression(derived->second, [&](const std::string& other, bool axis) {
       if (!axis) return value(other, point, depth + 1);
       if (canonical(other) == axis_) return fractions_[point];

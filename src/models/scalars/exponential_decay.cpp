@@ -30,7 +30,7 @@ TagSpec exponential_decay_tag() {
   return tag("exponentialDecay", "decay with exp(-(c1 c2 + c3) t)")
       .with_children(
           {tag("c1", "first coefficient").once().real().at_least(0), c2,
-           tag("c3", "what is added to their product").real().by_default("0").unit("1/time")});
+           tag("c3", "constant added to their product").real().by_default("0").unit("1/time")});
 }
 
 Decay read_decay(const DeckNode& scalar) {

@@ -52,7 +52,7 @@ TagSpec constants() {
                .at_least(0)
                .unit("1/length"),
            tag("rateOfChange0", "constant growth").real().by_default("0").unit("1/time"),
-           tag("rateOfChange1", "growth as a share of the scalar")
+           tag("rateOfChange1", "growth in proportion to the scalar")
                .real()
                .by_default("0")
                .unit("1/time")});
@@ -66,11 +66,10 @@ TagSpec scalar_region_tag() {
           .at_least_once()
           .attribute(attribute("name", "name of the region").text())
           .group("geometry_piece")
-          .with_children(
-              {tag("scalar", "the scalar in it, where no profile is chosen").once().real(),
-               tag("slope", "of the linear profile").vector(),
-               tag("freq", "periods of the sinusoidal profile").vector(),
-               tag("coeff", "of the other profiles").vector()});
+          .with_children({tag("scalar", "the scalar in it, if no profile is chosen").once().real(),
+                          tag("slope", "of the linear profile").vector(),
+                          tag("freq", "periods of the sinusoidal profile").vector(),
+                          tag("coeff", "of the other profiles").vector()});
   for (const ProfileTag& p : profiles)
     region = region.child(
         tag(p.name, std::string("profile ") + p.doc + ", x from 0 to 1 across the region")
@@ -84,11 +83,10 @@ TagSpec passive_scalar_tag() {
       tag("geom_object", "a region in which the scalar grows")
           .at_least_once()
           .group("geometry_piece")
-          .with_children(
-              {tag("scalar", "growth where rateOfChange is absent").real().unit("1/time"),
-               tag("rateOfChange", "growth").real().unit("1/time"),
-               tag("maxScalar", "up to this value").real()});
-  return tag("PassiveScalar", "a scalar that is carried with the mass of a material")
+          .with_children({tag("scalar", "growth if rateOfChange is absent").real().unit("1/time"),
+                          tag("rateOfChange", "growth").real().unit("1/time"),
+                          tag("maxScalar", "growth stops at this value").real()});
+  return tag("PassiveScalar", "a scalar that is advected with the mass of a material")
       .with_children(
           {tag("material", "name of the material; absent: the only one").text(),
            tag("scalar", "the scalar")
@@ -99,12 +97,12 @@ TagSpec passive_scalar_tag() {
                    {tag("test_conservation", "its total is written as totalSum_scalar-NAME")
                         .boolean()
                         .by_default("false"),
-                    tag("reinitializeDomain", "start anew at a restart").boolean(), constants(),
+                    tag("reinitializeDomain", "reset at a restart").boolean(), constants(),
                     exponential_decay_tag(),
                     tag("initialization", "the scalar at the start; nothing: 0")
                         .once()
                         .child(scalar_region_tag()),
-                    tag("interiorSources", "regions in which it grows").child(source)})});
+                    tag("interiorSources", "regions with sources").child(source)})});
 }
 
 namespace {
@@ -144,7 +142,7 @@ void check_source(const DeckNode& object, std::vector<Fault>& faults) {
               "add a <box>, <sphere>, ...; see sluice help geom_object");
   if (object.child("scalar") == nullptr && object.child("rateOfChange") == nullptr)
     add_error(faults, object.where, "<geom_object> of <interiorSources> needs <rateOfChange>",
-              "how much the scalar grows in a unit of time");
+              "growth of the scalar per unit of time");
 }
 
 ScalarRegion read_region(const DeckNode& object, const GeometryReader& geometry,

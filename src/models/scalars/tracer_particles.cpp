@@ -53,7 +53,7 @@ void refuse_if_true(const DeckNode& parameters, const char* child, std::vector<F
 
 TagSpec tracer_particles_tag() {
   const TagSpec tracer =
-      tag("tracer", "where they are and appear")
+      tag("tracer", "regions of particles and of sources")
           .once()
           .attribute(attribute("name", "their name, in the run report").once().text())
           .with_children(
@@ -70,27 +70,27 @@ TagSpec tracer_particles_tag() {
                                      .real()
                                      .at_least(0)
                                      .unit("1/time")))});
-  return tag("TracerParticles", "points that move with a material and act on nothing")
+  return tag("TracerParticles", "points that move with a material without acting on it")
       .with_children(
           {tag("material", "name of the material; absent: the only one").text(),
            tag("timeStart", "sources begin").real().at_least(0).by_default("0").unit("time"),
            tag("timeStop", "sources end; absent: never").real().at_least(0).unit("time"),
            tag("modelPreviouslyInitialized", "false, or absent").boolean(),
-           tag("reinitializeDomain", "start anew at a restart").boolean(),
+           tag("reinitializeDomain", "reset at a restart").boolean(),
            tag("refine_distance",
-               "cells that are nearer than this to a particle ask for a finer level; absent: "
-               "particles ask for none")
+               "cells closer than this to a particle are flagged for refinement; absent: no cells")
                .real()
                .at_least(0)
                .unit("length"),
-           tag("cloneVariables", "what particles have copies of, called p.clone-NAME")
+           tag("cloneVariables", "scalars of which particles have copies, called p.clone-NAME")
                .child(tag("CCVarLabel", "a scalar of the deck's models, of the particle's cell")
                           .multiple()
                           .attribute(attribute("label", "its variable").once().text())),
-           tag("scalar", "a number that each particle carries")
-               .attribute(attribute("name", "of its variable, begins with p.").once().text())
-               .with_children({tag("initialValue", "when the particle appears").once().real(),
-                               exponential_decay_tag()}),
+           tag("scalar", "a variable of each particle")
+               .attribute(attribute("name", "name of the variable, begins with p.").once().text())
+               .with_children(
+                   {tag("initialValue", "initial value when the particle appears").once().real(),
+                    exponential_decay_tag()}),
            tracer});
 }
 
@@ -144,7 +144,7 @@ TracerParticles read_tracer_particles(const DeckNode& parameters,
 
 Label TracerScalar::label() const {
   return declare_label(
-      {name, ValueType::real, Centring::particle, "1", "Number that tracer particles carry."});
+      {name, ValueType::real, Centring::particle, "1", "Variable of tracer particles."});
 }
 
 Label TracerScalar::coefficient() const {

@@ -50,7 +50,7 @@ double friction_of(const ContactRule& rule, const MpmScene& scene) {
     if (colour && *colour != o.colour)
       throw InputError(fmt::format(
           "{}: <variable_friction> where material {} has the colours {:g} and {:g}: friction that "
-          "varies over one material is not supported yet; give each colour a material of its own",
+          "varies over one material is not supported yet; give each colour a separate material",
           to_string(rule.where), rule.master, *colour, o.colour));
     colour = o.colour;
   }

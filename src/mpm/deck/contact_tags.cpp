@@ -11,23 +11,25 @@ std::vector<TagSpec> specified_tags() {
               .by_default("0")
               .alias("rigid_material"),
           tag("filename",
-              "motion of the master: rows of time and velocity, with include_rotation a place of "
-              "the axis and the angular velocity too; absent: it moves as it started")
+              "motion of the master: rows of time and velocity, with include_rotation also a point "
+              "of the axis and the angular velocity; absent: it keeps its initial velocity")
               .file(),
           tag("direction", "1: this component of the velocity is prescribed")
               .int_vector()
               .at_least(0)
               .at_most(1)
               .by_default("[0,0,1]"),
-          tag("normal_only", "others are only kept from entering the master")
+          tag("normal_only", "others are only prevented from entering the master")
               .boolean()
               .by_default("false"),
-          tag("include_rotation", "the file's rows hold a rotation").boolean().by_default("false"),
+          tag("include_rotation", "the rows of the file contain a rotation")
+              .boolean()
+              .by_default("false"),
           tag("stop_time", "time at which velocity_after_stop replaces the motion")
               .real()
               .at_least(0)
               .unit("time"),
-          tag("velocity_after_stop", "velocity from then on")
+          tag("velocity_after_stop", "velocity after that time")
               .vector()
               .by_default("[0,0,0]")
               .unit("velocity")};
@@ -37,14 +39,14 @@ std::vector<TagSpec> specified_tags() {
 
 TagSpec contact_tag() {
   return tag("contact",
-             "how velocities of several materials at a node act on each other; several "
-             "blocks act in deck order")
+             "contact rule for the velocities of several materials at a node; several blocks act "
+             "in deck order")
       .multiple()
       .with_children(
           {tag("type",
-               "null: not at all; single_velocity: they become one; friction_bard, friction_LR, "
-               "friction_LRVar, approach: what comes together is stopped, with friction; "
-               "specified (also rigid, specified_velocity): they take the velocity of a master; "
+               "null: no contact; single_velocity: one common velocity; friction_bard, "
+               "friction_LR, friction_LRVar, approach: approaching motion is stopped, with "
+               "friction; specified (also rigid, specified_velocity): the velocity of a master; "
                "specified_friction: a master, with friction")
                .once()
                .words({"null", "single_velocity", "friction_bard", "friction_LR", "friction_LRVar",
@@ -55,12 +57,13 @@ TagSpec contact_tag() {
                .not_built({"nodal_svf", "fluid"}),
            tag("materials", "indices of the materials; absent: all").integers().at_least(0),
            tag("mu", "coefficient of friction").real().at_least(0),
-           tag("volume_constraint", "acts where materials fill more than this share of the cells")
+           tag("volume_constraint",
+               "acts where materials fill more than this fraction of the cells")
                .real()
                .at_least(0)
                .by_default("0"),
            tag("separation_factor",
-               "accepted without effect: whether surfaces touch is told from the particles")
+               "accepted without effect: contact of surfaces is determined from the particles")
                .real()
                .above(0)
                .by_default("9.9e99")
@@ -70,8 +73,11 @@ TagSpec contact_tag() {
                .integer()
                .at_least(1)
                .at_most(2),
-           tag("ExcludeMaterial", "does not act where this material is").integer().at_least(0),
-           tag("colinear_norms", "accepted without effect: computeColinearNormals of <MPM> says it")
+           tag("ExcludeMaterial", "does not act where this material is present")
+               .integer()
+               .at_least(0),
+           tag("colinear_norms",
+               "accepted without effect: determined by computeColinearNormals of <MPM>")
                .boolean(),
            tag("variable_friction", "friction_LRVar: friction by colour of the master")
                .child(tag("entry", "one colour")
@@ -83,17 +89,18 @@ TagSpec contact_tag() {
 
 // Through contacts nothing diffuses.
 TagSpec diffusion_interface_tag() {
-  return tag("diffusion_interface", "what diffuses from material to material")
+  return tag("diffusion_interface", "diffusion between materials")
       .with_children(
           {tag("type", "null: nothing")
                .words({"null"})
                .not_built({"common", "paired"})
                .by_default("null"),
-           tag("materials", "accepted without effect: nothing passes between any").text()});
+           tag("materials", "accepted without effect: there is no diffusion between materials")
+               .text()});
 }
 
 TagSpec thermal_contact_tag() {
-  return tag("thermal_contact", "materials that meet at a node take one temperature");
+  return tag("thermal_contact", "materials that meet at a node get one temperature");
 }
 
 TagSpec cohesive_zone_tag() {
@@ -103,19 +110,19 @@ TagSpec cohesive_zone_tag() {
   const auto opening = [](const std::string& name, const std::string& doc) {
     return tag(name, doc).real().above(0).unit("length");
   };
-  return tag("cohesive_zone", "surfaces that hold two materials together")
+  return tag("cohesive_zone", "surfaces that connect two materials")
       .multiple()
       .with_children(
-          {tag("cz_filename", "points: place, area, normal, tangent, materials below and above")
+          {tag("cz_filename", "points: position, area, normal, tangent, materials below and above")
                .once()
                .file(),
-           stress("sig_max", "greatest normal traction"),
-           stress("tau_max", "greatest tangential traction"),
-           opening("delta_n", "opening at the greatest normal traction").once(),
-           opening("delta_t", "slip at the greatest tangential traction").once(),
+           stress("sig_max", "largest normal traction"),
+           stress("tau_max", "largest tangential traction"),
+           opening("delta_n", "opening at the largest normal traction").once(),
+           opening("delta_t", "slip at the largest tangential traction").once(),
            opening("delta_n_fail", "opening at which they fail; absent: 4 delta_n"),
            opening("delta_t_fail", "slip at which they fail; absent: 4 delta_t"),
-           tag("do_rotation", "true: normals turn with the materials (not supported yet)")
+           tag("do_rotation", "true: normals rotate with the materials (not supported yet)")
                .boolean()
                .by_default("false")});
 }

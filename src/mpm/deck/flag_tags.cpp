@@ -20,9 +20,9 @@ TagSpec interpolator_tag() {
   TagSpec spec =
       tag("interpolator",
           "shape functions: 3rdorderBS (also quadraticBS) is the quadratic B-spline, 4thorderBS "
-          "(also cubicBS) the cubic one; carried_corners: particles are intervals, "
-          "quadrilaterals or hexahedra whose corners move with the grid and are shared by "
-          "neighbours; at the start outer ones are moved onto the surface of the piece")
+          "(also cubicBS) the cubic one; carried_corners: particles are intervals, quadrilaterals "
+          "or hexahedra whose corners move with the grid and are shared by neighbours; at the "
+          "start outer corners are moved onto the surface of the piece")
           .words(basis_words())
           .by_default("linear");
   for (const BasisRow& row : basis_rows())
@@ -34,22 +34,22 @@ TagSpec interpolator_tag() {
 // How particles and grid exchange. Table: a row for each tag.
 std::vector<TagSpec> scheme_tags() {
   return {
-      tag("time_integrator", "how a step is taken")
+      tag("time_integrator", "time integration")
           .words({"explicit", "implicit"})
           .by_default("explicit"),
       interpolator_tag(),
-      tag("cpdi_lcrit", "cpdi: half diagonals of a particle are cut to this length")
+      tag("cpdi_lcrit", "cpdi: half diagonals of a particle are limited to this length")
           .real()
           .above(0)
           .unit("cells"),
       tag("transfer",
-          "how velocities come back to particles: flip (changes of the grid are added), pic (the "
-          "grid's velocity is taken), xpic (pic of a higher order), apic (affine; angular "
-          "momentum exact), affine (affine, damped by a rate), midpoint (flip of velocity and "
-          "spin; velocity gradients are those of new velocities at the middle of the step). "
-          "Where the deck has neither this nor <musl> or another choice of a transfer: midpoint, "
-          "and flip with the interpolator linear, in implicit and total Lagrangian steps, beside "
-          "a fluid, with water in pores and prescribed deformation")
+          "transfer of velocities from the grid to particles: flip (changes of the grid are "
+          "added), pic (the velocity of the grid is used), xpic (pic of a higher order), apic "
+          "(affine; angular momentum exact), affine (affine, damped by a rate), midpoint (flip of "
+          "velocity and spin; velocity gradients are those of new velocities at the middle of the "
+          "step). Default if the deck has neither this nor <musl> or another choice of a transfer: "
+          "midpoint; flip with the interpolator linear, in implicit and total Lagrangian steps, "
+          "with a fluid, with pore water and with prescribed deformation")
           .words({"flip", "pic", "xpic", "apic", "affine", "midpoint"}),
       tag("xpic_order", "order of the transfer xpic; 1 is pic")
           .integer()
@@ -57,55 +57,57 @@ std::vector<TagSpec> scheme_tags() {
           .at_most(20)
           .by_default("2"),
       tag("affine_damping",
-          "transfer affine: the share kappa dt c/h of the grid's velocity is taken in a step; 0: "
+          "transfer affine: the fraction kappa dt c/h of the grid's velocity is used in a step; 0: "
           "no damping")
           .real()
           .at_least(0)
           .by_default("1"),
-      flag("XPIC2", "transfer xpic of order 2 as the format has it: it acts on places too",
+      flag("XPIC2", "transfer xpic of order 2 as in the format: it also acts on positions",
            "false"),
       flag("UseGradientEnhancedVelocityProjection",
-           "particles give the grid velocities that vary within them: transfer affine without "
-           "damping",
+           "particle velocities mapped to the grid vary within the particle: transfer affine "
+           "without damping",
            "false"),
       tag("musl",
-          "new particle velocities are mapped back before the velocity gradient is taken; absent: "
-          "true with the interpolator linear, and as <transfer> says with all others")
+          "new particle velocities are mapped to the grid before the velocity gradient is "
+          "computed; absent: true with the interpolator linear, determined by <transfer> with all "
+          "others")
           .boolean(),
       flag("total_lagrangian",
-           "shape functions stay those of the start: for bodies that neither break nor touch",
+           "shape functions are those of the initial positions: for bodies that neither break nor "
+           "touch",
            "false"),
       tag("minimum_subcycles_for_F",
-          "positive: least number of equal parts in which a step deforms a particle; negative: "
+          "positive: minimum number of equal parts in which a step deforms a particle; negative: "
           "terms of the exponential series of the velocity gradient, -2: up to the square")
           .integer()
           .at_least(-20)
           .at_most(10000)
           .by_default("1"),
-      flag("DoPressureStabilization", "the dilatation of a cell is shared by its particles",
-           "false"),
+      flag("DoPressureStabilization", "all particles of a cell get the same dilatation", "false"),
       flag("axisymmetric", "x is the radius, y the axis, z the angle, one radian", "false"),
-      tag("minimum_particle_mass", "particles that have become lighter are removed, and counted")
+      tag("minimum_particle_mass", "lighter particles are removed, and counted")
           .real()
           .at_least(0)
           .by_default("3e-15")
           .unit("mass"),
-      flag("full_first_kick", "the first step changes velocities by a whole step, not by half one",
-           "false"),
+      flag("full_first_kick",
+           "the first step changes velocities by a full step, not by half a step", "false"),
   };
 }
 
 // What acts beside the stress.
 std::vector<TagSpec> physics_tags() {
   return {
-      tag("artificial_damping_coeff", "acceleration against the velocity, over the velocity")
+      tag("artificial_damping_coeff", "damping: deceleration divided by velocity")
           .real()
           .at_least(0)
           .by_default("0")
           .unit("1/time"),
-      flag("artificial_viscosity", "pressure against fast compression", "false"),
+      flag("artificial_viscosity", "artificial viscosity: pressure in fast compression", "false"),
       tag("artificial_viscosity_heating",
-          "the work of the artificial viscosity becomes heat; absent: as artificial_viscosity")
+          "the work of the artificial viscosity becomes heat; absent: the value of "
+          "artificial_viscosity")
           .boolean(),
       tag("artificial_viscosity_coeff1", "its linear coefficient")
           .real()
@@ -117,29 +119,28 @@ std::vector<TagSpec> physics_tags() {
           .by_default("2.0"),
       flag("DoExplicitHeatConduction", "heat is conducted on the grid", "true"),
       tag("lost_energy",
-          "heat: what transfer, integration and contact take from the energy of motion becomes "
-          "heat where it is lost; none: it is counted and gone; absent: heat in materials with a "
-          "specific heat and a shock equation of state, and in all with one where "
-          "artificial_viscosity is true")
+          "heat: the kinetic energy lost in transfer, integration and contact becomes heat where "
+          "it is lost; none: it is only counted; absent: heat in materials with a specific heat "
+          "and a shock equation of state, and in all with a specific heat if artificial_viscosity "
+          "is true")
           .words({"heat", "none"}),
       flag("do_contact_friction_heating", "the work of friction becomes heat", "false"),
-      flag("computeColinearNormals", "contact: both materials take one normal", "true"),
+      flag("computeColinearNormals", "contact: both materials use one normal", "true"),
       flag("use_load_curves", "the loads of <PhysicalBC> act", "false"),
-      flag("keepPressBCNormalToSurface", "pressures turn with the particles", "false"),
+      flag("keepPressBCNormalToSurface", "pressures rotate with the particles", "false"),
       flag("use_CBDI_boundary_condition", "pressures act on the corners of particles", "false"),
-      flag("use_cohesive_zones", "the <cohesive_zone> blocks act", "false"),
+      flag("use_cohesive_zones", "the <cohesive_zone> blocks are used", "false"),
       tag("boundary_traction_faces", "faces whose forces are recorded, as [xminus,zplus]").text(),
       tag("RunMMSProblem", "body force of a manufactured solution")
           .words({"AxisAligned", "AxisAligned3L", "GeneralizedVortex", "ExpandingRing"}),
       tag("manufactured_amplitude",
-          "A of the motion that RunMMSProblem names: of places along the axes (0.05) and of the "
-          "ring "
-          "(0.1) in metres, of the vortex (1) in radians")
+          "amplitude A of the motion of RunMMSProblem: of positions along the axes (0.05) and of "
+          "the ring (0.1) in metres, of the vortex (1) in radians")
           .real()
           .at_least(0),
       flag("withColor", "particles carry the colour of their geometry object", "false"),
       flag("refine_particles",
-           "particles that a criterion of <AMR><MPM> finds are split, once each", "false"),
+           "particles selected by a criterion of <AMR><MPM> are split, once each", "false"),
   };
 }
 
@@ -152,12 +153,12 @@ std::vector<TagSpec> file_tags() {
           "rows of time, deformation gradient (nine numbers), angle in degrees, axis")
           .file()
           .by_default("time_defgrad_rotation"),
-      flag("exactDeformation", "steps end at the times of that file, places follow it exactly",
+      flag("exactDeformation", "steps end at the times of that file, positions follow it exactly",
            "false"),
-      flag("InsertParticles", "particles of a colour are moved at times that a file gives",
-           "false"),
+      flag("InsertParticles", "particles of a colour are moved at times given in a file", "false"),
       tag("InsertParticlesFile",
-          "rows of time, colour, shift, velocity; or of time, material, colour, shift, velocity")
+          "rows of time, colour, displacement, velocity; or of time, material, colour, "
+          "displacement, velocity")
           .file(),
   };
 }
@@ -167,42 +168,42 @@ std::vector<TagSpec> grain_tags() {
   const auto stretch = [](const char* name, const char* axis, const char* by_default) {
     return tag(name,
                fmt::format("DoGranularMPM: the product of x, y and z is the largest J at which "
-                           "grains touch, where a material has no critical_density: along {}",
+                           "grains are in contact, if a material has no critical_density: along {}",
                            axis))
         .real()
         .at_least(1)
         .by_default(by_default);
   };
-  return {
-      flag("DoGranularMPM",
-           "particles that have lost touch get a material of their own: clusters of grains meet "
-           "by contact",
-           "false"),
-      stretch("GranularMPMVcrix", "x", "1.04"), stretch("GranularMPMVcriy", "y", "1.04"),
-      stretch("GranularMPMVcriz", "z", "1.0")};
+  return {flag("DoGranularMPM",
+               "particles that have lost contact get a separate material: clusters of grains "
+               "interact by contact",
+               "false"),
+          stretch("GranularMPMVcrix", "x", "1.04"), stretch("GranularMPMVcriy", "y", "1.04"),
+          stretch("GranularMPMVcriz", "z", "1.0")};
 }
 
 // Flags of the format that change nothing here, or may only have one value.
 std::vector<TagSpec> idle_tags() {
   return {
-      ignored("minimum_mass_for_acc", "every node that has mass moves by its own mass")
+      ignored("minimum_mass_for_acc", "every node with mass is accelerated by its own mass")
           .real()
           .at_least(0),
-      ignored("restartOnLargeNodalVelocity", "steps that go too far are always taken again")
+      ignored("restartOnLargeNodalVelocity",
+              "steps with too large displacements are always repeated")
           .boolean(),
       ignored("AMR", "the block AMR decides").boolean(),
-      ignored("with_gauss_solver", "no such solver runs beside solids").boolean(),
-      ignored("DeleteGeometryObjects", "geometry is kept").boolean(),
+      ignored("with_gauss_solver", "no such solver runs with solids").boolean(),
+      ignored("DeleteGeometryObjects", "geometry objects are always kept").boolean(),
       ignored("use_particle_normals", "normals of files are used where a load asks for them")
           .boolean(),
-      ignored("d_ndim", "the grid says it").integer(),
+      ignored("d_ndim", "determined by the grid").integer(),
       tag("do_grid_reset",
-          "the grid goes back to its places after each step; false, of implicit steps alone: shape "
-          "functions stay those of the start, as total_lagrangian says")
+          "the grid is reset after each step; false, only in implicit steps: shape functions are "
+          "those of the initial positions, as with total_lagrangian")
           .boolean()
           .by_default("true"),
-      flag("do_scalar_diffusion", "a concentration diffuses through what has a <diffusion_model>",
-           "false"),
+      flag("do_scalar_diffusion",
+           "a concentration diffuses through materials with a <diffusion_model>", "false"),
   };
 }
 
@@ -220,22 +221,23 @@ TagSpec flags_tag() {
 }
 
 TagSpec refinement_tag() {
-  return tag("MPM", "refinement of solids: particles are on the finest level over them")
+  return tag("MPM", "refinement of solids: particles are on the finest level that covers them")
       .with_children(
           {ignored("min_grid_level", "solids are on every level").integer(),
            ignored("max_grid_level", "solids are on every level").integer(),
            ignored("CFI_interpolator", "solids have one basis over all levels")
                .words({"linear", "gimp"}),
-           ignored("manualGrid", "the levels of the deck are kept where no regridder is named")
+           ignored("manualGrid", "the levels of the deck are kept if no regridder is named")
                .boolean(),
-           tag("Refinement_Criteria_Thresholds", "which particles refine_particles splits")
+           tag("Refinement_Criteria_Thresholds",
+               "criteria by which refine_particles splits particles")
                .child(tag("Variable", "one criterion")
                           .multiple()
                           .with_attributes(
                               {attribute("name",
                                          "stressNorm: the norm of the stress exceeds the value; "
-                                         "stretchRatio: the longest edge of a particle over the "
-                                         "shortest leaves [1/value, value]")
+                                         "stretchRatio: the ratio of the longest to the shortest "
+                                         "edge of a particle leaves [1/value, value]")
                                    .once()
                                    .words({"stressNorm", "stretchRatio"}),
                                attribute("value", "the threshold").once().real().above(0),

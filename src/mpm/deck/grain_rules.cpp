@@ -22,8 +22,8 @@ void check_company(const DeckNode& root, const DeckNode& flags, std::vector<Faul
   };
   const DeckNode* integrator = flags.child("time_integrator");
   const DeckNode* grid = root.child("Grid");
-  refuse(!runs_mpm(root), "beside a fluid");
-  refuse(runs_single_field(root), "where all materials have one velocity");
+  refuse(!runs_mpm(root), "with a fluid");
+  refuse(runs_single_field(root), "if all materials have one velocity");
   refuse(integrator != nullptr && integrator->text == "implicit", "in implicit steps");
   refuse(is_true(&flags, "total_lagrangian"), "with <total_lagrangian>");
   refuse(is_true(&flags, "use_cohesive_zones"), "with <use_cohesive_zones>");
@@ -43,18 +43,17 @@ void check_touch(const DeckNode& root, const DeckNode& flags, std::vector<Fault>
     const auto density = real_of(material, "density"),
                critical = real_of(material, "critical_density");
     if (density && critical && *critical >= *density)
-      add_error(
-          faults, material->child("critical_density")->where,
-          fmt::format("<critical_density> {:g} is not below <density> {:g}: no two grains would "
-                      "touch from the start",
-                      *critical, *density),
-          "give the density at which grains lose touch");
+      add_error(faults, material->child("critical_density")->where,
+                fmt::format("<critical_density> {:g} is not below <density> {:g}: no two grains "
+                            "would be in contact at the start",
+                            *critical, *density),
+                "give the density at which grains lose contact");
     if (!critical && product <= 1) {
       add_error(faults, material->where,
                 fmt::format("no <critical_density>, and GranularMPMVcrix, y and z have the product "
-                            "{:g}: no two grains would touch from the start",
+                            "{:g}: no two grains would be in contact at the start",
                             product),
-                "give the density at which grains lose touch");
+                "give the density at which grains lose contact");
       return;
     }
   }

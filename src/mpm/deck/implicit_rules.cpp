@@ -54,9 +54,8 @@ void check_contacts_of(const DeckNode& block, std::vector<Fault>& faults) {
     if (type == nullptr || type->text == "null" || type->text == "single_velocity") continue;
     if (type->text != "specified") {
       add_error(faults, type->where,
-                fmt::format("<contact> {} has no form with implicit steps: all "
-                            "that deforms has "
-                            "one velocity at a node",
+                fmt::format("<contact> {} is not supported with implicit steps: all deforming "
+                            "materials have one velocity at a node",
                             type->text),
                 "valid: null, single_velocity, rigid");
       continue;
@@ -102,10 +101,9 @@ void warn_of_idle_bodies(const DeckNode& block, std::vector<Fault>& faults) {
                   "a rigid material without <contact> of type rigid: it passes through the others");
   }
   if (ruled && !any)
-    add_warning(
-        faults, block.where,
-        "<contact> rigid has no effect: no material is rigid, and in implicit steps no other "
-        "says how nodes move");
+    add_warning(faults, block.where,
+                "<contact> rigid has no effect: no material is rigid, and in implicit steps only "
+                "rigid materials prescribe the motion of nodes");
 }
 
 void check_heat_of_sides(const DeckNode& root, std::vector<Fault>& faults) {

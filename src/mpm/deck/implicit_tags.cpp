@@ -42,35 +42,33 @@ std::vector<TagSpec> implicit_tags() {
                          "criterion of energy holds",
                          "1e-10"),
       implicit_criterion("convergence_criteria_energy",
-                         "the same of |du . residual|, in terms of the first", "4e-10"),
+                         "the same for |du . residual|, relative to its first value", "4e-10"),
       implicit_count("num_iters_to_decrease_delT",
-                     "after so many iterations the next step is delT_decrease_factor "
-                     "times as long",
+                     "after this number of iterations or more the next step is "
+                     "delT_decrease_factor times as long",
                      "12"),
-      implicit_count("num_iters_to_increase_delT",
-                     "after at most so many it is delT_increase_factor times as long", "4"),
+      implicit_count(
+          "num_iters_to_increase_delT",
+          "after at most this number of iterations it is delT_increase_factor times as long", "4"),
       implicit_count("iters_before_timestep_restart",
-                     "a step that has not converged after so many is taken again, half "
-                     "as long",
+                     "a step that has not converged after this number of iterations is repeated "
+                     "with half its length",
                      "25"),
       implicit_criterion("delT_decrease_factor", "see num_iters_to_decrease_delT", "0.6")
           .at_most(0.95),
       tag("delT_increase_factor", with_default("see num_iters_to_increase_delT", "2"))
           .real()
           .at_least(1),
-      implicit_flag("DoMechanics", "bodies move and deform; false: heat alone", "true"),
-      implicit_flag("DoImplicitHeatConduction", "heat is conducted, by a linear system a step",
-                    "false"),
+      implicit_flag("DoMechanics", "bodies move and deform; false: only heat conduction", "true"),
+      implicit_flag("DoImplicitHeatConduction",
+                    "heat is conducted, with one linear system per step", "false"),
       implicit_flag("DoTransientImplicitHeatConduction",
                     "heat is stored; false: temperatures are those of a steady state", "true"),
-      tag("temperature_solve",
-          "accepted without effect: DoImplicitHeatConduction says whether heat "
-          "is conducted")
+      tag("temperature_solve", "accepted without effect: determined by DoImplicitHeatConduction")
           .boolean(),
       tag("interpolateParticleTempToGridEveryStep",
-          "accepted without effect: particles take the change of the nodes' "
-          "temperatures, which "
-          "blurs nothing")
+          "accepted without effect: particles get the change of the nodes' temperatures, which "
+          "smooths nothing")
           .boolean(),
       tag("extra_solver_flushes", "accepted without effect: the solver needs none").integer(),
   };

@@ -5,10 +5,10 @@ namespace sluice::mpm {
 namespace {
 
 TagSpec load_curve(const std::string& unit) {
-  return tag("load_curve", "the load by time: straight between points, the last one from there on")
+  return tag("load_curve", "the load over time: linear between points, constant after the last")
       .once()
       .with_children(
-          {tag("id", "number that point files name it by").once().integer().at_least(0),
+          {tag("id", "number used in point files").once().integer().at_least(0),
            tag("material", "index of the material it acts on; absent: all").integer().at_least(-99),
            tag("time_point", "one point of the curve")
                .at_least_once()
@@ -17,7 +17,7 @@ TagSpec load_curve(const std::string& unit) {
 }
 
 TagSpec surface() {
-  return tag("geom_object", "the surface; of a box the thin sides")
+  return tag("geom_object", "the surface; for a box its thin sides")
       .once()
       .attribute(attribute("name", "name of the surface").text())
       .group("geometry_piece");
@@ -28,10 +28,10 @@ TagSpec on_surface(const std::string& name, const std::string& doc, const std::s
   return tag(name, doc).multiple().with_children(
       {surface(), load_curve(unit),
        tag("outward_normal",
-           "with use_CBDI_boundary_condition: the face of the body "
-           "looks outward from the piece, else inward")
+           "with use_CBDI_boundary_condition: the face of the body is oriented outward from the "
+           "piece, otherwise inward")
            .boolean(),
-       tag("res", "particles per cell near the surface; absent: as they are").vector().above(0)});
+       tag("res", "particles per cell near the surface; absent: unchanged").vector().above(0)});
 }
 
 }  // namespace
@@ -53,12 +53,12 @@ TagSpec loads_tag() {
           .multiple()
           .with_children({tag("lower", "low corner").once().vector().unit("length"),
                           tag("upper", "high corner").once().vector().unit("length"),
-                          tag("force_density", "the force, shared by the particles")
+                          tag("force_density", "the force, distributed over the particles")
                               .once()
                               .vector()
                               .unit("force")});
   return tag("PhysicalBC", "loads on solids")
-      .child(tag("MPM", "loads; they act where use_load_curves is true")
+      .child(tag("MPM", "loads; they act if use_load_curves is true")
                  .with_children(
                      {on_surface("pressure", "pressure on a surface", "pressure"), on_points,
                       on_surface("torque", "torque about the axis of a cylinder", "force length"),

@@ -31,9 +31,9 @@ void check_names(const std::vector<const DeckNode*>& materials, std::vector<Faul
   for (const auto& [name, same] : known)
     if (same.size() > 1)
       add_warning(faults, same[1]->where,
-                  fmt::format("{} materials are called '{}'; the name finds the first, at {}",
+                  fmt::format("{} materials are called '{}'; the name refers to the first, at {}",
                               same.size(), name, to_string(same[0]->where)),
-                  "give each a name of its own");
+                  "give each a different name");
 }
 
 void check_index(const DeckNode& parent, const char* name, int count, std::vector<Fault>& faults) {
@@ -54,8 +54,8 @@ void check_object(const DeckNode& object, std::vector<Fault>& faults) {
   }
   if (file != nullptr && pieces > 1)
     add_error(faults, file->where,
-              "<file> beside other pieces of one <geom_object>: its points are the particles",
-              "give it a <geom_object> of its own");
+              "<file> with other pieces in one <geom_object>: its points are the particles",
+              "give it a separate <geom_object>");
   const auto levels = integer_of(&object, "numLevelsParticleFilling");
   if (is_true(&object, "cut_cells") && levels && (*levels < 0 || *levels > 1))
     add_error(faults, object.child("cut_cells")->where,
@@ -74,7 +74,7 @@ void tell_of_cell_pressures(const DeckNode& material, std::vector<Fault>& faults
       add_warning(
           faults, law->child(name)->where,
           fmt::format("<{}> true has no effect: no solid shares the pressure of a cell", name),
-          "solids press on the fluid by their stress, at their faces");
+          "solids act on the fluid by their stress, at their faces");
 }
 
 // Public decks name materials that they do not have.
@@ -93,9 +93,10 @@ void check_list(const DeckNode& list, const std::string& type, int count,
   }
   // A master alone still moves as prescribed.
   if (known >= 2 || count == 1 || type.rfind("specified", 0) == 0) return;
-  add_warning(faults, list.where,
-              fmt::format("<contact> {} acts on {} material: nothing can touch it", type, known),
-              "name two or more, or remove the block");
+  add_warning(
+      faults, list.where,
+      fmt::format("<contact> {} acts on {} material: there is no second material", type, known),
+      "name two or more, or remove the block");
 }
 
 void check_contact(const DeckNode& contact, int count, std::vector<Fault>& faults) {
@@ -126,7 +127,7 @@ void check_curve(const DeckNode& curve, int count, std::vector<Fault>& faults) {
       add_error(
           faults, point->where,
           fmt::format("<time_point>: time {:g} is not after the one before, {:g}", *time, *before),
-          "list points by rising time");
+          "list points by increasing time");
     before = time;
   }
 }
@@ -148,14 +149,14 @@ void check_solid_materials(const DeckNode& root, std::vector<Fault>& faults) {
     const DeckNode* active = material->child("is_active");
     const bool sleeps = active != nullptr && active->text == "false";
     if (sleeps && !runs_mpm(root))
-      add_not_built(faults, active->where, "<is_active> false beside a fluid");
+      add_not_built(faults, active->where, "<is_active> false with a fluid");
     constexpr double of_silent_decks = 1e8;
     if (off && *off < of_silent_decks && !runs_mpm(root))
       add_not_built(faults, material->child("deactivation_time")->where,
-                    "<deactivation_time> beside a fluid");
+                    "<deactivation_time> with a fluid");
     if (is_true(material, "is_force_transmitting_material") && !runs_mpm(root))
       add_not_built(faults, material->child("is_force_transmitting_material")->where,
-                    "<is_force_transmitting_material> beside a fluid");
+                    "<is_force_transmitting_material> with a fluid");
     if (on && *on > 0 && !sleeps)
       add_warning(faults, material->child("activation_time")->where,
                   fmt::format("<activation_time> {:g} has no effect: the material is active from "

@@ -19,8 +19,8 @@ std::vector<TagSpec> affine_tags() {
 
 TagSpec geom_object() {
   return tag("geom_object",
-             "a region and the particles that fill it; each object fills its own, so that "
-             "objects that overlap fill twice")
+             "a region and the particles that fill it; each object fills its own region, so that "
+             "overlapping objects fill it twice")
       .multiple()
       .attribute(attribute("name", "name of the object").text())
       .group("geometry_piece")
@@ -28,24 +28,24 @@ TagSpec geom_object() {
           {tag("res", "particles per cell and direction").once().int_vector().at_least(1),
            tag("velocity", "velocity").once().vector().unit("velocity"),
            tag("temperature", "temperature").once().real().at_least(0).unit("temperature"),
-           tag("volumeFraction", "share of the density that particles have; absent: 1")
+           tag("volumeFraction", "fraction of the density that particles have; absent: 1")
                .real()
                .above(0)
                .at_most(1),
            tag("numLevelsParticleFilling",
-               "further sizes of particles, each half the one before, fill gaps at the surface; "
-               "negative: particles that the surface cuts are left out")
+               "further sizes of particles, each half the previous one, fill gaps at the surface; "
+               "negative: particles cut by the surface are omitted")
                .integer()
                .at_least(-8)
                .at_most(8)
                .by_default("1"),
            tag("cut_cells",
-               "particles that the surface cuts have the volume and the centroid of the part "
-               "inside; false: those whose centre is inside are whole")
+               "particles cut by the surface have the volume and the centroid of the part inside; "
+               "false: those whose centre is inside are full")
                .boolean()
                .by_default("false"),
            tag("color", "colour of the particles").real().by_default("0"),
-           tag("concentration", "of what diffuses, where do_scalar_diffusion is true; absent: 0")
+           tag("concentration", "initial concentration, if do_scalar_diffusion is true; absent: 0")
                .real()
                .at_least(0)})
       .with_children(affine_tags());
@@ -65,8 +65,7 @@ std::vector<TagSpec> constants_tags() {
           .above(0)
           .unit("energy/(mass temperature)"),
       tag("linear_thermal_expansion_coef",
-          "relative length gained per temperature above "
-          "room_temp")
+          "coefficient of linear thermal expansion, relative to room_temp")
           .real()
           .by_default("0")
           .unit("1/temperature"),
@@ -83,29 +82,31 @@ std::vector<TagSpec> constants_tags() {
 }
 
 TagSpec diffusion_model() {
-  return tag("diffusion_model", "how a concentration spreads, where do_scalar_diffusion is true")
+  return tag("diffusion_model", "diffusion law, if do_scalar_diffusion is true")
       .attribute(attribute("type", "jg: J = -D grad C")
                      .once()
                      .words({"jg"})
                      .not_built({"rf1", "non_linear1", "non_linear2", "constant_rate"}))
-      .with_children({tag("diffusivity", "D").once().real().at_least(0).unit("length^2/time"),
-                      tag("min_concentration", "no particle has less").real().by_default("0"),
-                      tag("max_concentration", "no particle has more; absent: no bound").real()});
+      .with_children(
+          {tag("diffusivity", "D").once().real().at_least(0).unit("length^2/time"),
+           tag("min_concentration", "minimum concentration of a particle").real().by_default("0"),
+           tag("max_concentration", "maximum concentration of a particle; absent: no bound")
+               .real()});
 }
 
 std::vector<TagSpec> role_tags() {
   return {tag("is_rigid", "moves as prescribed, and is not deformed").boolean().by_default("false"),
           tag("is_force_transmitting_material",
-              "moves as a whole, by the force that contacts transmit to it")
+              "moves as a rigid body, by the force that contacts transmit to it")
               .boolean()
               .by_default("false"),
-          tag("is_active", "takes part from the start").boolean().by_default("true"),
-          tag("activation_time", "takes part from this time on, where is_active is false")
+          tag("is_active", "active from the start").boolean().by_default("true"),
+          tag("activation_time", "active from this time on, if is_active is false")
               .real()
               .at_least(0)
               .by_default("0")
               .unit("time"),
-          tag("deactivation_time", "takes part until this time")
+          tag("deactivation_time", "active until this time")
               .real()
               .at_least(0)
               .by_default("1e8")
@@ -119,24 +120,23 @@ std::vector<TagSpec> role_tags() {
 std::vector<TagSpec> grain_tags() {
   return {
       tag("critical_density",
-          "DoGranularMPM: grains at less have lost touch; absent: density over GranularMPMVcrix, "
-          "y and z")
+          "DoGranularMPM: grains of smaller density have lost contact; absent: density over "
+          "GranularMPMVcrix, y and z")
           .real()
           .above(0)
           .unit("mass/length^3"),
-      tag("stress_free", "DoGranularMPM: grains that have lost touch have no stress")
+      tag("stress_free", "DoGranularMPM: grains that have lost contact have no stress")
           .boolean()
           .by_default("false"),
       tag("MatTypeIdx",
           "DoGranularMPM: materials with the same number and type of law exchange particles")
           .integer(),
-      tag("allow_DWIndex_correction",
-          "DoGranularMPM: its particles may go to other materials, and others come")
+      tag("allow_DWIndex_correction", "DoGranularMPM: it exchanges particles with other materials")
           .boolean()
           .by_default("true"),
       tag("applied_contact_model",
-          "DoGranularMPM: rules of contact act on it; false: a cluster comes here at last, and "
-          "meets nothing")
+          "DoGranularMPM: contact rules act on it; false: it gets a cluster only last, and has no "
+          "contact")
           .boolean()
           .by_default("true")};
 }
@@ -146,10 +146,11 @@ std::vector<TagSpec> grain_tags() {
 TagSpec material_tag() {
   return tag("material", "a solid")
       .at_least_once()
-      .with_attributes({attribute("name", "name of the material").text(),
-                        attribute("index", "accepted without effect: order gives the index")
-                            .integer()
-                            .at_least(0)})
+      .with_attributes(
+          {attribute("name", "name of the material").text(),
+           attribute("index", "accepted without effect: the index follows from the order")
+               .integer()
+               .at_least(0)})
       .with_children(constants_tags())
       .with_children(law_tags())
       .child(diffusion_model())

@@ -72,7 +72,7 @@ void read_node_count(DeckNode& flags, std::vector<Fault>& faults) {
     add_warning(faults, count->where,
                 wide ? "<nodes8or27> 27 is obsolete; read as <interpolator> gimp"
                      : "<nodes8or27> is obsolete; dropped",
-                "<interpolator> says it");
+                "<interpolator> determines it");
   if (wide) flags.children.push_back(make_node("interpolator", count->where, "gimp"));
 }
 
@@ -88,7 +88,7 @@ void read_expansion(DeckNode& root, DeckNode& flags, std::vector<Fault>& faults)
     });
     if (flag->text == "false" && grows)
       add_not_built(faults, flag->where,
-                    fmt::format("<{}> false beside a <linear_thermal_expansion_coef>", name),
+                    fmt::format("<{}> false with a <linear_thermal_expansion_coef>", name),
                     "write 0 for the coefficient");
     else
       add_warning(faults, flag->where, fmt::format("<{}> is obsolete; dropped", name),
@@ -122,7 +122,7 @@ void move_damage(DeckNode& material, std::vector<Fault>& faults) {
     add_warning(faults, part->where,
                 fmt::format("<{}> in <constitutive_model> is obsolete; {}", name,
                             read ? "read as inside <damage_model>" : "dropped"),
-                read ? "" : "<damage_model> says it");
+                read ? "" : "<damage_model> determines it");
     if (read) to->children.push_back(std::move(part));
   }
   if (damage != nullptr) material.children.push_back(std::move(damage));
@@ -134,7 +134,7 @@ void refuse_basic_damage(DeckNode& material, std::vector<Fault>& faults) {
   if (flag == nullptr) return;
   if (flag->text == "false")
     add_warning(faults, flag->where, "<do_basic_damage> is obsolete; dropped",
-                "<damage_model> says it");
+                "<damage_model> determines it");
   else
     add_not_built(faults, flag->where, fmt::format("<do_basic_damage> {}", flag->text),
                   "write <damage_model type=\"Brittle\"> or \"Threshold\" with its constants");
@@ -151,7 +151,7 @@ void drop_density_of_law(DeckNode& material, std::vector<Fault>& faults) {
   const bool differ = density && own && *density != *own;
   add_warning(faults, given->where,
               differ ? fmt::format("<rho_0> {:g} in <equation_of_state> is obsolete; dropped: the "
-                                   "material's <density> {:g} counts",
+                                   "material's <density> {:g} is used",
                                    *own, *density)
                      : "<rho_0> in <equation_of_state> is obsolete; dropped",
               "a solid's density is that of its material");

@@ -100,7 +100,7 @@ TEST(OldWords, ExpansionIsOffWhereNoMaterialHasACoefficient) {
   deck.flags = "<DoThermalExpansion>false</DoThermalExpansion>";
   EXPECT_TRUE(Loaded(deck).deck.good()) << Loaded(deck).told;
   deck.material = "<linear_thermal_expansion_coef>1e-5</linear_thermal_expansion_coef>";
-  EXPECT_THAT(Loaded(deck).told, HasSubstr("<DoThermalExpansion> false beside a <linear"));
+  EXPECT_THAT(Loaded(deck).told, HasSubstr("<DoThermalExpansion> false with a <linear"));
   deck.flags = "<do_thermal_expansion>true</do_thermal_expansion>";
   EXPECT_TRUE(Loaded(deck).deck.good()) << Loaded(deck).told;
 }

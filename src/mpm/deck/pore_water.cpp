@@ -35,23 +35,21 @@ bool is_named(const DeckNode& root) {
 void check_dry(const DeckNode& root, std::vector<Fault>& faults) {
   const DeckNode* flags = root.child("MPM");
   if (is_true(flags, "coupled_flow_analysis"))
-    add_error(
-        faults, flags->child("coupled_flow_analysis")->where,
-        "<coupled_flow_analysis> true: water moves through pores in the component shmpm alone",
-        "write <SimulationComponent type=\"shmpm\"/>");
+    add_error(faults, flags->child("coupled_flow_analysis")->where,
+              "<coupled_flow_analysis> true: water moves through pores only in the component shmpm",
+              "write <SimulationComponent type=\"shmpm\"/>");
   if (is_true(flags, "PorePressureFilter"))
     add_warning(faults, flags->child("PorePressureFilter")->where,
                 "<PorePressureFilter> has no effect: no water moves through pores", "remove it");
   for (const DeckNode* material : mpm_materials(root))
     for (const char* name : needed)
       if (material->has(name)) {
-        add_warning(
-            faults, material->child(name)->where,
-            fmt::format("<{}> has no effect: no water moves through pores, and the material "
-                        "has its <density> as it is",
-                        name),
-            "write <SimulationComponent type=\"shmpm\"/> and "
-            "<coupled_flow_analysis>true</coupled_flow_analysis>");
+        add_warning(faults, material->child(name)->where,
+                    fmt::format("<{}> has no effect: no water moves through pores, and <density> "
+                                "is that of the material",
+                                name),
+                    "write <SimulationComponent type=\"shmpm\"/> and "
+                    "<coupled_flow_analysis>true</coupled_flow_analysis>");
         break;
       }
 }
@@ -59,8 +57,7 @@ void check_dry(const DeckNode& root, std::vector<Fault>& faults) {
 void check_material(const DeckNode& material, std::vector<Fault>& faults) {
   for (const char* name : needed)
     if (says_any(material) && !material.has(name))
-      add_error(faults, material.where,
-                fmt::format("a material with water in its pores needs <{}>", name),
+      add_error(faults, material.where, fmt::format("a material with pore water needs <{}>", name),
                 "without <water_density>, <porosity> and <permeability> it is dry");
   for (const char* name : further)
     if (!says_any(material) && material.has(name))
@@ -79,8 +76,7 @@ void refuse(const DeckNode& flags, const char* name, const char* supported,
             std::vector<Fault>& faults) {
   const DeckNode* flag = flags.child(name);
   if (flag != nullptr && flag->text != supported)
-    add_not_built(faults, flag->where,
-                  fmt::format("<{}> {} with water in pores", name, flag->text));
+    add_not_built(faults, flag->where, fmt::format("<{}> {} with pore water", name, flag->text));
 }
 
 void check_method(const DeckNode& root, const DeckNode& flags, std::vector<Fault>& faults) {
@@ -96,56 +92,54 @@ void check_method(const DeckNode& root, const DeckNode& flags, std::vector<Fault
   const DeckNode* basis = flags.child("interpolator");
   if (basis != nullptr && !basis_of(flags).pore_water)
     add_not_built(faults, basis->where,
-                  fmt::format("<interpolator> {} with water in pores", basis->text));
+                  fmt::format("<interpolator> {} with pore water", basis->text));
   const DeckNode* grid = root.child("Grid");
   if ((grid != nullptr && grid->all("Level").size() > 1) || root.find("AMR/Regridder") != nullptr)
-    add_not_built(faults, grid->where, "water in pores on several levels");
+    add_not_built(faults, grid->where, "pore water on several levels");
 }
 
 }  // namespace
 
 std::vector<TagSpec> pore_water_flags() {
-  return {
-      tag("coupled_flow_analysis",
-          "component shmpm: water moves through the pores of materials that say so; false: all "
-          "are dry")
-          .boolean()
-          .by_default("false"),
-      tag("PorePressureFilter",
-          "component shmpm: the pore pressure that acts is that of nodes (means by mass) at the "
-          "particles; the particles' own pressures go on as they are")
-          .boolean()
-          .by_default("false"),
-      tag("solid_damping_coef", "component shmpm: 0 alone is supported").real().by_default("0"),
-      tag("water_damping_coef", "component shmpm: 0 alone is supported").real().by_default("0")};
+  return {tag("coupled_flow_analysis",
+              "component shmpm: water moves through the pores of materials with pore water; false: "
+              "all are dry")
+              .boolean()
+              .by_default("false"),
+          tag("PorePressureFilter",
+              "component shmpm: the pore pressure used is interpolated from nodes (mass-weighted "
+              "means) to the particles; the particles' own pressures are not filtered")
+              .boolean()
+              .by_default("false"),
+          tag("solid_damping_coef", "component shmpm: only 0 is supported").real().by_default("0"),
+          tag("water_damping_coef", "component shmpm: only 0 is supported").real().by_default("0")};
 }
 
 std::vector<TagSpec> pore_water_tags() {
-  return {tag("water_density", "component shmpm: density of the water in its pores")
-              .real()
-              .above(0)
-              .unit("density"),
-          tag("porosity",
-              "component shmpm: share of its space that is pores, full of water, at the start; "
-              "<density> is that of the grains between them")
-              .real()
-              .above(0)
-              .at_most(0.99),
-          tag("permeability",
-              "component shmpm: hydraulic conductivity, the flow (volume per area and time) that "
-              "a slope of one of the head drives")
-              .real()
-              .above(0)
-              .unit("velocity"),
-          tag("water_bulk_modulus", "component shmpm: of the water in pores; absent: 2.2e9")
-              .real()
-              .above(0)
-              .unit("pressure"),
-          tag("initial_pore_pressure",
-              "component shmpm: pressure of that water at the start; "
-              "absent: 0")
-              .real()
-              .unit("pressure")};
+  return {
+      tag("water_density", "component shmpm: density of the water in its pores")
+          .real()
+          .above(0)
+          .unit("density"),
+      tag("porosity",
+          "component shmpm: initial porosity, with saturated pores; <density> is that of the "
+          "grains")
+          .real()
+          .above(0)
+          .at_most(0.99),
+      tag("permeability",
+          "component shmpm: hydraulic conductivity, the flow (volume per area and time) under a "
+          "hydraulic gradient of one")
+          .real()
+          .above(0)
+          .unit("velocity"),
+      tag("water_bulk_modulus", "component shmpm: bulk modulus of the pore water; absent: 2.2e9")
+          .real()
+          .above(0)
+          .unit("pressure"),
+      tag("initial_pore_pressure", "component shmpm: initial pressure of the pore water; absent: 0")
+          .real()
+          .unit("pressure")};
 }
 
 bool runs_pore_water(const DeckNode& root) {
@@ -183,8 +177,8 @@ void check_pore_water(const DeckNode& root, std::vector<Fault>& faults) {
   const DeckNode& flags = *root.child("MPM");
   if (!any)
     add_error(faults, flags.child("coupled_flow_analysis")->where,
-              "<coupled_flow_analysis> true, and no material holds water",
-              "give one <water_density>, <porosity> and <permeability>");
+              "<coupled_flow_analysis> true, but no material contains water",
+              "give a material <water_density>, <porosity> and <permeability>");
   check_method(root, flags, faults);
 }
 

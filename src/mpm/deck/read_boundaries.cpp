@@ -28,10 +28,10 @@ bool translate(const Condition& c, SolidBoundary& b, std::vector<Fault>& faults)
   if (c.variable == "Velocity" && c.kind == ConditionKind::dirichlet) {
     b.kind = Kind::velocity;
     if (!c.has_value)
-      add_warning(faults, c.where, "a velocity without <value>: [0,0,0] is taken",
+      add_warning(faults, c.where, "a velocity without <value>: [0,0,0] is used",
                   "write <value>[0.0,0.0,0.0]</value>");
     else if (!c.is_vector && c.value == 0)
-      add_warning(faults, c.where, "the velocity at a face is a vector: 0 is taken as [0,0,0]",
+      add_warning(faults, c.where, "the velocity at a face is a vector: 0 is read as [0,0,0]",
                   "write [0.0,0.0,0.0]");
     else if (!c.is_vector)
       add_error(faults, c.where, "the velocity at a face is a vector", "write [0.0,0.0,0.0]");
@@ -56,7 +56,7 @@ bool translate(const Condition& c, SolidBoundary& b, std::vector<Fault>& faults)
   // Neumann of the velocity is the free face; pressure and density are a fluid's.
   if (c.variable == "Velocity" && c.kind != ConditionKind::neumann)
     add_error(faults, c.where,
-              fmt::format("no solid has the condition {} of the velocity", c.kind_name),
+              fmt::format("solids do not support the condition {} of the velocity", c.kind_name),
               "valid: Dirichlet, Neumann (free), or Symmetric");
   if (c.variable == "Velocity" && !c.zero_gradient())
     add_warning(faults, c.where,

@@ -31,11 +31,11 @@ std::vector<CohesivePoint> read_points(const std::string& file, const MpmScene& 
       if (!(m >= 0 && m < count && m == std::floor(m)))
         v.refuse(n, fmt::format("there is no material {:g}; valid: 0 to {}", m, count - 1));
       if (s.materials[static_cast<std::size_t>(m)].rigid)
-        v.refuse(n, fmt::format("material {:g} is rigid: no force moves it", m));
+        v.refuse(n, fmt::format("material {:g} is rigid: forces do not move it", m));
     }
     p.below = static_cast<int>(v[10]);
     p.above = static_cast<int>(v[11]);
-    if (p.below == p.above) v.refuse(11, "a cohesive point holds two materials together, not one");
+    if (p.below == p.above) v.refuse(11, "a cohesive point connects two materials, not one");
     points.push_back(p);
   });
   return points;

@@ -103,7 +103,7 @@ void read_traction_faces(const DeckNode& flags, MpmScene& s, std::vector<Fault>&
       s.traction_faces.push_back(word);
     else
       add_error(faults, node->where,
-                fmt::format("<boundary_traction_faces>: '{}' is no face", word),
+                fmt::format("<boundary_traction_faces>: '{}' is not a face", word),
                 suggest_name(word, valid));
     at = words.find_first_not_of(' ', end);
   }

@@ -55,12 +55,11 @@ void warn_of_differences(const std::vector<const DeckNode*>& nodes, const std::v
         if (!same && tags.find("<" + name + ">") == std::string::npos)
           tags += (tags.empty() ? "<" : ", <") + name + ">";
       }
-    add_warning(
-        faults, node.where,
-        fmt::format("materials {} and {} exchange particles (DoGranularMPM) and differ in {}: "
-                    "a particle follows the material in which it is",
-                    members.front(), m, tags),
-        "say the same of both, or give them a <MatTypeIdx> each");
+    add_warning(faults, node.where,
+                fmt::format("materials {} and {} exchange particles (DoGranularMPM) and differ in "
+                            "{}: a particle follows the material to which it belongs",
+                            members.front(), m, tags),
+                "give both the same value, or give them different <MatTypeIdx>");
     return;
   }
 }

@@ -17,7 +17,7 @@ void read_surface(const DeckNode& load, const GeometryReader& geometry, LoadCurv
   for (const auto& child : object.children) {
     if (!is_geometry_piece(child->name)) continue;
     if (piece != nullptr)
-      add_error(faults, child->where, fmt::format("<{}> acts on one piece", load.name),
+      add_error(faults, child->where, fmt::format("<{}> acts on one geometry piece", load.name),
                 "write a block for each");
     piece = child.get();
   }
@@ -59,7 +59,7 @@ LoadCurve read_force(const DeckNode& node, std::vector<Fault>& faults) {
   for (int d = 0; d < 3; ++d)
     if (lower[d] > upper[d]) {
       add_error(faults, node.need("upper").where,
-                fmt::format("<force>: upper {:g} lies below lower {:g} in {}", upper[d], lower[d],
+                fmt::format("<force>: upper {:g} is below lower {:g} in {}", upper[d], lower[d],
                             "xyz"[d]));
       return curve;
     }

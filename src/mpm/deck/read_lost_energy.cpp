@@ -11,7 +11,7 @@ std::string without_losses(const MpmScene& s) {
   if (s.total_lagrangian) return "total Lagrangian steps";
   if (s.transfer == Transfer::xpic) return "the transfer xpic";
   if (!s.prescribed_file.empty()) return "a prescribed deformation";
-  if (s.any_water()) return "water in pores";
+  if (s.any_water()) return "pore water";
   return "";
 }
 

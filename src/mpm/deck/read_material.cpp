@@ -94,8 +94,8 @@ SolidMaterial read_material(const DeckNode& node, int index, const PhysicalConst
   m.deactivation_time = real_or(node, "deactivation_time", 1e8);
   if (m.force_transmitting && !m.rigid)
     add_error(faults, node.need("is_force_transmitting_material").where,
-              "<is_force_transmitting_material> of a material that deforms",
-              "it is for rigid ones: <is_rigid>true</is_rigid>");
+              "<is_force_transmitting_material> of a deforming material",
+              "it is for rigid materials: <is_rigid>true</is_rigid>");
   for (const DeckNode* object : node.all("geom_object"))
     m.objects.push_back(read_seed_object(*object, geometry, faults));
   return m;

@@ -20,7 +20,7 @@ namespace sluice::mpm {
 static void check_carried_corners(const MpmScene& s, std::vector<Fault>& faults) {
   if (!s.carries_corners()) return;
   if (s.refine_particles)
-    add_not_built(faults, s.splits.front().where, "<refine_particles> beside a fluid");
+    add_not_built(faults, s.splits.front().where, "<refine_particles> with a fluid");
   for (const SolidMaterial& material : s.materials)
     for (const SeedObject& object : material.objects)
       if (object.cut_cells || object.filling_levels != 1)

@@ -161,7 +161,7 @@ TEST(CohesiveZones, BadPointsAreErrorsWithTheirLine) {
   EXPECT_THAT(told("0.5 0.5 0.5 0 0 1 0 1 0 0 1 0"), HasSubstr("points.txt:2:13: area 0"));
   EXPECT_THAT(told("0.5 0.5 0.5 1 0 1 0 0 2 0 1 0"), HasSubstr("parallel"));
   EXPECT_THAT(told("0.5 0.5 0.5 1 0 1 0 1 0 0 1 2"), HasSubstr("there is no material 2"));
-  EXPECT_THAT(told("0.5 0.5 0.5 1 0 1 0 1 0 0 1 1"), HasSubstr("two materials together"));
+  EXPECT_THAT(told("0.5 0.5 0.5 1 0 1 0 1 0 0 1 1"), HasSubstr("connects two materials"));
   EXPECT_THAT(told("0.5 0.5 0.5 1 0 1 0 1 0 0 1 0", "<do_rotation>true</do_rotation>"),
               HasSubstr("<do_rotation> true"));
 }
@@ -217,7 +217,7 @@ TEST(Contacts, ProfilesAreReadBesideTheDeck) {
       read_solids(with_contact("<type>specified</type><filename>inputs/MPM/profile.txt</filename>"
                                "<stop_time>0.7</stop_time><direction>[1,1,0]</direction>"),
                   deck);
-  EXPECT_THAT(read.text, AllOf(HasSubstr("warning: 'inputs/MPM/profile.txt' is not there"),
+  EXPECT_THAT(read.text, AllOf(HasSubstr("warning: 'inputs/MPM/profile.txt' does not exist"),
                                Not(HasSubstr("error"))));
   ASSERT_EQ(read.solids.contacts.size(), 1u);
   const ContactRule& rule = read.solids.contacts[0];

@@ -47,10 +47,10 @@ void check_axisymmetric(const DeckNode& root, const DeckNode& flags, std::vector
   if (!is_true(&flags, "axisymmetric")) return;
   const Location& where = flags.child("axisymmetric")->where;
   if (!basis_of(flags).axisymmetric)
-    add_error(
-        faults, where,
-        fmt::format("<axisymmetric> has no form with the interpolator {}", basis_of(flags).word),
-        "valid: " + bases_with(&BasisRow::axisymmetric));
+    add_error(faults, where,
+              fmt::format("<axisymmetric> is not supported with the interpolator {}",
+                          basis_of(flags).word),
+              "valid: " + bases_with(&BasisRow::axisymmetric));
   const DeckNode* level = root.find("Grid/Level");
   if (level == nullptr) return;
   for (const DeckNode* box : level->all("Box")) {
@@ -82,7 +82,7 @@ void check_files(const DeckNode& flags, std::vector<Fault>& faults) {
               "<InsertParticles> needs <InsertParticlesFile>");
   if (is_true(&flags, "InsertParticles") && !is_true(&flags, "withColor"))
     add_error(faults, flags.child("InsertParticles")->where,
-              "<InsertParticles> moves particles of a colour, and they carry none",
+              "<InsertParticles> moves particles of a colour, and they have no colour",
               "write <withColor>true</withColor>");
 }
 
@@ -119,7 +119,8 @@ void check_solid_blocks(const DeckNode& root, std::vector<Fault>& faults) {
   }
   // The materials of a switcher stand in the decks that it names.
   if (mpm_materials(root).empty() && type != "switcher")
-    add_error(faults, component->where, "no <MaterialProperties><MPM><material>: nothing to run");
+    add_error(faults, component->where,
+              "no <MaterialProperties><MPM><material>: there are no solids");
 }
 
 void check_flags(const DeckNode& root, std::vector<Fault>& faults) {
@@ -163,8 +164,8 @@ void check_flags(const DeckNode& root, std::vector<Fault>& faults) {
     const Location& where = flags->child("total_lagrangian")->where;
     if (!basis.total_lagrangian)
       add_error(faults, where,
-                fmt::format("<total_lagrangian>: shape functions stay those of the start, those of "
-                            "{} follow the particles",
+                fmt::format("<total_lagrangian>: shape functions are those of the initial "
+                            "positions, but those of {} follow the particles",
                             basis.word),
                 "valid: " + bases_with(&BasisRow::total_lagrangian));
     if (levels) add_not_built(faults, where, "<total_lagrangian> on several levels");
@@ -184,11 +185,10 @@ void check_cohesive_zones(const DeckNode& root, std::vector<Fault>& faults) {
     if (block == nullptr) continue;
     const std::vector<const DeckNode*> zones = block->all("cohesive_zone");
     if (!act && !zones.empty())
-      add_warning(
-          faults, zones.front()->where,
-          "<cohesive_zone> has no effect without <use_cohesive_zones> true in <MPM>: nothing "
-          "holds the materials together there",
-          "write <use_cohesive_zones>true</use_cohesive_zones>, or remove the zone");
+      add_warning(faults, zones.front()->where,
+                  "<cohesive_zone> has no effect without <use_cohesive_zones> true in <MPM>: the "
+                  "materials are not connected there",
+                  "write <use_cohesive_zones>true</use_cohesive_zones>, or remove the zone");
     for (const DeckNode* zone : zones)
       if (act && is_true(zone, "do_rotation"))
         add_not_built(faults, zone->child("do_rotation")->where, "<do_rotation> true");
@@ -200,7 +200,7 @@ static void check_midpoint(const DeckNode& flags, std::vector<Fault>& faults) {
   const DeckNode& transfer = *flags.child("transfer");
   if (basis_of(flags).points)
     add_error(faults, transfer.where,
-              "<transfer> midpoint needs particles that have a width, or splines; those of the "
+              "<transfer> midpoint needs particles with a width, or splines; those of the "
               "interpolator linear are points",
               "write <interpolator>gimp</interpolator>, or remove <transfer>");
   const auto refuse = [&](const char* name) {
@@ -221,21 +221,23 @@ void check_transfer(const DeckNode& root, std::vector<Fault>& faults) {
   if (transfer != "affine") warn_of_idle(*flags, "affine_damping", "<transfer> affine", faults);
   const BasisRow& basis = basis_of(*flags);
   if (transfer == "apic" && !basis.one_second_moment)
-    add_error(faults, flags->child("transfer")->where,
-              fmt::format("<transfer> apic needs a basis with one second moment, and {} has none",
-                          basis.word),
-              "write <interpolator>3rdorderBS</interpolator>, or <transfer>affine</transfer>");
+    add_error(
+        faults, flags->child("transfer")->where,
+        fmt::format(
+            "<transfer> apic needs a basis with a constant second moment, which {} does not have",
+            basis.word),
+        "write <interpolator>3rdorderBS</interpolator>, or <transfer>affine</transfer>");
   if (transfer == "midpoint" && runs_mpm(root)) check_midpoint(*flags, faults);
   if (is_true(flags, "musl") && (basis.moving_corners || !runs_mpm(root)))
     add_error(faults, flags->child("musl")->where,
-              "<musl> true has no form for corners that move with the grid, which particles have "
-              "beside a fluid and with the interpolator carried_corners",
+              "<musl> true is not supported for corners that move with the grid, which particles "
+              "have with a fluid and with the interpolator carried_corners",
               "remove it");
   // Tags of the format that choose a transfer too.
   for (const char* name : {"XPIC2", "UseGradientEnhancedVelocityProjection"})
     if (is_true(flags, name) && says(*flags, "transfer"))
       add_error(faults, flags->child(name)->where,
-                fmt::format("<{}> and <transfer> both choose how velocities come back", name),
+                fmt::format("<{}> and <transfer> both select the transfer of velocities", name),
                 "remove one of them");
   if (is_true(flags, "XPIC2") && is_true(flags, "UseGradientEnhancedVelocityProjection"))
     add_error(faults, flags->child("XPIC2")->where,

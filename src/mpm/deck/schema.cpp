@@ -58,7 +58,7 @@ std::vector<const DeckNode*> mpm_materials(const DeckNode& root) {
 void add_mpm_tags(Schema& schema) {
   schema.add(flags_tag());
   schema.add(tag("AMR", "").child(refinement_tag()));
-  schema.add(tag("MaterialProperties", "the materials and how they act on each other")
+  schema.add(tag("MaterialProperties", "the materials and their interaction")
                  .child(tag("MPM", "materials of solids")
                             .with_children({material_tag(), contact_tag(), thermal_contact_tag(),
                                             diffusion_interface_tag(), cohesive_zone_tag()})));

@@ -15,8 +15,8 @@ struct Stray {
   const char* reason;
 };
 
-constexpr const char* implicit = "the implicit method alone reads it";
-constexpr const char* no_limit = "a velocity has no limit of its own: steps are limited";
+constexpr const char* implicit = "only the implicit method reads it";
+constexpr const char* no_limit = "velocities are not limited: steps are limited";
 
 // Of implicit steps, in decks of explicit ones.
 constexpr Stray stray_flags_of_explicit[] = {
@@ -42,28 +42,28 @@ constexpr Stray stray_flags[] = {
     {"DoDefGradAveraging", "no method uses it"},
     {"computeNodalHeatFlux", "save g.HeatFlux: it is computed where it is saved"},
     {"use_volume_integral", "no method uses it"},
-    {"testForNegTemps_mpm", "what has no state ends a run in any case"},
+    {"testForNegTemps_mpm", "an inadmissible state ends the run in any case"},
 };
 // Of fluids with solids, and of methods that are refused by the flag that turns them on.
 constexpr Stray stray_flags_alone[] = {
-    {"do_auto_cycle_bc", "do_scalar_diffusion alone reads it"},
-    {"auto_cycle_use_minmax", "do_scalar_diffusion alone reads it"},
-    {"auto_cycle_max", "do_scalar_diffusion alone reads it"},
-    {"auto_cycle_min", "do_scalar_diffusion alone reads it"},
+    {"do_auto_cycle_bc", "only do_scalar_diffusion reads it"},
+    {"auto_cycle_use_minmax", "only do_scalar_diffusion reads it"},
+    {"auto_cycle_max", "only do_scalar_diffusion reads it"},
+    {"auto_cycle_min", "only do_scalar_diffusion reads it"},
 };
 constexpr Stray stray_contact[] = {
-    {"vel_fields", "each material has a velocity of its own"},
+    {"vel_fields", "materials have separate velocity fields"},
 };
 constexpr Stray stray_state[] = {
     {"density", "a solid's density is that of its material"},
     {"pressure", "a solid's pressure follows from its law"},
 };
 constexpr Stray stray_concentration[] = {
-    {"concentration", "do_scalar_diffusion alone reads it"},
+    {"concentration", "only do_scalar_diffusion reads it"},
 };
 constexpr Stray stray_diffusion[] = {
-    {"diffusion_model", "do_scalar_diffusion alone reads it"},
-    {"diffusion_interface", "do_scalar_diffusion alone reads it"},
+    {"diffusion_model", "only do_scalar_diffusion reads it"},
+    {"diffusion_interface", "only do_scalar_diffusion reads it"},
 };
 
 template <class Table>
@@ -91,11 +91,11 @@ void for_blocks_of_materials(DeckNode& root, F&& f) {
 }  // namespace
 
 void drop_stray_blocks(DeckNode& root, std::vector<Fault>& faults) {
-  constexpr Stray blocks[] = {{"CFD", "solids alone run here, without a fluid"},
+  constexpr Stray blocks[] = {{"CFD", "only solids run here, without a fluid"},
                               {"Models", "models act on fluids; no fluid runs here"}};
-  constexpr Stray in_materials[] = {{"ICE", "solids alone run here, without a fluid"},
+  constexpr Stray in_materials[] = {{"ICE", "only solids run here, without a fluid"},
                                     {"exchange_properties", "no fluid runs here to exchange with"}};
-  constexpr Stray in_refinement[] = {{"ICE", "solids alone run here, without a fluid"}};
+  constexpr Stray in_refinement[] = {{"ICE", "only solids run here, without a fluid"}};
   if (!runs_mpm(root)) return;
   drop(root, blocks, faults);
   for (const auto& block : root.children) {
@@ -148,7 +148,7 @@ void rename_new_labels(DeckNode& root, std::vector<Fault>& faults) {
       if (name != "label" || !value.starts_with("p.") || !value.ends_with("+")) continue;
       value.pop_back();
       add_warning(faults, save->where,
-                  fmt::format("<save label=\"{}+\">: {} is saved, which is what it is after a step",
+                  fmt::format("<save label=\"{}+\">: {} is saved, which is its value after a step",
                               value, value));
     }
 }

@@ -19,7 +19,7 @@ TagSpec driver_tag() {
       tag("material", "as in <MaterialProperties>, without its bodies")
           .once()
           .attribute(attribute("name", "for people").text())
-          .child(positive("density", "at the start").unit("kg/m^3"))
+          .child(positive("density", "initial temperature").unit("kg/m^3"))
           .child(positive_or("specific_heat", "c_v", 1000).unit("J/kg/K"))
           .child(tag("thermal_conductivity", "without effect here").real())
           .child(number("linear_thermal_expansion_coef", "alpha_t", 0).unit("1/K"))
@@ -28,23 +28,23 @@ TagSpec driver_tag() {
           .child(constitutive_model_tag())
           .with_children(failure_tags());
   const TagSpec piece =
-      tag("piece", "a part of the path; pieces follow each other")
+      tag("piece", "a part of the path; consecutive pieces")
           .at_least_once()
           .child(positive("duration", "of the piece").unit("s"))
           .child(tag("steps", "equal steps of it").integer().at_least(1).by_default("100"))
           .child(tag("velocity_gradient", "L, nine numbers row after row, for the whole piece")
                      .reals()
                      .unit("1/s"))
-          .child(tag("deformation", "F at the end, nine numbers: F goes there on a straight line")
-                     .reals())
-          .child(tag("rotation", "axis about which the body turns as a whole").vector())
-          .child(number("angle", "by how much, degrees", 0))
+          .child(tag("deformation", "F at the end, nine numbers: F changes linearly to it").reals())
+          .child(tag("rotation", "axis of a rigid rotation").vector())
+          .child(number("angle", "angle of the rotation, degrees", 0))
           .not_both({"velocity_gradient", "deformation"});
   return tag("MaterialDriver", "one particle of a material along a path of deformation")
       .once()
       .child(material)
-      .child(number("temperature", "at the start", 300).above(0).unit("K"))
-      .child(choice("isothermal", "whether heat of the law leaves the particle at once", false))
+      .child(number("temperature", "initial temperature", 300).above(0).unit("K"))
+      .child(choice("isothermal", "whether heat of the law is removed from the particle at once",
+                    false))
       .child(piece);
 }
 

@@ -5,7 +5,7 @@ namespace sluice::mpm {
 DerivedAttribute mean_pressure_of(const Columns& columns, double reference) {
   const Label label =
       declare_label({"p.pressure", ValueType::real, Centring::particle, "Pa",
-                     "Pressure on the particle: the reference pressure less its mean stress."});
+                     "Pressure of the particle: the reference pressure minus its mean stress."});
   return {label, [stress = columns.stress, reference](const ParticleSet& set,
                                                       std::vector<std::vector<double>>& to) {
             const auto s = read_columns<6>(set, stress);

@@ -27,21 +27,24 @@ const NodeLabels& labels() {
               "Velocity of a material at a node: sum m v S over its "
               "mass."),
       declare("g.velocity_star", vector, "m/s",
-              "Velocity of a material at a node after another step as long as the last, before "
+              "Velocity of a material at a node after a further step of the last length, before "
               "contact and boundary values."),
       declare("g.acceleration", vector, "m/s^2",
               "Acceleration of a material at a node by stress, loads and gravity."),
       declare("g.internalforce", vector, "N",
               "Force of the stress on a node: -sum V sigma grad S."),
       declare("g.externalforce", vector, "N", "Force of loads on a node: sum f S."),
-      declare("g.stressFS", tensor, "Pa", "Mean stress of a material around a node, by volume."),
-      declare("g.temperature", real, "K", "Mean temperature of a material around a node, by mass."),
-      declare("g.dTdt", real, "K/s",
-              "Mean rate of temperature of a material around a node in the last step, by mass."),
+      declare("g.stressFS", tensor, "Pa",
+              "Volume-weighted mean stress of a material around a node."),
+      declare("g.temperature", real, "K",
+              "Mass-weighted mean temperature of a material around a node."),
+      declare(
+          "g.dTdt", real, "K/s",
+          "Mass-weighted mean rate of temperature of a material around a node in the last step."),
       declare("g.displacement", vector, "m",
-              "Mean displacement of a material around a node, by mass."),
+              "Mass-weighted mean displacement of a material around a node."),
       declare("g.concentration", real, "1",
-              "Mean concentration of a material around a node, by mass."),
+              "Mass-weighted mean concentration of a material around a node."),
   };
   return l;
 }

@@ -5,7 +5,7 @@ namespace sluice::mpm {
 DerivedAttribute thermal_volume_of(const Columns& columns, const MaterialConstants& constants) {
   const Label label = declare_label(
       {"p.JThermal", ValueType::real, Centring::particle, "1",
-       "Volume that a particle would have by its temperature alone, over that at rest."});
+       "Volume of a particle due to its temperature alone, divided by its reference volume."});
   return {label, [T = static_cast<std::size_t>(columns.temperature),
                   alpha = constants.thermal_expansion, room = constants.room_temperature](
                      const ParticleSet& set, std::vector<std::vector<double>>& to) {

@@ -98,12 +98,12 @@ void check_thinness(const MpmScene& scene, const LoadCurve& load, std::vector<Fa
   const char along = n.x != 0 ? 'x' : n.y != 0 ? 'y' : 'z';
   const Bounds b = load.piece->bounds();
   const Vec3 size = b.upper - b.lower;
-  add_warning(faults, load.where,
-              fmt::format("<{}> acts along {}, the direction in which its <box> of {:g} x {:g} x "
-                          "{:g} is thinnest of those that have more than one cell, but the box is "
-                          "not thin: it holds more than one surface",
-                          tag_of(load), along, size.x, size.y, size.z),
-              "write a thin <box> around the surface that is loaded");
+  add_warning(
+      faults, load.where,
+      fmt::format("<{}> acts along {}, the active direction in which its <box> of {:g} x {:g} x "
+                  "{:g} is thinnest, but the box is not thin: it contains more than one surface",
+                  tag_of(load), along, size.x, size.y, size.z),
+      "write a thin <box> around the loaded surface");
 }
 
 }  // namespace
@@ -124,7 +124,7 @@ void check_loads(const MpmScene& scene, const Grid& grid, const Seeder& seeder,
     }
     const bool by_force = load.kind == LoadCurve::Kind::force;
     add_warning(faults, load.where,
-                fmt::format("<{}> acts on nothing: no particle{} lies in its <{}>", tag_of(load),
+                fmt::format("<{}> acts on nothing: no particle{} is in its <{}>", tag_of(load),
                             by_force ? "" : " at the surface of a body", load.shape),
                 by_force ? "move it to where a body is"
                          : "move it onto the surface of a body, or remove it");

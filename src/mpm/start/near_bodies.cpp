@@ -171,12 +171,12 @@ void tell(const std::vector<Body>& bodies, const NearPair& pair, std::size_t mor
           std::vector<Fault>& faults) {
   const SeedObject& other = *bodies[pair.a].object;
   std::string text = fmt::format(
-      "this body lies {:.2g} of a cell from the one at {}, of the same material: across less than "
-      "a cell they move as one and stick together",
+      "this body is {:.2g} of a cell away from the one at {}, of the same material: at less than a "
+      "cell they move as one and stick together",
       pair.gap, to_string(other.where));
-  if (more > 0) text += fmt::format(" ({} more pairs of this material lie so)", more);
+  if (more > 0) text += fmt::format(" ({} more pairs of this material are as close)", more);
   add_warning(faults, bodies[pair.b].object->where, text,
-              "give them materials of their own and a <contact>, or make the cells finer");
+              "give them different materials and a <contact>, or make the cells finer");
 }
 
 }  // namespace

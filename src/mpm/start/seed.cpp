@@ -87,8 +87,8 @@ Seeder::Prepared Seeder::prepare(const SeedObject& object, const Grid& grid) {
 std::int64_t Seeder::take_ids(std::int64_t count, const SeedObject& object) {
   if (count > most_ids_of_all - next_)
     throw DeckError(object.where,
-                    fmt::format("with this <geom_object> there are more than 2^53 places for "
-                                "particles, {} before it: no number is left to tell them apart",
+                    fmt::format("with this <geom_object> there are more than 2^53 positions for "
+                                "particles, {} before it: the particle numbers are exhausted",
                                 next_),
                     "write fewer particles per cell (res), or make the piece smaller");
   const std::int64_t base = next_;

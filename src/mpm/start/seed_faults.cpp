@@ -56,11 +56,10 @@ Count count_of(const Seeder& seeder, int material, int number, const SeedObject&
 
 void tell_of_empty(const SeedObject& o, const Level& level, std::vector<Fault>& faults) {
   if (!o.mapped && !o.piece->bounds().meets(bounds_of(level)))
-    add_warning(faults, o.where, "<geom_object> lies outside of the domain: it gives no particle",
+    add_warning(faults, o.where, "<geom_object> is outside of the domain: it has no particle",
                 "move it, or remove it");
   else
-    add_warning(faults, o.where,
-                "<geom_object> gives no particle: no place of a particle lies inside",
+    add_warning(faults, o.where, "<geom_object> has no particle: no particle position is inside",
                 "write more particles per cell (res), or finer cells");
 }
 
@@ -91,14 +90,14 @@ void check_overlaps(const SolidMaterial& material, const Level& level, std::vect
     }
     if (with == nullptr) continue;
     add_warning(found, second.where,
-                fmt::format("{} particles of this <geom_object> lie inside the one at {}{}, of the "
+                fmt::format("{} particles of this <geom_object> are inside the one at {}{}, of the "
                             "same material: the space is filled twice",
                             count, to_string(with->where), b > 1 ? " or others" : ""),
                 "cut one out of the other with <difference>");
   }
   if (found.size() > most_shown) {
     found.front().message =
-        fmt::format("{}; {} objects of this material fill space that an earlier one fills too",
+        fmt::format("{}; {} objects of this material fill space that an earlier object also fills",
                     found.front().message, found.size());
     found.resize(1);
   }
@@ -122,8 +121,8 @@ void check_seeds(const MpmScene& scene, const Grid& grid, std::vector<Fault>& fa
         tell_of_empty(o, coarsest, faults);
       else if (count.outside > 0)
         add_warning(faults, o.where,
-                    fmt::format("{} of {} particles of this <geom_object> lie outside of the "
-                                "domain; they are left out",
+                    fmt::format("{} of {} particles of this <geom_object> are outside of the "
+                                "domain; they are omitted",
                                 count.outside, count.inside + count.outside));
     }
     check_overlaps(material, coarsest, faults);
@@ -131,7 +130,7 @@ void check_seeds(const MpmScene& scene, const Grid& grid, std::vector<Fault>& fa
   }
   if (all == 0 && !scene.materials.empty())
     add_error(faults, scene.materials.front().where,
-              "no <geom_object> gives a particle: there is nothing to run",
+              "no <geom_object> has a particle: there is nothing to run",
               "see the warnings of the objects");
   else
     check_loads(scene, grid, seeder, faults);

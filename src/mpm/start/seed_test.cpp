@@ -291,7 +291,7 @@ TEST_F(Files, ArePackedUnderTheNameOfTheDeck) {
   pack("c.pts.gz", two_points);
   const ReadDeck read = read_solids(deck_of(object(piece("inputs/elsewhere/c.pts", two_variables))),
                                     (folder / "deck.ups").string());
-  EXPECT_THAT(read.text, HasSubstr("c.pts.gz' is taken"));
+  EXPECT_THAT(read.text, HasSubstr("c.pts.gz' is used"));
   EXPECT_EQ(seed_in(read, {read.scene.grid.levels.front().domain}).count(), 2u);
 }
 
@@ -301,7 +301,7 @@ TEST_F(Files, ThatAreCutShortAreRefused) {
   const std::string file = pack("d.pts.gz", numbers);
   std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
   const ReadDeck read = read_solids(deck_of(object(piece(file))));
-  EXPECT_THAT(read.text, HasSubstr("ends before it can be unpacked as a whole"));
+  EXPECT_THAT(read.text, HasSubstr("ends before it is unpacked completely"));
 }
 
 // Edges in files are lengths; four corners hold a sixth of what they span.
@@ -326,7 +326,7 @@ TEST(Ids, AreBelowTwoToThe53AndRefusedBeyond) {
   const ReadDeck read = read_solids(deck);
   ASSERT_EQ(read.text, "");
   EXPECT_THAT([&] { Seeder(read.solids, read.scene.grid); },
-              testing::ThrowsMessage<InputError>(HasSubstr("more than 2^53 places")));
+              testing::ThrowsMessage<InputError>(HasSubstr("more than 2^53 positions")));
 }
 
 std::string seed_faults(const SolidDeck& deck) {
@@ -341,7 +341,7 @@ TEST(SeedFaults, BodiesThatOverlapAreCounted) {
   const std::string low = "<box><min>[0.2,0.2,0.2]</min><max>[0.5,0.5,0.5]</max></box>";
   const std::string high = "<box><min>[0.4,0.4,0.4]</min><max>[0.8,0.8,0.8]</max></box>";
   EXPECT_THAT(seed_faults(deck_of(object(low) + object(high))),
-              HasSubstr("8 particles of this <geom_object> lie inside the one at"));
+              HasSubstr("8 particles of this <geom_object> are inside the one at"));
   const std::string apart = "<box><min>[0.5,0.2,0.2]</min><max>[0.8,0.5,0.5]</max></box>";
   EXPECT_EQ(seed_faults(deck_of(object(low) + object(apart))), "");
 }
@@ -353,7 +353,7 @@ TEST(SeedFaults, BodiesOfOneMaterialThatLieCloserThanACellAreTold) {
   };
   const auto told = [&](const std::string& objects) { return seed_faults(deck_of(objects)); };
   EXPECT_THAT(told(object(slab(0.1, 0.4)) + object(slab(0.45, 0.8))),
-              HasSubstr("warning: this body lies 0.5 of a cell from the one at"));
+              HasSubstr("warning: this body is 0.5 of a cell away from the one at"));
   EXPECT_EQ(told(object(slab(0.1, 0.4)) + object(slab(0.5, 0.8))), "");
   EXPECT_EQ(told(object(slab(0.1, 0.4)) + object(slab(0.4, 0.8))), "");
   // Balls 0.08 apart, whose parts are a whole cell apart; and two that touch in a point.
@@ -374,9 +374,9 @@ TEST(SeedFaults, BodiesOutsideOrTooThinAreTold) {
   const std::string outside = "<box><min>[2,2,2]</min><max>[3,3,3]</max></box>";
   const std::string thin = "<box><min>[0.2,0.2,0.2]</min><max>[0.5,0.5,0.21]</max></box>";
   EXPECT_THAT(seed_faults(deck_of(object(ball) + object(outside))),
-              HasSubstr("lies outside of the domain: it gives no particle"));
+              HasSubstr("is outside of the domain: it has no particle"));
   EXPECT_THAT(seed_faults(deck_of(object(ball) + object(thin))),
-              HasSubstr("no place of a particle lies inside"));
+              HasSubstr("no particle position is inside"));
   EXPECT_THAT(seed_faults(deck_of(object(outside))),
               HasSubstr("error: no <geom_object> gives a particle"));
 }
@@ -396,7 +396,7 @@ std::string load_deck_faults(const std::string& lower, const std::string& upper)
 TEST(LoadFaults, LoadsThatMeetNoSurfaceAreTold) {
   EXPECT_EQ(load_deck_faults("[0.2,0.599,0.2]", "[0.6,0.601,0.6]"), "");
   EXPECT_THAT(load_deck_faults("[0.2,0.799,0.2]", "[0.6,0.801,0.6]"),
-              HasSubstr("<pressure> acts on nothing: no particle at the surface of a body lies in "
+              HasSubstr("<pressure> acts on nothing: no particle at the surface of a body is in "
                         "its <box>"));
   EXPECT_THAT(load_deck_faults("[0.39,0.399,0.39]", "[0.41,0.401,0.41]"),
               HasSubstr("acts on nothing"));  // inside of the block

@@ -83,12 +83,12 @@ void check_variables(const DeckNode& module, const std::string& name, Faults& fa
     velocity = velocity || (fluid && *fluid != "false");
     if (v->attribute("weighting") == "mass" && module.child("weight") == nullptr)
       add_error(faults, v->where,
-                fmt::format("<analyze label=\"{}\" weighting=\"mass\">: weighted by what?",
+                fmt::format("<analyze label=\"{}\" weighting=\"mass\"> needs a weight",
                             v->attribute("label").value_or("")),
                 "name it in the module: <weight label=\"rho_CC\"/>");
   }
   if (name == "turbulentFluxes" && !velocity)
-    add_error(faults, module.where, "turbulentFluxes: which variable is the velocity?",
+    add_error(faults, module.where, "turbulentFluxes needs the variable that is the velocity",
               "add fluidVelocityLabel=\"true\" to its <analyze>");
 }
 
@@ -98,8 +98,8 @@ void check_average_box(const DeckNode& module, Faults& faults) {
   for (int d = 0; cells && d < 3; ++d)
     if ((*cells)[d] < 1 || (*cells)[d] % 2 == 0)
       add_error(faults, module.child("avgBoxCells")->where,
-                fmt::format("<avgBoxCells>: {} cells along {}; a box lies around its cell, and has "
-                            "an odd number of them",
+                fmt::format("<avgBoxCells>: {} cells along {}; a box is centred on its cell and "
+                            "must have an odd number of cells",
                             (*cells)[d], direction_names[d]));
 }
 

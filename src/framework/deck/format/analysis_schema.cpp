@@ -24,7 +24,7 @@ const Names with_variables = joined(joined(at_samples, of_cells), of_particles);
 const Names with_times = joined(sampled, of_cells);
 
 TagSpec analyze() {
-  return tag("analyze", "a variable that is looked at")
+  return tag("analyze", "a variable to be analysed")
       .multiple()
       .with_attributes(
           {attribute("label", "name of the variable").once().text(),
@@ -33,7 +33,8 @@ TagSpec analyze() {
            attribute("computeReynoldsStress", "statistics: also the covariances of its components")
                .boolean(),
            attribute("fluidVelocityLabel", "turbulentFluxes: this is the velocity").text(),
-           attribute("weighting", "how cells of a plane count: sum, mean, mean by <weight>")
+           attribute("weighting",
+                     "average over the cells of a plane: sum, mean, mean weighted by <weight>")
                .words({"none", "nCells", "mass"})});
 }
 
@@ -42,12 +43,12 @@ TagSpec corner(const char* name, const char* doc) {
 }
 
 TagSpec line() {
-  return tag("line", "a line along which values are taken")
+  return tag("line", "a line along which values are sampled")
       .at_least_once()
       .attribute(attribute("name", "name of the line and its files").once().text())
-      .with_children({corner("startingPt", "begin of the line"),
+      .with_children({corner("startingPt", "start of the line"),
                       corner("endingPt", "end of the line"),
-                      tag("stepSize", "distance of the points; absent: every cell")
+                      tag("stepSize", "distance between points; absent: every cell")
                           .real()
                           .above(0)
                           .unit("length")});
@@ -57,27 +58,27 @@ TagSpec rectangle(const std::string& text) {
   return tag("plane", text)
       .at_least_once()
       .with_children({corner("startingPt", "one corner"),
-                      corner("endingPt", "the opposite corner; one coordinate is the same")});
+                      corner("endingPt", "the opposite corner; one coordinate must be equal")});
 }
 
 TagSpec plane() {
-  return rectangle("a rectangle along two axes of which all cells are taken")
+  return rectangle("a rectangle along two axes, all cells of which are sampled")
       .attribute(attribute("name", "name of the plane and its files").once().text());
 }
 
 TagSpec plane_of_heat() {
-  return rectangle("a rectangle along two axes through which heat passes");
+  return rectangle("a rectangle along two axes through which the heat flux is summed");
 }
 
 TagSpec corners_of_box() {
-  return tag("box", "a part of the domain; its corners go to the nearest faces of level 0")
+  return tag("box", "a part of the domain; its corners are moved to the nearest faces of level 0")
       .with_children({corner("min", "low corner"), corner("max", "high corner")});
 }
 
 // The domain or a box, and the sides through which it exchanges.
 TagSpec control_volume() {
   const TagSpec face =
-      tag("Face", "a side that counts; without any, all do")
+      tag("Face", "a side that counts; without any, all sides count")
           .multiple()
           .with_attributes(
               {attribute("side", "which side").once().words({"x-", "x+", "y-", "y+", "z-", "z+"}),
@@ -86,7 +87,7 @@ TagSpec control_volume() {
                    .words({"entireFace", "partialFace"})})
           .with_children({tag("startPt", "a corner of the rectangle").vector().unit("length"),
                           tag("endPt", "the opposite corner").vector().unit("length")});
-  return tag("controlVolume", "the volume whose budget is kept; without a box the whole domain")
+  return tag("controlVolume", "the control volume; without a box the whole domain")
       .once()
       .child(corners_of_box())
       .child(face)
@@ -105,13 +106,13 @@ std::vector<TagSpec> unneeded_labels() {
 
 // Budgets of control volumes.
 std::vector<TagSpec> volume_tags() {
-  return {tag("controlVolumes", "the volumes whose fluxes are taken")
+  return {tag("controlVolumes", "the volumes whose fluxes are summed")
               .once()
               .child(corners_of_box().at_least_once().attribute(
                   attribute("label", "name of the volume and its file").once().text()))
               .only_for("name", {"controlVolFluxes"}),
           control_volume(),
-          tag("engy_convt_factor", "energies in the file are times this")
+          tag("engy_convt_factor", "factor of all energies in the file")
               .real()
               .above(0)
               .by_default("1")
@@ -132,18 +133,18 @@ Names names_of(const char* one) {
   return {one};
 }
 std::vector<TagSpec> places() {
-  return {tag("lines", "where it is looked at")
+  return {tag("lines", "position of the point")
               .once()
               .child(line())
               .only_for("name", names_of("lineExtract")),
-          tag("points", "where it is looked at")
+          tag("points", "position of the point")
               .once()
-              .child(tag("point", "a point between whose cells values are interpolated")
+              .child(tag("point", "a point to which cell values are interpolated")
                          .at_least_once()
                          .attribute(attribute("name", "name of its file").once().text())
-                         .child(corner("position", "where it is")))
+                         .child(corner("position", "position of the point")))
               .only_for("name", names_of("pointExtract")),
-          tag("planes", "where it is looked at")
+          tag("planes", "position of the point")
               .once()
               .child(plane())
               .only_for("name", names_of("planeExtract")),
@@ -153,30 +154,32 @@ std::vector<TagSpec> places() {
 // How planes are averaged.
 std::vector<TagSpec> plane_tags() {
   const AttributeSpec label = attribute("label", "name of the variable").once().text();
-  return {tag("planeOrientation", "the two directions in which planes extend")
-              .once()
-              .words({"XY", "XZ", "YZ"})
-              .only_for("name", averages),
-          tag("weight", "the weight of averages with weighting=\"mass\"")
-              .attribute(label)
-              .only_for("name", averages),
-          tag("velocity", "the velocity that variables are correlated with")
-              .once()
-              .with_attributes({label, attribute("weighting", "of its averages over planes")
-                                           .words({"none", "nCells", "mass"})})
-              .only_for("name", names_of("planeAvgTurbFluxes"))};
+  return {
+      tag("planeOrientation", "the two directions of the planes")
+          .once()
+          .words({"XY", "XZ", "YZ"})
+          .only_for("name", averages),
+      tag("weight", "the weight of averages with weighting=\"mass\"")
+          .attribute(label)
+          .only_for("name", averages),
+      tag("velocity", "the velocity that variables are correlated with")
+          .once()
+          .with_attributes({label, attribute("weighting", "weighting of its averages over planes")
+                                       .words({"none", "nCells", "mass"})})
+          .only_for("name", names_of("planeAvgTurbFluxes"))};
 }
 
 // Averages of boxes of cells.
 std::vector<TagSpec> box_tags() {
-  return {tag("avgBoxCells", "cells along each direction of the box around a cell: odd numbers")
-              .once()
-              .int_vector()
-              .only_for("name", of_cells),
-          tag("domain", "which cells have averages: all, those whose box is whole, or the others")
-              .words({"everywhere", "interior", "boundaries"})
-              .by_default("everywhere")
-              .only_for("name", of_cells)};
+  return {
+      tag("avgBoxCells", "cells along each direction of the box around a cell: odd numbers")
+          .once()
+          .int_vector()
+          .only_for("name", of_cells),
+      tag("domain", "which cells have averages: all, those whose box is complete, or the others")
+          .words({"everywhere", "interior", "boundaries"})
+          .by_default("everywhere")
+          .only_for("name", of_cells)};
 }
 
 // When samples are taken.
@@ -188,7 +191,7 @@ std::vector<TagSpec> times() {
           .above(0)
           .unit("1/time")
           .only_for("name", sampled),
-      tag("timeStart", "begin of sampling").once().real().unit("time").only_for("name", with_times),
+      tag("timeStart", "start of sampling").once().real().unit("time").only_for("name", with_times),
       tag("timeStop", "end of sampling").once().real().unit("time").only_for("name", with_times)};
 }
 
@@ -247,7 +250,7 @@ void add_analysis_tags(Schema& schema) {
           .with_children({tag("material", "name of the material").text(),
                           tag("materialIndex", "index of the material").integer().at_least(0)})
           .with_children(times())
-          .with_children({tag("Variables", "what is looked at")
+          .with_children({tag("Variables", "variables to be analysed")
                               .once()
                               .child(analyze())
                               .only_for("name", with_variables)})
@@ -262,7 +265,7 @@ void add_analysis_tags(Schema& schema) {
           .with_children(unneeded_labels())
           .with_children(statistics_tags());
   schema.rules.emplace_back(check_analyses);
-  schema.add(tag("DataAnalysis", "what is looked at while the run goes on").child(module));
+  schema.add(tag("DataAnalysis", "analyses during the run").child(module));
 }
 
 void add_framework_tags(Schema& schema, const std::vector<ComponentWord>& components) {

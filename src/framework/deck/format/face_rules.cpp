@@ -44,7 +44,7 @@ std::string side_of(const DeckNode& face, const Shape*& shape, std::vector<Fault
   }
   if (present.size() == 1) return side;
   if (present.empty()) {
-    add_error(faults, face.where, "<Face> does not say where it lies",
+    add_error(faults, face.where, "<Face> has no position",
               "give one of side, circle, annulus, ellipse, rectangle, rectangulus, as side=\"x-\"");
   } else {
     add_error(faults, face.where,
@@ -138,9 +138,10 @@ void check_repetitions(const DeckNode& face, const std::string& face_name,
                     fmt::format("{}; it repeats the first, at {}", what, to_string(before.where)),
                     "remove one of them");
       } else {
-        add_error(faults, condition->where,
-                  fmt::format("{}, other than the first, at {}", what, to_string(before.where)),
-                  "keep one of them");
+        add_error(
+            faults, condition->where,
+            fmt::format("{}, which differs from the first, at {}", what, to_string(before.where)),
+            "keep one of them");
       }
     }
   }
@@ -180,7 +181,7 @@ void check_faces(const DeckNode& root, std::vector<Fault>& faults) {
   for (const auto& [side, face] : pieces) {
     if (whole_sides.count(side) > 0) continue;
     add_error(faults, face->where,
-              fmt::format("a piece of side {} has conditions, the rest has none", side),
+              fmt::format("a part of side {} has conditions, the rest has none", side),
               fmt::format("add <Face side=\"{}\">", side));
   }
 }

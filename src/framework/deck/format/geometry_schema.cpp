@@ -12,7 +12,7 @@ namespace {
 
 TagSpec piece(const std::string& name, const std::string& doc) {
   return tag(name, doc).multiple().attribute(
-      attribute("label", "name; an empty tag with the label of a piece elsewhere repeats it")
+      attribute("label", "name; an empty tag with the label of another piece repeats it")
           .text()
           .alias("name"));
 }
@@ -89,19 +89,20 @@ std::vector<TagSpec> round_pieces() {
                           place("v1", "first half axis"), place("v2", "second half axis"),
                           place("v3", "third half axis")}),
       piece("torus", "ring")
-          .with_children({place("center", "centre").once(),
-                          length("major_radius", "radius of the ring's middle line").once(),
-                          length("minor_radius", "radius of the ring's section").once(),
-                          tag("axis", "axis of the ring")
-                              .once()
-                              .words({"x", "y", "z"})
-                              .spelling("X", "x")
-                              .spelling("Y", "y")
-                              .spelling("Z", "z"),
-                          tag("theta", "turn of the axis").real().by_default("0").unit("radian")}),
+          .with_children(
+              {place("center", "centre").once(),
+               length("major_radius", "radius of the ring's middle line").once(),
+               length("minor_radius", "radius of the ring's cross-section").once(),
+               tag("axis", "axis of the ring")
+                   .once()
+                   .words({"x", "y", "z"})
+                   .spelling("X", "x")
+                   .spelling("Y", "y")
+                   .spelling("Z", "z"),
+               tag("theta", "rotation of the axis").real().by_default("0").unit("radian")}),
       piece("smoothcyl", "hollow cylinder whose particles follow the surface")
           .with_children(
-              {tag("discretization_scheme", "how particles are laid")
+              {tag("discretization_scheme", "arrangement of the particles")
                    .words({"pie_slices", "constant_particle_volumes"})
                    .by_default("pie_slices"),
                place("bottom", "centre of one end").once(),
@@ -115,7 +116,7 @@ std::vector<TagSpec> round_pieces() {
                count("num_radial", "particles along the radius").once(),
                count("num_axial", "particles along the axis").once(),
                count("num_angular", "particles around"),
-               tag("arc_start_angle", "begin of the arc").real().unit("degree"),
+               tag("arc_start_angle", "start of the arc").real().unit("degree"),
                tag("arc_angle", "length of the arc").real().unit("degree"),
                tag("endcap_thickness", "thickness of the end caps").real().unit("length")}),
   };
@@ -161,18 +162,19 @@ std::vector<TagSpec> listed_pieces() {
                               .words({"text", "bin", "lsb", "msb"})
                               .by_default("text"),
                           tag("usePFS", "one file per patch").boolean().by_default("true")}),
-      tag("image", "voxels of a file whose grey value lies between thresholds")
+      tag("image", "voxels of a file with grey values between two thresholds")
           .multiple()
           .attribute(attribute("label", "name of the piece").text())
-          .with_children({tag("name", "file of one byte a voxel, x fastest").once().file(),
-                          tag("res", "voxels per direction").once().int_vector().at_least(1),
-                          tag("threshold", "least and greatest grey value, 0 to 255")
-                              .once()
-                              .integers()
-                              .at_least(0)
-                              .at_most(255),
-                          place("lower", "low corner of the image; absent: of the domain"),
-                          place("upper", "high corner of the image; absent: of the domain")}),
+          .with_children(
+              {tag("name", "file of one byte per voxel, x fastest").once().file(),
+               tag("res", "voxels per direction").once().int_vector().at_least(1),
+               tag("threshold", "smallest and largest grey value, 0 to 255")
+                   .once()
+                   .integers()
+                   .at_least(0)
+                   .at_most(255),
+               place("lower", "low corner of the image; absent: low corner of the domain"),
+               place("upper", "high corner of the image; absent: high corner of the domain")}),
       piece("null", "all of space"),
   };
 }
@@ -261,10 +263,9 @@ void read_thickness(DeckNode& node, std::vector<Fault>& faults) {
   if (thickness == nullptr || node.child("inner_radius") != nullptr) return;
   const auto outer = real_of(&node, "outer_radius"), part = real_of(&node, "thickness");
   if (!outer || !part) return;
-  add_warning(
-      faults, thickness->where,
-      "<thickness> of <smoothcyl> is obsolete; read as <inner_radius>, that of outside less "
-      "it");
+  add_warning(faults, thickness->where,
+              "<thickness> of <smoothcyl> is obsolete; read as <inner_radius>, the outer radius "
+              "minus the thickness");
   thickness->name = "inner_radius";
   thickness->text = fmt::format("{}", *outer - *part);
 }

@@ -41,10 +41,10 @@ TagSpec condition() {
 }
 
 TagSpec face() {
-  return tag("Face", "a side of the domain, or a piece of one, with its conditions")
+  return tag("Face", "a side of the domain, or a part of one, with its conditions")
       .multiple()
       .with_attributes(
-          {shape("side", "the whole side, less the pieces given by other faces"),
+          {shape("side", "the whole side, except the parts given by other faces"),
            shape("circle", "side with a disc: origin, radius"),
            shape("annulus", "side with a ring: origin, inner_radius, outer_radius"),
            shape("ellipse", "side with an ellipse: origin, major_radius, minor_radius, angle"),
@@ -58,7 +58,7 @@ TagSpec face() {
            face_length("outer_radius", "outer radius of the ring"),
            face_length("major_radius", "larger half axis"),
            face_length("minor_radius", "smaller half axis"),
-           attribute("angle", "turn of the larger half axis").real().unit("degree"),
+           attribute("angle", "rotation of the larger half axis").real().unit("degree"),
            face_point("lower", "low corner"),
            face_point("upper", "high corner"),
            face_point("inner_lower", "low corner of the hole"),
@@ -91,7 +91,7 @@ TagSpec box() {
            tag("autoPatch", "pieces per rank, in place of patches")
                .integer()
                .at_least(1)
-               .attribute(attribute("flatten", "directions that are not cut").text())})
+               .attribute(attribute("flatten", "directions that are not divided").text())})
       .not_both({"patches", "autoPatch"});
 }
 
@@ -103,7 +103,7 @@ TagSpec level() {
                           .vector()
                           .above(0)
                           .unit("length"),
-                      tag("periodic", "1: both sides of this direction are one")
+                      tag("periodic", "1: the direction is periodic")
                           .int_vector()
                           .at_least(0)
                           .at_most(1)
@@ -116,7 +116,8 @@ void add_grid_tags(Schema& schema) {
   schema.add(
       tag("Grid", "the domain, its cells and its boundary")
           .once()
-          .attribute(attribute("doAMR", "accepted without effect: the block AMR decides").boolean())
+          .attribute(
+              attribute("doAMR", "accepted without effect: the block AMR determines it").boolean())
           .with_children(
               {level(),
                tag("BoundaryConditions", "conditions on the sides that are not periodic")

@@ -25,10 +25,10 @@ void give_mean_pressure(DeckNode& root, std::vector<Fault>& faults) {
   given->text = pressure->text;
   given->where = sine->where;
   sine->children.push_back(std::move(given));
-  add_warning(faults, sine->where,
-              fmt::format("<SINE_BC> has no <reference_pressure>: {} is taken, that of "
-                          "<PhysicalConstants>",
-                          pressure->text));
+  add_warning(
+      faults, sine->where,
+      fmt::format("<SINE_BC> has no <reference_pressure>: {} of <PhysicalConstants> is used",
+                  pressure->text));
 }
 
 // The steps of a switcher are those of its components' decks.
@@ -39,7 +39,7 @@ void leave_steps_to_components(DeckNode& root, std::vector<Fault>& faults) {
   multiplier->text = "1";
   add_warning(
       faults, multiplier->where,
-      "<timestep_multiplier> 0 has no effect; dropped: those of the components' decks count");
+      "<timestep_multiplier> 0 has no effect; dropped: those of the components' decks are used");
 }
 
 // The folder of the archive is that of -o: of a path on another machine its last part is taken.
@@ -51,7 +51,7 @@ void leave_folder_to_command(DeckNode& root, std::vector<Fault>& faults) {
   const std::string name = path.filename().string();
   if (!path.is_absolute() || name.empty() || name == "." || name == "..") return;
   add_warning(faults, base->where,
-              fmt::format("<filebase> {} is read as {}: the folder is that of -o",
+              fmt::format("<filebase> {} is read as {}: the folder is given by -o",
                           in_quotes(base->text), in_quotes(name)));
   base->text = name;
 }

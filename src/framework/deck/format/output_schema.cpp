@@ -21,13 +21,13 @@ TagSpec save() {
           {attribute("label", "name of the variable").once().text(),
            attribute("material", "indices of the materials; absent: all").index_set(),
            attribute("levels", "indices of the levels, -1 the finest; absent: all").index_set(),
-           attribute("compression", "gzip or nothing; absent: that of the archive")
+           attribute("compression", "gzip or empty; absent: compression of the archive")
                .words({"gzip", ""}),
            attribute("table_lookup", "accepted without effect").boolean()});
 }
 
 TagSpec checkpoint() {
-  return tag("checkpoint", "states from which the run can go on; exactly one interval")
+  return tag("checkpoint", "states from which the run can be restarted; exactly one interval")
       .with_attributes(
           {attribute("interval", "time between checkpoints").real().at_least(0).unit("time"),
            attribute("timestepInterval", "steps between checkpoints").integer().at_least(0),
@@ -58,7 +58,7 @@ bool listed(const std::vector<std::string>& names, const std::string& name) {
 
 void add_output_tags(Schema& schema) {
   schema.add(
-      tag("DataArchiver", "what is kept, when and how")
+      tag("DataArchiver", "what is saved, when and how")
           .once()
           .attribute(attribute("type", "format of the archive").words({"UDA"}).not_built({"PIDX"}))
           .exactly_one({"outputInterval", "outputTimestepInterval"})
@@ -135,9 +135,9 @@ void check_filebase(const DeckNode& root, std::vector<Fault>& faults) {
       std::any_of(base.begin(), base.end(), [](const auto& p) { return p == ".."; });
   if (!climbs && !base.is_absolute()) return;
   add_error(faults, node->where,
-            fmt::format("<filebase> {} leads out of the folder of the run's archives",
+            fmt::format("<filebase> {} leads outside the folder of the run's archives",
                         in_quotes(node->text)),
-            "name the archive alone, as run.uda, and its parent folder with -o");
+            "give only the name of the archive, such as run.uda, and its parent folder with -o");
 }
 
 void check_checkpoint(const DeckNode& root, std::vector<Fault>& faults) {

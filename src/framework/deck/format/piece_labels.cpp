@@ -50,11 +50,11 @@ class LabelResolver {
         continue;
       }
       rivals_.try_emplace(label, child.get());
-      add_warning(faults_, child->where,
-                  fmt::format("label {} is already that of the piece at {}; this is a piece of its "
-                              "own",
-                              in_quotes(label), to_string(first->second->where)),
-                  "give it another label, or write it empty to repeat the first");
+      add_warning(
+          faults_, child->where,
+          fmt::format("label {} is already used by the piece at {}; this is a separate piece",
+                      in_quotes(label), to_string(first->second->where)),
+          "give it another label, or write it empty to repeat the first");
     }
   }
 
@@ -104,8 +104,8 @@ class LabelResolver {
     if (gave_up_) return;
     const bool inside_itself = std::find(within_.begin(), within_.end(), &piece) != within_.end();
     if (inside_itself || copied_ > most_copied_) {
-      fault(reference, fmt::format("label {} repeats pieces without end", in_quotes(label)),
-            "a piece cannot hold itself");
+      fault(reference, fmt::format("label {} repeats pieces endlessly", in_quotes(label)),
+            "a piece cannot contain itself");
       gave_up_ = copied_ > most_copied_;
       return;
     }

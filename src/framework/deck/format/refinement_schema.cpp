@@ -15,55 +15,62 @@ TagSpec regridder() {
   const std::vector<std::string> tiled = {"Tiled", "Hierarchical", "BNR", "GBRv1", "GBRv2"};
   const std::vector<std::string> single = {"SingleLevel"};
   return tag("Regridder", "how finer levels follow the solution")
-      .attribute(attribute("type", "all but SingleLevel, which has no effect, refine flagged tiles")
-                     .once()
-                     .words({"Tiled", "SingleLevel", "Hierarchical", "BNR", "GBRv1", "GBRv2"}))
+      .attribute(
+          attribute("type", "all except SingleLevel, which has no effect, refine flagged tiles")
+              .once()
+              .words({"Tiled", "SingleLevel", "Hierarchical", "BNR", "GBRv1", "GBRv2"}))
       .with_children({
           tag("adaptive", "levels follow the solution").boolean().by_default("true"),
-          tag("max_levels", "most levels, the coarsest included").once().integer().at_least(1),
+          tag("max_levels", "maximum number of levels, including the coarsest")
+              .once()
+              .integer()
+              .at_least(1),
           tag("regrid_once", "only at the start").boolean().by_default("false"),
           tag("cell_refinement_ratio",
-              "coarse spacing by fine spacing (1, 2 or 4), per finer level; the last holds on")
+              "coarse spacing divided by fine spacing (1, 2 or 4), per finer level; the last value "
+              "is used for further levels")
               .int_vectors()
               .at_least(1)
               .only_for("type", tiled),
           tag("simple_refinement_ratio",
-              "the same ratio (2 or 4) for every level and dimension of the run")
+              "the same ratio (2 or 4) for every level and active direction")
               .integer()
               .at_least(1),
-          tag("min_patch_size", "cells of a tile, per finer level; the last holds on")
+          tag("min_patch_size",
+              "cells of a tile, per finer level; the last value is used for further levels")
               .int_vectors()
               .at_least(1)
               .only_for("type", tiled),
-          tag("min_boundary_cells", "coarse cells between two level jumps")
+          tag("min_boundary_cells", "coarse cells between the edges of two levels")
               .int_vector()
               .at_least(0)
               .by_default("[1,1,1]")
               .only_for("type", tiled),
           tag("patches_per_level_per_proc",
-              "accepted without effect: boxes are cut as ranks need them")
+              "accepted without effect: boxes are divided as ranks need them")
               .real()
               .above(0)
               .by_default("4")
               .only_for("type", tiled),
           tag("cell_stability_dilation",
-              "flags are widened by at least this; a level is laid anew when it holds them no more")
+              "flags are widened by at least this; a level is rebuilt when it no longer contains "
+              "them")
               .int_vector()
               .at_least(0)
               .by_default("[1,1,1]"),
-          tag("cell_regrid_dilation", "further widening when tiles are laid")
+          tag("cell_regrid_dilation", "further widening when a level is rebuilt")
               .int_vector()
               .at_least(0)
               .by_default("[0,0,0]"),
-          tag("cell_deletion_dilation", "further widening that keeps tiles alive")
+          tag("cell_deletion_dilation", "further widening within which existing tiles are kept")
               .int_vector()
               .at_least(0)
               .by_default("[1,1,1]"),
-          tag("max_timestep_interval", "most steps between regrids; 0: by flags only")
+          tag("max_timestep_interval", "maximum number of steps between regrids; 0: by flags only")
               .integer()
               .at_least(0)
               .by_default("50"),
-          tag("min_timestep_interval", "fewest steps between regrids")
+          tag("min_timestep_interval", "minimum number of steps between regrids")
               .integer()
               .at_least(0)
               .by_default("1"),
@@ -76,10 +83,7 @@ TagSpec regridder() {
               .int_vector()
               .at_least(1)
               .only_for("type", single),
-          tag("level", "the level that is laid anew")
-              .integer()
-              .at_least(0)
-              .only_for("type", single),
+          tag("level", "the level that is rebuilt").integer().at_least(0).only_for("type", single),
       });
 }
 
@@ -96,20 +100,21 @@ TagSpec refined_region() {
 TagSpec error_estimate() {
   return tag("ErrorEstimate", "refines where the estimated error of a variable is too large")
       .multiple()
-      .with_attributes({attribute("variable", "a variable that can be saved").once().text(),
-                        attribute("matl", "material index").integer().at_least(0).by_default("0"),
-                        attribute("tolerance", "largest error, as a share of the variable's range")
-                            .once()
-                            .real()
-                            .above(0)
-                            .at_most(1)});
+      .with_attributes(
+          {attribute("variable", "a variable that can be saved").once().text(),
+           attribute("matl", "material index").integer().at_least(0).by_default("0"),
+           attribute("tolerance", "largest error, as a fraction of the variable's range")
+               .once()
+               .real()
+               .above(0)
+               .at_most(1)});
 }
 
 TagSpec material_interface() {
   return tag("MaterialInterface", "refines cells near the interfaces between materials")
       .multiple()
       .with_attributes(
-          {attribute("distance", "how far from the interface; 0: the cells that hold it")
+          {attribute("distance", "distance from the interface; 0: the cells that contain it")
                .once()
                .real()
                .at_least(0)
@@ -125,8 +130,9 @@ TagSpec cost(const std::string& name, const std::string& doc) {
 }
 
 TagSpec load_balancer() {
-  return tag("LoadBalancer", "boxes are dealt out to ranks by measured cost")
-      .attribute(attribute("type", "accepted without effect: boxes lie along a space-filling curve")
+  return tag("LoadBalancer", "boxes are distributed to ranks by measured cost")
+      .attribute(attribute("type",
+                           "accepted without effect: boxes are ordered along a space-filling curve")
                      .words({"Simple", "SimpleLoadBalancer", "RoundRobin", "DLB", "PLB"}))
       .with_children({
           tag("timestepInterval", "accepted without effect").integer().at_least(0),
@@ -138,7 +144,7 @@ TagSpec load_balancer() {
                       "Zoltan"}),
           tag("doSpaceCurve", "accepted without effect").boolean(),
           tag("hasParticles", "accepted without effect").boolean(),
-          tag("gainThreshold", "least gain for which boxes change ranks")
+          tag("gainThreshold", "smallest gain for which boxes change ranks")
               .real()
               .at_least(0)
               .at_most(1)
@@ -161,12 +167,12 @@ void drop_old_switch(DeckNode& root, std::vector<Fault>& faults) {
     if (plain_spelling(child->name) != "doamr") return false;
     const bool off = child->text == "false";
     if (off && root.find("AMR/Regridder") != nullptr) {
-      add_not_built(faults, child->where, "<doAMR> false beside <AMR>",
+      add_not_built(faults, child->where, "<doAMR> false with <AMR>",
                     "remove <AMR>, or write <adaptive>false</adaptive> in its <Regridder>");
       return true;
     }
     add_warning(faults, child->where, fmt::format("<{}> is obsolete; dropped", child->name),
-                "<AMR> says it");
+                "<AMR> determines it");
     return true;
   });
 }
@@ -176,9 +182,10 @@ void drop_old_switch(DeckNode& root, std::vector<Fault>& faults) {
 void add_refinement_tags(Schema& schema) {
   schema.rewrites.emplace_back(drop_old_switch);
   schema.add(
-      tag("AMR", "finer levels: those of Grid, or such as follow the solution")
-          .attribute(attribute("type", "StaticGridML, or no Regridder: the levels of Grid stay")
-                         .words({"Dynamic", "StaticGridML", ""}))
+      tag("AMR", "finer levels: those of Grid, or levels that follow the solution")
+          .attribute(
+              attribute("type", "StaticGridML, or no Regridder: the levels of Grid are fixed")
+                  .words({"Dynamic", "StaticGridML", ""}))
           .with_children({tag("useLockStep", "all levels take the same time step")
                               .boolean()
                               .by_default("false"),
@@ -207,7 +214,7 @@ void check_ratio(const DeckNode& list, int ratio, std::vector<Fault>& faults) {
   if (ratio == 1 || ratio == 2 || ratio == 4) return;
   add_error(faults, list.where,
             fmt::format("<{}>: refinement ratio {}; it must be 1, 2 or 4", list.name, ratio),
-            ratio > 4 ? "reach it with several levels" : "use 2 or 4");
+            ratio > 4 ? "use several levels to reach it" : "use 2 or 4");
 }
 
 }  // namespace

@@ -19,23 +19,23 @@ TagSpec limit(const std::string& name, const std::string& doc) {
 }
 
 TagSpec time_block() {
-  return tag("Time", "run control: begin, end and limits of the time step")
+  return tag("Time", "run control: start, end and limits of the time step")
       .once()
       .with_children({
           tag("initTime", "time at the start").once().real().at_least(0).unit("time"),
           tag("maxTime", "time at the end").once().real().at_least(0).unit("time"),
-          tag("timestep_multiplier", "factor on the time step that the physics allows")
+          tag("timestep_multiplier", "factor of the time step that the physics allows")
               .once()
               .real()
               .above(0),
-          limit("delt_min", "floor of the time step; 0: none").once().unit("time"),
-          limit("delt_max", "cap of the time step; 0: none").once().unit("time"),
+          limit("delt_min", "minimum time step; 0: none").once().unit("time"),
+          limit("delt_max", "maximum time step; 0: none").once().unit("time"),
           limit("delt_init",
-                "cap of the time step while t + dt is at most initial_delt_range; "
-                "0: none")
+                "maximum time step while t + dt is at most initial_delt_range; 0: none")
               .by_default("0")
               .unit("time"),
-          tag("initial_delt_range", "time up to which delt_init holds; 0: for the first step only")
+          tag("initial_delt_range",
+              "time up to which delt_init applies; 0: for the first step only")
               .real()
               .at_least(0)
               .by_default("0")
@@ -125,7 +125,7 @@ AttributeSpec type_of_component(const std::vector<ComponentWord>& components) {
 }
 
 TagSpec component(const std::vector<ComponentWord>& components) {
-  return tag("SimulationComponent", "which physics runs")
+  return tag("SimulationComponent", "which component runs")
       .once()
       .attribute(type_of_component(components))
       .with_children(switcher_tags(components));
@@ -140,8 +140,8 @@ void keep_first_of_time(DeckNode& root, std::vector<Fault>& faults) {
     const auto [first, fresh] = known.try_emplace(child->name, child->where);
     if (fresh || !child->children.empty()) return false;
     add_warning(faults, child->where,
-                fmt::format("second <{}> in <Time>; dropped: the first, at {}, counts", child->name,
-                            to_string(first->second)),
+                fmt::format("second <{}> in <Time>; dropped: the first, at {}, is used",
+                            child->name, to_string(first->second)),
                 "remove one of them");
     return true;
   });
@@ -167,7 +167,7 @@ void add_run_tags(Schema& schema, const std::vector<ComponentWord>& components) 
                               .vector()
                               .unit("length")}));
   schema.add(tag("SimulationController", "how often a line per step is printed")
-                 .child(tag("RuntimeStats", "the line of a step")
+                 .child(tag("RuntimeStats", "the line printed for a step")
                             .with_children({tag("frequency", "print every so many steps")
                                                 .integer()
                                                 .at_least(1)
@@ -195,7 +195,7 @@ void check_time(const DeckNode& root, std::vector<Fault>& faults) {
   const auto end = real_of(time, "maxTime");
   if (begin && end && *end < *begin) {
     add_error(faults, time->child("maxTime")->where,
-              "<maxTime> lies before <initTime>: nothing would be computed",
+              "<maxTime> is before <initTime>: nothing would be computed",
               "maxTime must be at least initTime");
   } else if (begin && end && *end == *begin) {
     add_warning(

@@ -60,7 +60,7 @@ bool check_component(const Deck& deck, const DeckNode& part, std::vector<Fault>&
   }
   if (type != "mpm" && type != "impm") {
     add_not_built(faults, own->where, fmt::format("the component '{}' in a switcher", type),
-                  "supported there: mpm, impm");
+                  "supported in a switcher: mpm, impm");
     return false;
   }
   const DeckNode* named = part.child("SimulationComponent");

@@ -17,8 +17,8 @@ namespace {
 namespace fs = std::filesystem;
 
 // Only components that can follow one another may be named, as each hands its state on.
-AttributeSpec type_in_turn(const std::vector<ComponentWord>& components) {
-  AttributeSpec type = attribute("type", "the component, as its deck says").once();
+AttributeSpec type_of_part(const std::vector<ComponentWord>& components) {
+  AttributeSpec type = attribute("type", "the component, as given in its deck").once();
   if (components.empty()) return type.text();
   std::vector<std::string> words, others = {"arches", "mpmf", "poisson4", "smpm", "smpmice"};
   for (const ComponentWord& c : components) {
@@ -35,12 +35,13 @@ AttributeSpec type_in_turn(const std::vector<ComponentWord>& components) {
 }
 
 TagSpec criterion() {
-  return tag("SwitchCriteria", "when the next component takes over; the last one has none")
-      .attribute(attribute("type", "what is looked at")
+  return tag("SwitchCriteria",
+             "condition for the switch to the next component; the last one has none")
+      .attribute(attribute("type", "kind of the condition")
                      .once()
                      .words({"Timestep"})
                      .not_built({"simpleBurn", "steadyBurn", "DDT1"}))
-      .child(tag("timestep", "the next component takes over when so many steps of the run are done")
+      .child(tag("timestep", "the next component starts after this number of steps of the run")
                  .once()
                  .only_for("type", {"Timestep"})
                  .integer()
@@ -51,25 +52,25 @@ TagSpec component_in_turn(const std::vector<ComponentWord>& components) {
   return tag("subcomponent", "a component of the run; they run in the order of the deck")
       .multiple()
       .only_for("type", {switcher_word})
-      .with_children(
-          {tag("SimulationComponent", "which physics runs; that of the deck, where it is left out")
-               .attribute(type_in_turn(components)),
-           tag("input_file",
-               "deck of the component: materials, limits of the time step and all else but Meta, "
-               "Grid, DataArchiver and the times of the run, which are those of this deck")
-               .once()
-               .text(),
-           criterion(),
-           tag("init",
-               "a variable that starts anew when the component takes over; here that are all that "
-               "the component before does not carry")
-               .multiple()
-               .with_attributes({attribute("var", "label").once().text(),
-                                 attribute("matls", "of which materials")
-                                     .once()
-                                     .words({"mpm_matls", "all_matls"})
-                                     .not_built({"ice_matls"}),
-                                 attribute("levels", "of which levels").index_set()})});
+      .with_children({tag("SimulationComponent", "which component runs; absent: that of the deck")
+                          .attribute(type_of_part(components)),
+                      tag("input_file",
+                          "deck of the component: materials, limits of the time step and "
+                          "everything else except Meta, Grid, DataArchiver and the times of the "
+                          "run, which are taken from this deck")
+                          .once()
+                          .text(),
+                      criterion(),
+                      tag("init",
+                          "a variable that is initialised when the component starts; in fact all "
+                          "variables that the previous component does not carry are")
+                          .multiple()
+                          .with_attributes({attribute("var", "label").once().text(),
+                                            attribute("matls", "of which materials")
+                                                .once()
+                                                .words({"mpm_matls", "all_matls"})
+                                                .not_built({"ice_matls"}),
+                                            attribute("levels", "of which levels").index_set()})});
 }
 
 // Each component but the last says when its turn ends, each later than the one before.
@@ -80,24 +81,24 @@ void check_criteria(const std::vector<const DeckNode*>& parts, std::vector<Fault
     const bool last = n + 1 == parts.size();
     if (last && criterion != nullptr)
       add_error(faults, criterion->where,
-                "<SwitchCriteria> in the last <subcomponent>: none takes over from it",
+                "<SwitchCriteria> in the last <subcomponent>: no component follows it",
                 "remove it, or add a <subcomponent>");
     if (!last && criterion == nullptr)
-      add_error(faults, parts[n]->where,
-                fmt::format("<subcomponent> {} of {} has no <SwitchCriteria>: those behind it "
-                            "would never run",
-                            n + 1, parts.size()),
-                "write <SwitchCriteria type=\"Timestep\"><timestep>N</timestep></SwitchCriteria>");
+      add_error(
+          faults, parts[n]->where,
+          fmt::format(
+              "<subcomponent> {} of {} has no <SwitchCriteria>: those after it would never run",
+              n + 1, parts.size()),
+          "write <SwitchCriteria type=\"Timestep\"><timestep>N</timestep></SwitchCriteria>");
     if (last || criterion == nullptr) continue;
     const std::optional<int> step = integer_of(criterion, "timestep");
     if (!step) continue;
     if (n > 0 && *step <= before)
-      add_error(
-          faults, criterion->child("timestep")->where,
-          fmt::format("<timestep> {} of <SwitchCriteria>, but this component takes over after "
-                      "step {} of the run",
-                      *step, before),
-          fmt::format("steps are counted from the start of the run: {} or more", before + 1));
+      add_error(faults, criterion->child("timestep")->where,
+                fmt::format("<timestep> {} of <SwitchCriteria>, but this component starts after "
+                            "step {} of the run",
+                            *step, before),
+                fmt::format("steps are counted from the start of the run: {} or more", before + 1));
     before = *step;
   }
 }
@@ -109,9 +110,10 @@ void check_files(const std::vector<const DeckNode*>& parts, std::vector<Fault>& 
     const DeckNode* file = part->child("input_file");
     if (file == nullptr || !find_subdeck(*file).empty() || !told.insert(file->text).second)
       continue;
-    add_error(
-        faults, file->where, fmt::format("<input_file>: the deck '{}' does not exist", file->text),
-        "looked beside this deck, in the working directory and in the folders above the deck");
+    add_error(faults, file->where,
+              fmt::format("<input_file>: the deck '{}' does not exist", file->text),
+              "searched in the folder of this deck, in the working directory and in the folders "
+              "above the deck");
   }
 }
 
@@ -124,8 +126,8 @@ bool runs_switcher(const DeckNode& root) {
 
 std::vector<TagSpec> switcher_tags(const std::vector<ComponentWord>& components) {
   return {tag("carry_over",
-              "a variable that goes on from one component to the next; here that are all that both "
-              "have")
+              "a variable that is kept from one component to the next; in fact all variables that "
+              "both carry are")
               .multiple()
               .only_for("type", {switcher_word})
               .with_attributes({attribute("var", "label").once().text(),
@@ -166,8 +168,8 @@ void check_switcher(const DeckNode& root, std::vector<Fault>& faults) {
     for (const char* name : {"MPM", "MaterialProperties", "PhysicalBC", "PhysicalConstants"})
       if (block->name == name && !block->defaulted)
         add_warning(faults, block->where,
-                    fmt::format("<{}> has no effect: it stands in the decks of the components that "
-                                "the switcher names",
+                    fmt::format("<{}> has no effect: it belongs in the decks of the components "
+                                "that the switcher names",
                                 name),
                     "remove it");
 }

@@ -39,10 +39,11 @@ AnalysedQuantity node_quantity(const Hierarchy& hierarchy, const AnalysedVariabl
   for (std::size_t k = 0; k < method.kinds().size(); ++k)
     if (method.in_stages(static_cast<int>(k))) materials.push_back(method.kinds()[k].material);
   if (std::find(materials.begin(), materials.end(), v.material) == materials.end())
-    throw DeckError(v.where,
-                    fmt::format("<analyze label=\"{}\">: there is none of material {}, but of {}",
-                                v.label, v.material, fmt::join(materials, ", ")),
-                    "say which with matl");
+    throw DeckError(
+        v.where,
+        fmt::format("<analyze label=\"{}\">: it does not exist for material {}, but for {}",
+                    v.label, v.material, fmt::join(materials, ", ")),
+        "select one with matl");
   return {label, v.material, component_count(label.info().type)};
 }
 

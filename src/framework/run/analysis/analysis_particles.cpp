@@ -32,7 +32,8 @@ int kind_of(const AnalysisModule& m, const ParticleMethod* method) {
   throw DeckError(
       m.where,
       fmt::format("<Module name=\"{}\">: material {} has no particles", m.name, m.material),
-      names.empty() ? "this run has none" : fmt::format("{} have some", fmt::join(names, ", ")));
+      names.empty() ? "no material of this run has particles"
+                    : fmt::format("materials with particles: {}", fmt::join(names, ", ")));
 }
 
 std::size_t column_of_colour(const AnalysisModule& m, const ParticleKind& kind) {
@@ -41,13 +42,11 @@ std::size_t column_of_colour(const AnalysisModule& m, const ParticleKind& kind) 
     if (a.label.name() == colour_name) return column;
     column += static_cast<std::size_t>(a.columns());
   }
-  throw DeckError(
-      m.where,
-      fmt::format(
-          "<Module name=\"{}\"> takes the particles with {} above colorThreshold, and those "
-          "of '{}' carry none",
-          m.name, colour_name, kind.name),
-      "write <withColor>true</withColor> into <MPM>");
+  throw DeckError(m.where,
+                  fmt::format("<Module name=\"{}\"> selects the particles with {} above "
+                              "colorThreshold, and those of '{}' do not have it",
+                              m.name, colour_name, kind.name),
+                  "write <withColor>true</withColor> in <MPM>");
 }
 
 }  // namespace

@@ -35,12 +35,11 @@ void sort_once(std::vector<Label>& labels) {
 // InputError where what passes through surfaces is not summed.
 void check_accounts(const AnalysisModule& m, const Component& component) {
   if (component.first_volume_sum() < 0)
-    throw DeckError(
-        m.where,
-        fmt::format("<Module name=\"{}\">: {} keeps no account of what passes through control "
-                    "volumes with this scheme or so many materials",
-                    m.name, component.name()),
-        "planeAverage and lineExtract work");
+    throw DeckError(m.where,
+                    fmt::format("<Module name=\"{}\">: {} does not record fluxes through control "
+                                "volumes with this scheme or number of materials",
+                                m.name, component.name()),
+                    "planeAverage and lineExtract are supported");
 }
 
 }  // namespace
@@ -130,10 +129,11 @@ AnalysedQuantity AnalysisRecorder::find_quantity(const AnalysedVariable& v) cons
     const std::vector<int> materials = materials_of(*label);
     if (std::find(materials.begin(), materials.end(), v.material) != materials.end())
       return {*label, v.material, component_count(label->info().type)};
-    throw DeckError(v.where,
-                    fmt::format("<analyze label=\"{}\">: there is none of material {}, but of {}",
-                                v.label, v.material, fmt::join(materials, ", ")),
-                    "say which with matl");
+    throw DeckError(
+        v.where,
+        fmt::format("<analyze label=\"{}\">: it does not exist for material {}, but for {}",
+                    v.label, v.material, fmt::join(materials, ", ")),
+        "select one with matl");
   }
   std::vector<std::string> names;
   for (Label l : all_labels())
@@ -156,11 +156,11 @@ void AnalysisRecorder::warn_of_place(const char* kind, const std::string& name,
                                      const Location& where, bool outside, bool clipped) {
   if (outside)
     add_warning(warnings_, where,
-                fmt::format("{} '{}' lies outside the domain: nothing is taken", kind, name));
+                fmt::format("{} '{}' is outside the domain: nothing is sampled", kind, name));
   else if (clipped)
-    add_warning(
-        warnings_, where,
-        fmt::format("{} '{}' leaves the domain: only the part inside is taken", kind, name));
+    add_warning(warnings_, where,
+                fmt::format("{} '{}' extends beyond the domain: only the part inside is sampled",
+                            kind, name));
 }
 
 void AnalysisRecorder::check_places(const AnalysisModule& m, std::set<std::string>& names) {
@@ -203,11 +203,12 @@ void AnalysisRecorder::add_planes_of_heat(const AnalysisModule& m, int first, co
   for (std::size_t n = 0; n < m.volumes.size(); ++n) {
     const ControlVolume& plane = m.volumes[n];
     if (!level.active[static_cast<std::size_t>(plane.flat)])
-      throw DeckError(plane.where,
-                      fmt::format("<plane>: nothing passes along {}, which is no dimension of this "
-                                  "run",
-                                  "xyz"[plane.flat]),
-                      "put it across another direction, or give this one more than a cell");
+      throw DeckError(
+          plane.where,
+          fmt::format(
+              "<plane>: there is no flux along {}, which is an inactive direction of this run",
+              "xyz"[plane.flat]),
+          "place it normal to another direction, or give this direction more than one cell");
     heat_.add(first + static_cast<int>(n), plane);
   }
   const Label label = total_heat_rate();
@@ -223,7 +224,7 @@ std::unique_ptr<VolumeBudgets> AnalysisRecorder::make_budgets(const AnalysisModu
   check_accounts(m, hierarchy_->component());
   if (m.material >= hierarchy_->component().material_count())
     throw DeckError(m.where,
-                    fmt::format("<Module name=\"{}\">: material {} is none of {}", m.name,
+                    fmt::format("<Module name=\"{}\">: material {} is not one of {}", m.name,
                                 m.material, hierarchy_->component().name()),
                     "materials count from 0");
   return std::make_unique<VolumeBudgets>(m, first, *hierarchy_, *communicator_);
@@ -396,8 +397,8 @@ void AnalysisRecorder::check_labels(const std::vector<Label>& labels,
     if (std::find(others.begin(), others.end(), l) != others.end())
       throw DeckError(
           m.where,
-          fmt::format("<Module name=\"{}\">: another module makes {} already", m.name, l.name()),
-          "analyse the variable in one");
+          fmt::format("<Module name=\"{}\">: another module already computes {}", m.name, l.name()),
+          "analyse the variable in one module");
 }
 
 void AnalysisRecorder::store_fields(const std::vector<Label>& wanted, double time) {

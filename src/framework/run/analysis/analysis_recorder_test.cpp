@@ -139,8 +139,8 @@ TEST_F(Recorded, ALineOutsideTheDomainIsToldOnceForAllLevels) {
   AnalysisRecorder r = recorder();
   EXPECT_THAT(
       r.warnings(),
-      ElementsAre(Field(&Fault::message, HasSubstr("line 'over' leaves the domain")),
-                  Field(&Fault::message, HasSubstr("line 'away' lies outside the domain"))));
+      ElementsAre(Field(&Fault::message, HasSubstr("line 'over' extends beyond the domain")),
+                  Field(&Fault::message, HasSubstr("line 'away' is outside the domain"))));
   r.sample(1, 0.5);
   r.flush();
   EXPECT_TRUE(exists("over/L-0/i39_j0_k0"));
@@ -157,8 +157,9 @@ TEST_F(Recorded, PlanesAreClippedAndNeedNamesOfTheirOwn) {
   planes.planes = {plane};
   scene_.analysis.modules = {planes};
   AnalysisRecorder r = recorder();
-  EXPECT_THAT(r.warnings(),
-              ElementsAre(Field(&Fault::message, HasSubstr("plane 'wall' leaves the domain"))));
+  EXPECT_THAT(
+      r.warnings(),
+      ElementsAre(Field(&Fault::message, HasSubstr("plane 'wall' extends beyond the domain"))));
   r.sample(7, 0.5);
   r.flush();
   EXPECT_THAT(text("wall/t00007/L-0/mock_square_0.dat"), HasSubstr("\n4.0625 0.5 0.5 "));

@@ -89,19 +89,19 @@ CellAverages::CellAverages(const AnalysisModule& m, const FindQuantity& find, Hi
           m.where,
           fmt::format("<avgBoxCells>: {} cells along {}, but the periodic domain has {}",
                       m.average_cells[d], "xyz"[d], cells),
-          "take no more than the domain has");
+          "use no more than the domain has");
   }
   for (const AnalysedVariable& v : m.variables) {
     const AnalysedQuantity q = find(v);
     const auto refuse = [&](const char* why) {
       throw DeckError(v.where, fmt::format("<Module name=\"{}\">: '{}' {}", m.name, v.label, why),
-                      "take another variable");
+                      "use another variable");
     };
     const LabelInfo& info = q.label.info();
     if (info.centring != Centring::cell)
-      refuse("lives on faces or nodes; averages are of cell variables");
+      refuse("is on faces or nodes; averages are of cell variables");
     if (!hierarchy.level(0).is_diagnostic_label(q.label))
-      refuse("exists only inside a step; averages are of functions of the state");
+      refuse("exists only within a step; averages are of functions of the state");
     const std::vector<std::string> names = names_of_cell_averages(v.label);
     const ValueType type = info.type == ValueType::vector ? ValueType::vector : ValueType::real;
     const std::string square = info.unit == "1" ? "1" : fmt::format("({})^2", info.unit);

@@ -78,8 +78,9 @@ Statistics::Statistics(const AnalysisModule& module, const FindQuantity& find, H
     const std::vector<std::size_t>& own = of_variable[n];
     const bool prime = v.reynolds_stress || velocity == n;
     if (prime && own.size() != 3)
-      throw DeckError(v.where, fmt::format("'{}' is no vector: it has no Reynolds stress", v.label),
-                      "ask for it of vel_CC");
+      throw DeckError(v.where,
+                      fmt::format("'{}' is not a vector: it has no Reynolds stress", v.label),
+                      "use vel_CC");
     if (prime)
       add_derived(
           stress_name, ValueType::vector, unit_power("m/s", 2), v.material, 5,
@@ -101,8 +102,9 @@ Statistics::Statistics(const AnalysisModule& module, const FindQuantity& find, H
 Statistics::~Statistics() = default;
 
 Label Statistics::keep(const std::string& name, int material) {
-  const Label label = declare_label({module_->name + "." + name, ValueType::real, Centring::cell,
-                                     "1", "What an analysis keeps of every cell over time."});
+  const Label label =
+      declare_label({module_->name + "." + name, ValueType::real, Centring::cell, "1",
+                     "Data that an analysis stores for every cell over time."});
   kept_.push_back(label);
   kept_materials_.push_back(material);
   return label;
@@ -115,7 +117,7 @@ void Statistics::add_derived(const std::string& name, ValueType type, const std:
   for (const Derived& d : derived_)
     if (d.label == label && d.material == material)
       throw DeckError(module_->where,
-                      fmt::format("{} of material {} is asked for twice", name, material),
+                      fmt::format("{} of material {} is analysed twice", name, material),
                       "remove one of the two");
   derived_.push_back({label, material, moment, entries});
   if (std::find(labels_.begin(), labels_.end(), label) == labels_.end()) labels_.push_back(label);
@@ -125,11 +127,12 @@ std::vector<std::size_t> Statistics::add_quantity(const AnalysedVariable& v,
                                                   const FindQuantity& find, int powers) {
   const AnalysedQuantity q = find(v);
   if (q.label.info().centring != Centring::cell)
-    throw DeckError(v.where,
-                    fmt::format("<Module name=\"{}\">: '{}' lives on faces or nodes; "
-                                "statistics are of cell variables",
-                                module_->name, v.label),
-                    "analyse a variable of cells");
+    throw DeckError(
+        v.where,
+        fmt::format(
+            "<Module name=\"{}\">: '{}' is on faces or nodes; statistics are of cell variables",
+            module_->name, v.label),
+        "analyse a cell variable");
   quantities_.push_back(q);
   std::vector<std::size_t> entries;
   for (int c = 0; c < q.components; ++c) {

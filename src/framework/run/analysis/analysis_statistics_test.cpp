@@ -127,9 +127,9 @@ TEST_F(OverTime, WhatCannotBeIsRefusedByName) {
     return "accepted";
   };
   scene_.analysis.modules = {statistics_of("mock_flux")};
-  EXPECT_THAT(refusal(), HasSubstr("'mock_flux' lives on faces"));
+  EXPECT_THAT(refusal(), HasSubstr("'mock_flux' is on faces"));
   scene_.analysis.modules = {statistics_of("mock_square"), statistics_of("mock_square")};
-  EXPECT_THAT(refusal(), HasSubstr("another module makes sum_mock_square already"));
+  EXPECT_THAT(refusal(), HasSubstr("another module already computes sum_mock_square"));
   scene_.analysis.modules = {statistics_of("mock_squar")};
   EXPECT_THAT(refusal(), HasSubstr("did you mean 'mock_square'"));
   scene_.analysis.modules = {statistics_of("mock_square")};

@@ -24,7 +24,7 @@ const ParticleLabels& particle_labels() {
       declare_label({particle_position_name, ValueType::vector, Centring::particle, "m",
                      "Position of a particle."}),
       declare_label({particle_id_name, ValueType::long_integer, Centring::particle, "1",
-                     "Number of a particle that no other of its material ever has."})};
+                     "Number of a particle, unique in its material."})};
   return labels;
 }
 

@@ -13,7 +13,7 @@ namespace sluice {
 
 PlainComponent::PlainComponent(const Scene& scene, std::string name, std::string equation_name)
     : scene_(scene), name_(std::move(name)) {
-  effects_.add({std::move(equation_name), true, "it is what the component computes", {}});
+  effects_.add({std::move(equation_name), true, "it is computed by the component", {}});
   effects_.add({"saved fields", true, "copies of the state", {}});
 }
 
@@ -34,12 +34,12 @@ void PlainComponent::declare_diagnostics(TaskList& list, int /*level*/) const {
 
 Label PlainComponent::refine_flag() const {
   return declare_label({"refineFlag", ValueType::integer, Centring::cell, "1",
-                        "1 where a finer level is wanted, 0 elsewhere"});
+                        "1 where a finer level is needed, 0 elsewhere"});
 }
 
 Label PlainComponent::mask_label() const {
   return declare_label({"state.slope_mask", ValueType::real, Centring::cell, "1",
-                        "marks of a step that is redone; no example sets any"});
+                        "marks of a repeated step; no example sets any"});
 }
 
 // Nothing is conserved: the mass of "material" 0 stays 0.
@@ -81,7 +81,7 @@ void need_one_level(const Scene& scene, std::vector<Fault>& faults) {
   if (scene.grid.levels.size() < 2) return;
   const Location& second = scene.grid_settings.levels[1].where;
   add_error(faults, second, fmt::format("{} runs on one level", scene.component),
-            "remove the others");
+            "remove the other levels");
 }
 
 void fill_state(Warehouse& state, double value) {

@@ -15,7 +15,7 @@ void refuse_label(const Location& where, LabelUse use, const std::string& label,
   throw DeckError(where,
                   fmt::format("<{} label=\"{}\"> names no {} of this run",
                               saves ? "save" : "analyze", label, saves ? "variable" : "field"),
-                  nearest.empty() ? "sluice help --labels tells what it is of" : nearest);
+                  nearest.empty() ? "sluice help --labels describes it" : nearest);
 }
 
 }  // namespace sluice

@@ -102,7 +102,7 @@ std::string regrids_text(const RunReport& r) {
   return fmt::format(
       "{} regrid{}: {} of the stepping time{}\n", r.regrids, r.regrids == 1 ? "" : "s",
       human_percent(share),
-      share > much_regridding ? "; a larger <cell_regrid_dilation> makes them rarer" : "");
+      share > much_regridding ? "; a larger <cell_regrid_dilation> reduces their number" : "");
 }
 
 // Several levels: what each holds, and what that saved.
@@ -136,7 +136,7 @@ std::string account_text(const RunReport& r) {
   for (const auto& [name, value] : r.account)
     parts.push_back(
         fmt::format("{} {:.1e}", name, r.energy_scale > 0 ? value / r.energy_scale : 0.0));
-  return fmt::format("energy account: {} of the scale\n", join(parts, ", "));
+  return fmt::format("energy budget: {} of the scale\n", join(parts, ", "));
 }
 
 // How much there was, and what it cost.
@@ -162,7 +162,7 @@ std::string summary(const RunReport& r) {
                       human_duration(r.stepping_seconds), human_duration(r.output_seconds));
   if (r.levels.size() > 1) text += levels_text(r);
   for (const ParticleCount& p : r.particles)
-    text += fmt::format("particles {}: {} in the domain; {} made, {} left it\n", p.name,
+    text += fmt::format("particles {}: {} in the domain; {} created, {} left it\n", p.name,
                         human_count(p.here), human_count(p.made), human_count(p.left));
   if (r.blocks_asleep > 0)
     text += fmt::format("skipped blocks: {:.0f} % of all\n",

@@ -27,7 +27,7 @@ std::size_t first_column(const ParticleKind& kind, const ParticleAttribute& want
 
 std::string differing_kinds(const ParticleMethod& from, const ParticleMethod& to) {
   if (from.kinds().size() != to.kinds().size())
-    return fmt::format("{} materials, and {} before", to.kinds().size(), from.kinds().size());
+    return fmt::format("{} materials, but {} before", to.kinds().size(), from.kinds().size());
   for (std::size_t k = 0; k < to.kinds().size(); ++k)
     if (from.kinds()[k].material != to.kinds()[k].material)
       return fmt::format("material {} where material {} was before", to.kinds()[k].material,

@@ -52,11 +52,11 @@ void clamp_to(StepPlan& plan, double target, TimeLimit name) {
 
 void require_progress(const StepPlan& plan, const char* reason) {
   if (plan.dt > 0 && std::isfinite(plan.dt) && plan.end > plan.start) return;
-  throw PhysicsError(fmt::format(
-      "step {} at time {}: the time step is {} ({}), so that the time cannot move on\n"
-      "  look at the state for infinite speeds or vanishing densities; a smaller cfl or a smoother "
-      "start may help",
-      plan.step, shortest_text(plan.start), shortest_text(plan.dt), reason));
+  throw PhysicsError(
+      fmt::format("step {} at time {}: the time step is {} ({}), so that the time cannot advance\n "
+                  " look at the state for infinite speeds or vanishing densities; a smaller cfl or "
+                  "a smoother initial state may help",
+                  plan.step, shortest_text(plan.start), shortest_text(plan.dt), reason));
 }
 
 }  // namespace
@@ -228,8 +228,8 @@ StepPlan TimeControl::retry(const StepPlan& rejected, double dt) {
   plan.limits = bit(TimeLimit::retry);
   if (time_.delt_min > 0 && dt < time_.delt_min) {
     throw PhysicsError(fmt::format(
-        "step {} at time {}: the step of {} was rejected, and {} would be below delt_min = {}\n"
-        "  lower delt_min, or find out from the event ledger what is wrong with the state",
+        "step {} at time {}: the step of {} was rejected, and {} would be below delt_min = {}\n  "
+        "lower delt_min, or look in the event ledger for the fault of the state",
         plan.step, shortest_text(plan.start), shortest_text(rejected.dt), shortest_text(dt),
         shortest_text(time_.delt_min)));
   }

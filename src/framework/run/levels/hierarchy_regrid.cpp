@@ -252,12 +252,12 @@ namespace {
 void check_same_grid(const Level& now, const Level& then, const std::string& where) {
   const std::string level = now.index == 0 ? "" : fmt::format(" on level {}", now.index);
   auto differs = [&](const char* what) {
-    throw InputError(fmt::format(
-        "{} holds a grid of [{}, {}, {}] cells{} with another {} than the deck's [{}, {}, {}]: a "
-        "restart goes on with the same grid; leave {} out of --set",
-        where, then.domain.size().x, then.domain.size().y, then.domain.size().z, level, what,
-        now.domain.size().x, now.domain.size().y, now.domain.size().z,
-        now.index == 0 ? "Grid" : "Grid and AMR"));
+    throw InputError(
+        fmt::format("{} contains a grid of [{}, {}, {}] cells{} with another {} than the deck's "
+                    "[{}, {}, {}]: a restart continues with the same grid; leave {} out of --set",
+                    where, then.domain.size().x, then.domain.size().y, then.domain.size().z, level,
+                    what, now.domain.size().x, now.domain.size().y, now.domain.size().z,
+                    now.index == 0 ? "Grid" : "Grid and AMR"));
   };
   if (!(then.domain == now.domain)) differs("number of cells");
   if (!(then.anchor == now.anchor)) differs("lower corner");
@@ -269,7 +269,7 @@ void check_same_grid(const Level& now, const Level& then, const std::string& whe
 void check_same_cells(const Level& now, const Level& then, const std::string& where) {
   if (now.cell_count() == then.cell_count()) return;
   throw InputError(
-      fmt::format("{} holds {} cells on level {}, where this deck has {}: a restart goes on "
+      fmt::format("{} contains {} cells on level {}, where this deck has {}: a restart continues "
                   "with the same boxes and tiles; leave Grid and AMR out of --set",
                   where, then.cell_count(), now.index, now.cell_count()));
 }
@@ -284,8 +284,7 @@ void read_level(LevelSolver& solver, const Component& component, const ArchiveSt
       const FieldInfo* field = checkpoint.find(labels[s][c].name(), slots[s].material, index);
       if (field == nullptr)
         throw InputError(
-            fmt::format("{} holds no {} on level {}: it cannot be restarted with "
-                        "this deck",
+            fmt::format("{} contains no {} on level {}: it cannot be restarted with this deck",
                         checkpoint.folder().string(), labels[s][c].name(), index));
       for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b)
         checkpoint.read_into(*field, 0, state.local_boxes()[static_cast<std::size_t>(b)].cells,
@@ -304,10 +303,10 @@ void Hierarchy::restore(const ArchiveStep& checkpoint) {
     const auto& kept = checkpoint.info().state;
     const auto found = kept.find("regrid");
     if (found == kept.end())
-      throw InputError(fmt::format(
-          "{} says nothing of adaptive levels: it was written by a run without them; leave AMR out "
-          "of --set",
-          checkpoint.folder().string()));
+      throw InputError(
+          fmt::format("{} has no data of adaptive levels: it was written by a run without them; "
+                      "leave AMR out of --set",
+                      checkpoint.folder().string()));
     regridder_->restore(regrid_state_from_json_text(found->second));
     for (int l = 1; l < possible_levels(); ++l) {
       level(l).lay_out(regridder_->boxes(l));
@@ -316,10 +315,9 @@ void Hierarchy::restore(const ArchiveStep& checkpoint) {
     join_levels();
   }
   if (static_cast<int>(checkpoint.grid().levels.size()) != level_count())
-    throw InputError(
-        fmt::format("{} holds {} levels, but the deck has {}: a restart goes on with "
-                    "the same levels",
-                    checkpoint.folder().string(), checkpoint.grid().levels.size(), level_count()));
+    throw InputError(fmt::format(
+        "{} contains {} levels, but the deck has {}: a restart continues with the same levels",
+        checkpoint.folder().string(), checkpoint.grid().levels.size(), level_count()));
   for (int l = 0; l < level_count(); ++l) {
     check_same_cells(level(l).level(), then[static_cast<std::size_t>(l)],
                      checkpoint.folder().string());

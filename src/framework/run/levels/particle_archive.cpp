@@ -32,8 +32,8 @@ std::vector<std::vector<double>> read_values(const ArchiveStep& checkpoint, Labe
   const FieldInfo* info = checkpoint.find_particles(label.name(), material, level);
   if (info == nullptr)
     throw InputError(
-        fmt::format("{} holds particles of material {} on level {} without {}: it "
-                    "cannot be restarted with this deck",
+        fmt::format("{} contains particles of material {} on level {} without {}: it cannot be "
+                    "restarted with this deck",
                     checkpoint.folder().string(), material, level, label.name()));
   return checkpoint.read_particles(*info);
 }
@@ -147,8 +147,8 @@ void ParticleCloud::restore(const ArchiveStep& checkpoint, const Levels& levels)
   const Json json = found == kept.end() ? Json() : Json::parse(found->second);
   if (!json.contains("kinds") || json.at("kinds").size() != kinds_.size())
     throw InputError(
-        fmt::format("{} was written by a run with other particles: a restart goes on "
-                    "with the same materials and <TracerParticles>",
+        fmt::format("{} was written by a run with other particles: a restart continues with the "
+                    "same materials and <TracerParticles>",
                     checkpoint.folder().string()));
   time_ = json.at("time").get<double>();
   lay_out(levels);

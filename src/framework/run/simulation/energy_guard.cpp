@@ -159,12 +159,12 @@ std::string EnergyGuard::summary(std::string_view better) const {
     if (a.gained_since > 0)
       text += fmt::format(
           "warning: solid '{}' has gained energy by numerical error, more than {:g} % of its scale "
-          "since step {}; {:+.2g} % at the end. Take {}\n",
+          "since step {}; {:+.2g} % at the end. Use {}\n",
           a.name, 100 * run_gain, a.gained_since, 100 * run_gain_of(a) / scale,
           better.empty() ? "a smaller <timestep_multiplier> or another <interpolator>" : better);
     if (a.lost_since > 0)
       text += fmt::format(
-          "solid '{}' has lost more than {:g} % of its energy to transfer and integration since "
+          "solid '{}' has lost more than {:g} % of its energy in transfer and integration since "
           "step {}; {:+.3g} % of its scale at the end{}{}\n",
           a.name, 100 * run_loss, a.lost_since, 100 * run_gain_of(a) / scale,
           better.empty() ? "" : ". Take ", better);

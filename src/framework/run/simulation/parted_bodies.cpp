@@ -27,9 +27,9 @@ std::string PartedBodies::summary() const {
   std::string text;
   for (const Parting& p : all_)
     text += fmt::format(
-        "warning: solid '{}' comes apart by the method alone (numerical fracture): since step {} "
-        "(t = {:g}) particles are stretched so far that neighbours hardly share a node, at most "
-        "{:.2g} % of them, at t = {:g}. Take <interpolator> cpdi, <total_lagrangian> or more "
+        "warning: solid '{}' separates without failure of its law (numerical fracture): since step "
+        "{} (t = {:g}) particles are stretched so far that neighbours hardly share a node, at most "
+        "{:.2g} % of them, at t = {:g}. Use <interpolator> cpdi, <total_lagrangian> or more "
         "particles per cell\n",
         p.name, p.since, p.since_time, 100 * p.largest, p.largest_time);
   return text;

@@ -35,7 +35,7 @@ TEST(PartedBodies, KeepSinceWhenAndTheLargestShare) {
   EXPECT_EQ(ring.since_time, 0.2);
   EXPECT_EQ(ring.largest, 0.07);
   EXPECT_EQ(ring.largest_time, 0.3);
-  EXPECT_NE(parted.summary().find("solid 'ring' comes apart"), std::string::npos);
+  EXPECT_NE(parted.summary().find("solid 'ring' separates"), std::string::npos);
   EXPECT_NE(parted.summary().find("at most 7 % of them, at t = 0.3"), std::string::npos);
 }
 

@@ -55,7 +55,7 @@ class SavesOfRun {
     const ParticleMethod* particles = component_.particles();
     const auto nearest = nearest_name(save.label, names_);
     const std::string advice = nearest ? fmt::format("the nearest of this run is '{}'", *nearest)
-                                       : "sluice help --labels tells what each is of";
+                                       : "sluice help --labels describes each label";
     if (const ForeignLabel* foreign = find_foreign_label(save.label))
       add_warning(faults_, save.where,
                   refusal_of(*foreign, save.label) + "; nothing is saved of it", foreign->instead);
@@ -116,7 +116,7 @@ void settle_saves(OutputSettings& output, const Component& component, const RunL
                   [](const Fault& f) { return f.severity == Severity::error; });
   if (output.saves.empty() && !refused)
     add_error(faults, first.where, "no variable that this deck saves is computed by its run",
-              "sluice help --labels tells what there is");
+              "sluice help --labels lists all labels");
 }
 
 }  // namespace sluice

@@ -153,7 +153,7 @@ std::string Simulation::text_of_nothing_left() const {
   const bool by_time = time_.status() == RunStatus::done;
   return fmt::format(
       "nothing is left to do: the checkpoint of step {} at t = {:g} is at the end of the run, {}; "
-      "no archive is made\n  a later end goes on: {}",
+      "no archive is made\n  to continue, set a later end: {}",
       t.step, t.time,
       by_time ? fmt::format("maxTime = {:g}", scene_->time.max_time) : "its last step",
       by_time ? "--set Time/maxTime=..." : "more of --max-steps or --set Time/max_Timesteps=...");
@@ -189,9 +189,9 @@ void Simulation::fail(const StepPlan& plan, const CycleResult& a) {
   const CellFault& f = a.first_fault;
   if (a.unmatched)
     throw PhysicsError(fmt::format(
-        "step {} at t = {:g}: task 'matching of fluxes' found no state that both levels can bear "
-        "even with dt = {:g}; the first cell is [{}, {}, {}] of level {}, where a finer level "
-        "begins. Try a smaller <cfl>, a wider <cell_stability_dilation>, or look at the state "
+        "step {} at t = {:g}: task 'matching of fluxes' found no state that is admissible on both "
+        "levels even with dt = {:g}; the first cell is [{}, {}, {}] of level {}, at the edge of a "
+        "finer level. Try a smaller <cfl>, a wider <cell_stability_dilation>, or look at the state "
         "before this step in the last checkpoint",
         plan.step, plan.start, plan.dt, f.cell.x, f.cell.y, f.cell.z, f.level));
   throw PhysicsError(fmt::format(
@@ -209,9 +209,8 @@ void Simulation::fail_unsound(const StepPlan& plan, const CycleResult& a) {
   const CellFault& f = a.unsound->where;
   throw PhysicsError(fmt::format(
       "step {} at t = {:g}: task 'update' left {} cells inadmissible because {} is {:g} in cell "
-      "[{}, {}, {}] of level {}, material {}, at the start of the step. The state is damaged; go "
-      "on "
-      "from the last checkpoint with sluice run --restart",
+      "[{}, {}, {}] of level {}, material {}, at the start of the step. The state is damaged; "
+      "continue from the last checkpoint with sluice run --restart",
       plan.step, plan.start, a.faults, a.unsound->label.name(), f.value, f.cell.x, f.cell.y,
       f.cell.z, f.level, f.material));
 }

@@ -48,8 +48,8 @@ void Simulation::turn_to_component_of(const std::map<std::string, std::string>& 
   const auto number = Json::parse(found->second).get<std::size_t>();
   if (number > options_.successors.size())
     throw InputError(
-        fmt::format("the checkpoint is of component {} of a run, and the deck has {}: a "
-                    "restart goes on with the same components",
+        fmt::format("the checkpoint is of component {} of a run, and the deck has {}: a restart "
+                    "continues with the same components",
                     number + 1, options_.successors.size() + 1));
   if (number > 0) turn_to(number);
 }
@@ -78,7 +78,7 @@ void Simulation::hand_over() {
   place.value = time_.state().time;
   ledger_.keep("next component", place);
   if (communicator_->is_root() && options_.limits.tell)
-    progress_->note(fmt::format("after step {} at t = {:.6g}: {} takes over from {}", place.step,
+    progress_->note(fmt::format("after step {} at t = {:.6g}: {} continues after {}", place.step,
                                 place.value, component_->name(), before.name()));
 }
 

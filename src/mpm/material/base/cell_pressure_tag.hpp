@@ -8,8 +8,7 @@ namespace sluice::mpm {
 
 inline TagSpec cell_pressure_tag(std::string name) {
   return choice(std::move(name),
-                "accepted, with a warning where true: no solid shares the pressure of a cell",
-                false);
+                "accepted, with a warning if true: no solid shares the pressure of a cell", false);
 }
 
 }  // namespace sluice::mpm

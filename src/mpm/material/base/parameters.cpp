@@ -35,8 +35,8 @@ TagSpec choice(std::string name, std::string doc, bool default_value) {
 
 TagSpec objective_tag() {
   return choice("objective",
-                "whether stress turns with the particle; false: the plain sum of rates, where "
-                "turning a stressed body gives false stress",
+                "whether stress rotates with the particle; false: the plain sum of rates, where "
+                "rotation of a stressed body causes spurious stress",
                 true);
 }
 

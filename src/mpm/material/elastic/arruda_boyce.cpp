@@ -89,7 +89,7 @@ MaterialModel ArrudaBoyce8_model() {
           {},
           "rubber of chains that lock (eight chains of Arruda and Boyce)",
           {positive("bulk_modulus", "K, Pa"),
-           positive("shear_modulus", "G of the body at rest, Pa; mu of the chains is less"),
+           positive("shear_modulus", "G of the undeformed body, Pa; mu of the chains is less"),
            tag("beta", "stretch where the chains lock").once().real().above(1)},
           [](const Parameters& p) -> std::shared_ptr<const Material> {
             return std::make_shared<EightChains>(p.real("bulk_modulus"), p.real("shear_modulus"),

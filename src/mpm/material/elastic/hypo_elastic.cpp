@@ -25,9 +25,9 @@ class HypoElastic final : public Material {
         objective_(objective) {
     if (expansion != 0)
       history_.push_back(
-          {declare_label({"p.strainTemperature", ValueType::real, Centring::particle, "K",
-                          "temperature to which the thermal strain of a "
-                          "rate-form law has been taken"}),
+          {declare_label(
+               {"p.strainTemperature", ValueType::real, Centring::particle, "K",
+                "temperature up to which the thermal strain of a rate-form law is applied"}),
            1});
   }
 
@@ -107,7 +107,7 @@ MaterialModel hypo_elastic_model() {
       {},
       "linear elasticity in rate form",
       {tag("G", "shear modulus, Pa").once().real().at_least(0), positive("K", "bulk modulus, Pa"),
-       number("alpha", "linear thermal expansion, 1/K; beside that of the material", 0),
+       number("alpha", "linear thermal expansion, 1/K; in addition to that of the material", 0),
        cell_pressure_tag("useModifiedEOS"), objective_tag()},
       [](const Parameters& p) -> std::shared_ptr<const Material> {
         return std::make_shared<HypoElastic>(p.real("K"), p.real("G"), p.constants().density,

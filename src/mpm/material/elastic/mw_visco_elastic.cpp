@@ -123,7 +123,7 @@ std::shared_ptr<const Material> make(const Parameters& p) {
   c.maxwell_bulk = p.real("ve_bulk_modulus");
   if (!(c.bulk() > 0)) {
     p.error("e_bulk_modulus",
-            "<e_bulk_modulus> and <ve_bulk_modulus> are both 0: the body bears no pressure");
+            "<e_bulk_modulus> and <ve_bulk_modulus> are both 0: the body sustains no pressure");
     return nullptr;
   }
   const auto time = [](double viscosity, double modulus) {
@@ -144,7 +144,7 @@ MaterialModel mw_visco_elastic_model() {
   };
   return {"mw_visco_elastic",
           {},
-          "a spring and a Maxwell element side by side, in rate form",
+          "a spring and a Maxwell element in parallel, in rate form",
           {modulus("e_shear_modulus", "G_e of the spring, Pa"),
            modulus("e_bulk_modulus", "K_e of the spring, Pa"),
            modulus("ve_shear_modulus", "G_v of the Maxwell element, Pa"),

@@ -78,7 +78,7 @@ Tags elastic_tags() {
   return {positive("bulk_modulus", "K, Pa"),
           tag("shear_modulus", "G, Pa").once().real().at_least(0),
           cell_pressure_tag("useModifiedEOS"),
-          choice("useInitialStress", "whether the body starts under <initial_pressure>", false),
+          choice("useInitialStress", "whether the initial state has <initial_pressure>", false),
           number("initial_pressure", "p, Pa", 0)};
 }
 
@@ -87,14 +87,14 @@ Tags plastic_tags(bool plastic) {
   const Tags further = {choice("usePlasticity", "whether the body yields", plastic),
                         tag("yield_stress", "sigma_Y, Pa").real().at_least(0),
                         number("hardening_modulus", "H, Pa", 0),
-                        number("alpha", "equivalent plastic strain at the start", 0),
+                        number("alpha", "initial equivalent plastic strain", 0),
                         tag("yield_distrib",
-                            "strength of the particles: one for all, or drawn evenly from "
+                            "strength of the particles: one for all, or uniformly distributed over "
                             "sigma_Y -/+ yield_range")
                             .words({"constant", "uniform"})
                             .by_default("constant"),
-                        number("yield_range", "half width of the drawn strengths, Pa", 0),
-                        number("yield_seed", "number that draws other strengths", 0)};
+                        number("yield_range", "half width of the distribution of strengths, Pa", 0),
+                        number("yield_seed", "seed of the random strengths", 0)};
   tags.insert(tags.end(), further.begin(), further.end());
   return tags;
 }
@@ -103,8 +103,8 @@ std::shared_ptr<const Material> make(const Parameters& p) {
   const NeoHookConstants constants = neo_hook_constants(p);
   if (!p.flag("usePlasticity")) return make_neo_hook(constants);
   if (p.has("yield_stress")) return make_neo_hook_plastic(constants, p);
-  p.error("yield_stress", "needs <yield_stress> where it yields",
-          "or say <usePlasticity>false</usePlasticity>");
+  p.error("yield_stress", "needs <yield_stress> if it yields",
+          "or write <usePlasticity>false</usePlasticity>");
   return nullptr;
 }
 
@@ -134,14 +134,14 @@ MaterialModel comp_neo_hook_model() {
 MaterialModel comp_neo_hook_plastic_model() {
   return {"comp_neo_hook_plastic",
           {"cnhp_damage"},
-          "neo-Hookean solid that yields by von Mises with linear hardening",
+          "neo-Hookean solid with von Mises plasticity and linear hardening",
           plastic_tags(true),
           make};
 }
 MaterialModel UCNH_model() {
   return {"UCNH",
           {"ucnh"},
-          "the same solid; <usePlasticity> says whether it yields",
+          "the same solid; <usePlasticity> selects whether it yields",
           plastic_tags(false),
           make};
 }

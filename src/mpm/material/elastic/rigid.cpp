@@ -35,9 +35,9 @@ std::shared_ptr<const Material> make_rigid(double bulk_modulus) {
 MaterialModel rigid_model() {
   return {"rigid",
           {},
-          "moves as it is told, with no stress of its own: tools, anvils, pistons",
-          {tag("shear_modulus", "G, Pa; only for its neighbours' sake").real().above(0),
-           tag("bulk_modulus", "K, Pa; likewise").real().above(0)},
+          "rigid body without stress, with prescribed motion: tools, anvils, pistons",
+          {tag("shear_modulus", "G, Pa; used only at its neighbours").real().above(0),
+           tag("bulk_modulus", "K, Pa; used only at its neighbours").real().above(0)},
           [](const Parameters& p) -> std::shared_ptr<const Material> {
             return make_rigid(p.has("bulk_modulus") ? p.real("bulk_modulus") : 0);
           }};

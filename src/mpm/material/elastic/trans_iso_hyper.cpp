@@ -219,16 +219,16 @@ class FibreRubber final : public Material {
 
 Tags fibre_tags() {
   return {positive("bulk_modulus", "K, Pa"),
-          tag("c1", "of the matrix, Pa").once().real().at_least(0),
-          tag("c2", "likewise").once().real().at_least(0),
-          number("c3", "of curled fibres, Pa"),
+          tag("c1", "constant c1 of the matrix, Pa").once().real().at_least(0),
+          tag("c2", "constant c2 of the matrix, Pa").once().real().at_least(0),
+          number("c3", "constant of curled fibres, Pa"),
           number("c4", "their exponent"),
-          number("c5", "of straight fibres, Pa"),
-          positive("fiber_stretch", "l*, where fibres are straight"),
-          tag("direction_of_symm", "of the fibres at the start").once().vector(),
+          number("c5", "constant of straight fibres, Pa"),
+          positive("fiber_stretch", "stretch l* at which fibres are straight"),
+          tag("direction_of_symm", "initial direction of the fibres").once().vector(),
           number("failure_option", "1: matrix and fibres may fail", 0),
-          number("max_fiber_strain", "greatest stretch of fibres", 1e30),
-          number("max_matrix_strain", "greatest shear strain of the matrix", 1e30),
+          number("max_fiber_strain", "largest stretch of fibres", 1e30),
+          number("max_matrix_strain", "largest shear strain of the matrix", 1e30),
           cell_pressure_tag("useModifiedEOS")};
 }
 
@@ -250,7 +250,7 @@ std::shared_ptr<const Material> make(const Parameters& p, bool relaxes) {
   const double size = std::hypot(a[0], a[1], a[2]);
   if (!(size > 0) || c.c1 + c.c2 <= 0) {
     if (!(size > 0)) p.error("direction_of_symm", "the direction of the fibres has no length");
-    if (c.c1 + c.c2 <= 0) p.error("c1", "<c1> and <c2> are both 0: the matrix bears no shear");
+    if (c.c1 + c.c2 <= 0) p.error("c1", "<c1> and <c2> are both 0: the matrix sustains no shear");
     return nullptr;
   }
   c.direction = {a[0] / size, a[1] / size, a[2] / size};
@@ -278,12 +278,14 @@ MaterialModel trans_iso_hyper_model() {
 MaterialModel visco_trans_iso_hyper_model() {
   Tags tags = fibre_tags();
   for (int k = 1; k <= shares; ++k) {
-    tags.push_back(number("y" + std::to_string(k), "relaxing share of the stress", 0).at_least(0));
-    tags.push_back(number("t" + std::to_string(k), "its time, s; 0: none", 0).at_least(0));
+    tags.push_back(
+        number("y" + std::to_string(k), "relaxing fraction of the stress", 0).at_least(0));
+    tags.push_back(
+        number("t" + std::to_string(k), "its relaxation time, s; 0: none", 0).at_least(0));
   }
   return {"visco_trans_iso_hyper",
           {},
-          "the same with up to six relaxing shares of the stress",
+          "the same with up to six relaxing parts of the stress",
           tags,
           [](const Parameters& p) { return make(p, true); }};
 }

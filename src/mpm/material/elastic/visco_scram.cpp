@@ -257,24 +257,26 @@ std::shared_ptr<const Material> make(const Parameters& p) {
 }  // namespace
 
 MaterialModel visco_scram_model() {
-  Tags tags = {tag("PR", "Poisson's ratio, below 1/2").once().real().above(-1),
-               number("CoeffThermalExpansion", "linear, 1/K", 0),
-               positive("CrackParameterA", "a, radius where cracks have halved the stiffness, m"),
-               positive("CrackPowerValue", "m, exponent of slow growth"),
-               tag("CrackMaxGrowthRate", "m/s").once().real().at_least(0),
-               positive("StressIntensityF", "K_0, Pa m^(1/2)"),
-               tag("CrackFriction", "c_f").once().real().at_least(0).at_most(1.2),
-               tag("InitialCrackRadius", "m").once().real().at_least(0),
-               tag("CrackGrowthRate", "of growth in tension").once().real().at_least(0),
-               number("Beta", "share of the cracks' work that becomes heat", 0),
-               number("Gamma", "Grueneisen coefficient", 0),
-               number("T0", "temperature of reference of the relaxation times, K", 298),
-               number("C1", "of their shift by temperature", 6.5),
-               number("C2", "likewise, K", 120),
-               choice("use_time_temperature_equation", "whether temperature shifts them", false),
-               choice("randomize_parameters", "false; true is not supported", false),
-               choice("useObjectiveRate", "accepted without effect: <objective> says it", true),
-               objective_tag()};
+  Tags tags = {
+      tag("PR", "Poisson's ratio, below 1/2").once().real().above(-1),
+      number("CoeffThermalExpansion", "linear, 1/K", 0),
+      positive("CrackParameterA", "a, radius where cracks have halved the stiffness, m"),
+      positive("CrackPowerValue", "m, exponent of slow growth"),
+      tag("CrackMaxGrowthRate", "m/s").once().real().at_least(0),
+      positive("StressIntensityF", "K_0, Pa m^(1/2)"),
+      tag("CrackFriction", "c_f").once().real().at_least(0).at_most(1.2),
+      tag("InitialCrackRadius", "m").once().real().at_least(0),
+      tag("CrackGrowthRate", "coefficient of crack growth in tension").once().real().at_least(0),
+      number("Beta", "fraction of the cracks' work that becomes heat", 0),
+      number("Gamma", "Grueneisen coefficient", 0),
+      number("T0", "temperature of reference of the relaxation times, K", 298),
+      number("C1", "constant C1 of their shift with temperature", 6.5),
+      number("C2", "constant C2 of their shift with temperature, K", 120),
+      choice("use_time_temperature_equation", "whether temperature shifts the relaxation times",
+             false),
+      choice("randomize_parameters", "false; true is not supported", false),
+      choice("useObjectiveRate", "accepted without effect: determined by <objective>", true),
+      objective_tag()};
   for (int n = 1; n <= 5; ++n) {
     tags.push_back(tag("G" + std::to_string(n), "shear modulus of a Maxwell element, Pa")
                        .once()

@@ -178,12 +178,12 @@ class MaterialWithFailure final : public Material {
 // ---- reading
 
 Tags scalar_tags() {
-  return {number("initial_mean_scalar_damage", "damage at the start", 0).at_least(0),
+  return {number("initial_mean_scalar_damage", "initial damage", 0).at_least(0),
           number("initial_std_scalar_damage", "its deviation", 0).at_least(0),
-          tag("initial_scalar_damage_distrib", "how it is drawn")
+          tag("initial_scalar_damage_distrib", "distribution of the random values")
               .words({"constant", "gauss"})
               .by_default("constant"),
-          number("critical_scalar_damage", "accepted without effect: damage is shown only", 1)};
+          number("critical_scalar_damage", "accepted without effect: damage is only saved", 1)};
 }
 
 const std::vector<Part>& damages() {
@@ -200,18 +200,19 @@ const std::vector<Part>& damages() {
         {"Threshold",
          {positive("failure_mean", "mean threshold: Pa, or a strain"),
           number("failure_std", "its deviation; weibull: the modulus", 0).at_least(0),
-          number("failure_seed", "number that draws other thresholds", 0),
-          tag("failure_distrib", "how thresholds are drawn")
+          number("failure_seed", "seed of the random thresholds", 0),
+          tag("failure_distrib", "distribution of the thresholds")
               .once()
               .words({"constant", "uniform", "gauss", "weibull"}),
-          tag("failure_criteria", "what is held against the threshold")
+          tag("failure_criteria", "quantity compared with the threshold")
               .once()
               .words({"MaximumPrincipalStress", "MaximumPrincipalStrain", "MohrCoulomb",
                       "MohrColoumb"}),
           number("friction_angle", "of MohrCoulomb, degrees", 0),
-          number("tensile_cutoff_fraction_of_cohesion", "greatest tension over cohesion", 1e10),
+          number("tensile_cutoff_fraction_of_cohesion", "largest tension divided by cohesion",
+                 1e10),
           number("exponent", "of the scaling by volume; absent: failure_std", 0),
-          number("reference_volume", "where the scaling by volume is 1, m^3", 0),
+          number("reference_volume", "volume at which the scaling is 1, m^3", 0),
           tag("scaling", "of the threshold by the particle's volume")
               .words({"none", "kayenta"})
               .by_default("none"),
@@ -220,9 +221,9 @@ const std::vector<Part>& damages() {
          {positive("brittle_damage_initial_threshold", "r_0, Pa^(1/2)"),
           positive("brittle_damage_fracture_energy", "G_f, J/m^2"),
           positive("brittle_damage_constant_D", "d"),
-          positive_or("brittle_damage_max_damage_increment", "greatest rise in a step", 0.1),
-          choice("brittle_damage_allowRecovery", "whether closed cracks bear again", false),
-          number("brittle_damage_recoveryCoeff", "share that they bear", 1),
+          positive_or("brittle_damage_max_damage_increment", "largest increase in a step", 0.1),
+          choice("brittle_damage_allowRecovery", "whether closed cracks carry load again", false),
+          number("brittle_damage_recoveryCoeff", "fraction that they carry", 1),
           choice("brittle_damage_printDamage", "accepted without effect", false)}}};
   }();
   return list;
@@ -279,7 +280,7 @@ void read_brittle(const Parameters& p, const Material& law, DamageConstants& d) 
   d.young = 9 * K * G / (3 * K + G);
   if (!law.stress_of_state())
     add_error(p.faults(), p.node().where,
-              "Brittle damage needs a law whose stress follows from the deformation alone",
+              "Brittle damage needs a law whose stress depends only on the deformation",
               "comp_neo_hook, cnh_mms or comp_mooney_rivlin");
 }
 
@@ -335,17 +336,18 @@ void read_erosion(const DeckNode& material, FailureConstants& c, std::vector<Fau
 }  // namespace
 
 TagSpec damage_model_tag() {
-  return part_tag("damage_model", "how particles are damaged and fail", damages(),
+  return part_tag("damage_model", "damage and failure of particles", damages(),
                   damages_not_supported);
 }
 TagSpec erosion_tag() {
-  return tag("erosion", "what a failed particle still bears")
+  return tag("erosion", "stress that a failed particle still carries")
       .attribute(attribute("algorithm",
                            "ZeroStress: nothing; AllowNoTension: pressure; AllowNoShear: mean "
                            "stress; PreserveStress, none: all")
                      .once()
                      .words(algorithms))
-      .child(tag("char_time", "time in which the stress fades; absent: at once").real().unit("s"));
+      .child(
+          tag("char_time", "time over which the stress decays; absent: at once").real().unit("s"));
 }
 
 bool erodes(const DeckNode& material) {

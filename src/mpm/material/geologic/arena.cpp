@@ -96,7 +96,7 @@ class Arena final : public Material {
     if (const auto fault = fault_of_volume(b)) return fault;
     for (int i = 0; i < b.count; ++i)
       if (!update(b, i))
-        return BatchFault{i, "compressed beyond what the moduli of ArenaSoil bear: det F",
+        return BatchFault{i, "compressed beyond the range of the moduli of ArenaSoil: det F",
                           determinant(at(b.F, i))};
     return std::nullopt;
   }

@@ -22,11 +22,11 @@ TagSpec not_negative(std::string name, std::string doc) {
 const std::vector<Part>& elastic_parts() {
   static const std::vector<Part> parts = {
       {"arena",
-       {positive("b0", "bulk modulus at rest, of that of the grains"),
+       {positive("b0", "bulk modulus at rest, relative to that of the grains"),
         not_negative("b1", "stiffening: p = K_s (b0 x + b1 x^b4/(b2 x^b4 + b3)) of a strain x"),
         not_negative("b2", "see b1"), not_negative("b3", "see b1"),
         number("b4", "see b1").at_least(1),
-        positive("G0", "shear modulus where Poisson's ratio is not above 0, Pa"),
+        positive("G0", "shear modulus if Poisson's ratio is not above 0, Pa"),
         number("nu1", "Poisson's ratio is nu1 + nu2 exp(-K_d/K_s)"), number("nu2", "see nu1")}}};
   return parts;
 }
@@ -34,18 +34,18 @@ const std::vector<Part>& elastic_parts() {
 const std::vector<Part>& yield_parts() {
   static const std::vector<Part> parts = [] {
     Tags tags = {
-        not_negative("PEAKI1", "greatest trace of the stress that grains bear, in tension, Pa"),
+        not_negative("PEAKI1", "largest trace of the stress that grains sustain, in tension, Pa"),
         not_negative("FSLOPE", "slope of J2^(1/2) over that trace at PEAKI1"),
-        not_negative("STREN", "greatest J2^(1/2), Pa; 0: the curve is linear"),
+        not_negative("STREN", "largest J2^(1/2), Pa; 0: the curve is linear"),
         not_negative("YSLOPE", "slope of the limit curve far in compression"),
         positive("BETA", "1: associated flow; less: less dilatancy; more: more"),
         number("CR", "shape of the cap: (PEAKI1 - kappa)/(PEAKI1 - X)").above(0).at_most(1),
         not_negative("T1", "tau = T1 |D|^-T2, s^(1 - T2); 0: no rate dependence"),
         not_negative("T2", "its exponent"),
-        number("PEAKI1_failed", "of soil that has failed, Pa", 1e-5).at_least(0),
-        tag("FSLOPE_failed", "likewise; FSLOPE/2 where not given").real().at_least(0),
-        tag("STREN_failed", "likewise, Pa; STREN/10 where not given").real().at_least(0),
-        number("YSLOPE_failed", "likewise", 1e-5).at_least(0)};
+        number("PEAKI1_failed", "PEAKI1 of failed soil, Pa", 1e-5).at_least(0),
+        tag("FSLOPE_failed", "FSLOPE of failed soil; absent: FSLOPE/2").real().at_least(0),
+        tag("STREN_failed", "STREN of failed soil, Pa; absent: STREN/10").real().at_least(0),
+        number("YSLOPE_failed", "YSLOPE of failed soil", 1e-5).at_least(0)};
     for (const char* name : spread)
       tags.push_back(tag(std::string("weibullDist_") + name, "not supported").text());
     return std::vector<Part>{{"arena", tags}};
@@ -55,28 +55,27 @@ const std::vector<Part>& yield_parts() {
 
 Tags arena_tags() {
   return {
-      number("initial_porosity", "share of pores at the start").above(0).at_most(0.999),
-      number("initial_saturation", "share of water in the pores at the start")
-          .at_least(0)
-          .at_most(1),
-      not_negative("initial_fluid_pressure", "pressure of pores and body at the start, Pa"),
-      not_negative("p0", "trace of the stress where pores begin to be crushed, Pa; 1000 at least"),
+      number("initial_porosity", "initial porosity").above(0).at_most(0.999),
+      number("initial_saturation", "initial water saturation of the pores").at_least(0).at_most(1),
+      not_negative("initial_fluid_pressure", "initial pressure of pores and body, Pa"),
+      not_negative("p0", "trace of the stress at the onset of pore collapse, Pa; at least 1000"),
       positive("p1", "crush curve X = p0 + p1 (phi_0/phi - 1)^(1/p2), Pa"),
-      number("p1_sat", "p1 of saturated soil, of that of dry soil"),
+      number("p1_sat", "p1 of saturated soil, relative to that of dry soil"),
       positive("p2", "exponent of the crush curve"),
-      number("p3", "accepted without effect: -ln(1 - initial_porosity) counts"),
+      number("p3", "accepted without effect: -ln(1 - initial_porosity) is used"),
       part_tag("elastic_moduli_model", "moduli of the drained soil", elastic_parts()).once(),
       part_tag("plastic_yield_condition", "limit curve, cap, rate dependence", yield_parts())
           .once(),
       positive_or("yield_surface_radius_scaling_factor",
                   "a part of a step changes the stress by at most so many sizes of the surface", 1),
-      number("subcycling_characteristic_number",
-             "most parts that a step is taken in; at least 1 are", 256),
+      number("subcycling_characteristic_number", "largest number of parts of a step; at least 1",
+             256),
       number("consistency_bisection_tolerance",
              "accepted without effect: plastic strains are found to round-off", 1e-4),
-      choice("do_damage", "whether stiffness and strength fall with the time of plastic flow",
+      choice("do_damage", "whether stiffness and strength decrease with the time of plastic flow",
              false),
-      number("fspeed", "how suddenly: C = 1/(1 + exp(fspeed (t/time_at_failure - 1)))", 1e-9)
+      number("fspeed", "speed of the decrease: C = 1/(1 + exp(fspeed (t/time_at_failure - 1)))",
+             1e-9)
           .at_least(0),
       positive_or("time_at_failure", "time of plastic flow where C is 1/2, s", 1e9),
       choice("use_disaggregation_algorithm", "true is not supported", false),
@@ -112,13 +111,14 @@ bool read_crush(const Parameters& p, WetSoil& soil) {
   soil.p1_sat = p.real("p1_sat");
   soil.p2 = p.real("p2");
   if (soil.p0 < least_p0) {
-    add_warning(p.faults(), p.block("p0")->where,
-                fmt::format("{}: <p0> is less than {:g} Pa, which counts", p.owner(), least_p0));
+    add_warning(
+        p.faults(), p.block("p0")->where,
+        fmt::format("{}: <p0> is less than {:g} Pa, which is used instead", p.owner(), least_p0));
     soil.p0 = least_p0;
   }
   if (std::abs(p.real("p3") - soil.p3()) > 1e-3 * soil.p3())
     add_warning(p.faults(), p.block("p3")->where,
-                fmt::format("{}: <p3> has no effect: -ln(1 - initial_porosity) = {:.4g} counts",
+                fmt::format("{}: <p3> has no effect: -ln(1 - initial_porosity) = {:.4g} is used",
                             p.owner(), soil.p3()));
   if (1 - soil.S_0 + soil.p1_sat * soil.S_0 > 0) return true;
   p.error("p1_sat",
@@ -146,7 +146,7 @@ bool read_elastic(const Parameters& model, WetSoil& soil) {
     return false;
   }
   if (soil.b1 > 0 && soil.b3 == 0) {
-    p.error("b3", "<b3> must be above 0 where <b1> is");
+    p.error("b3", "<b3> must be above 0 if <b1> is");
     return false;
   }
   return true;
@@ -168,9 +168,9 @@ bool read_limits(const Parameters& p, ArenaConstants& c) {
     if (c.damage && !is_curve(blended(c.sound, c.failed, C))) curves = false;
   if (!curves)
     p.error("FSLOPE",
-            c.damage ? "<PEAKI1>, <FSLOPE>, <STREN>, <YSLOPE> and those of failed soil are no "
-                       "limit curves all the way"
-                     : "<PEAKI1>, <FSLOPE>, <STREN>, <YSLOPE> are no limit curve",
+            c.damage ? "<PEAKI1>, <FSLOPE>, <STREN>, <YSLOPE> and those of failed soil do not give "
+                       "limit curves for every coherence"
+                     : "<PEAKI1>, <FSLOPE>, <STREN>, <YSLOPE> do not give a limit curve",
             "linear: FSLOPE alone above 0; constant: STREN alone; curved: FSLOPE > YSLOPE and "
             "STREN > YSLOPE PEAKI1");
   return curves;
@@ -216,7 +216,7 @@ std::shared_ptr<const Material> make_soil(const Parameters& p) {
 MaterialModel ArenaSoil_model() {
   return {"ArenaSoil",
           {"arena"},
-          "soil of grains, water and air whose pores are crushed under a cap",
+          "soil of grains, water and air with pore collapse under a cap",
           arena_tags(),
           make_soil};
 }

@@ -15,25 +15,24 @@ Tags common_tags() {
   return {
       positive("B0", "bulk modulus at rest, Pa"),
       positive("G0", "shear modulus, Pa"),
-      tag("PEAKI1", "greatest trace of the stress, in tension, Pa").once().real().at_least(0),
+      tag("PEAKI1", "largest trace of the stress, in tension, Pa").once().real().at_least(0),
       tag("FSLOPE", "slope of J2^(1/2) over the trace of the stress at PEAKI1")
           .once()
           .real()
           .at_least(0),
       positive("CR", "shape of the cap"),
-      number("p0_crush_curve", "trace of the stress where pores begin to be crushed, negative, Pa"),
+      number("p0_crush_curve", "trace of the stress at the onset of pore collapse, negative, Pa"),
       number("p1_crush_curve",
-             "1/Pa: hardening of the cap, X = p0 + ln(1 + e/p3)/p1; a large negative number "
-             "holds the cap"),
-      positive("p3_crush_curve", "the share of pores is 1 - exp(-p3)"),
+             "1/Pa: hardening of the cap, X = p0 + ln(1 + e/p3)/p1; a large negative number fixes "
+             "the cap"),
+      positive("p3_crush_curve", "the porosity is 1 - exp(-p3)"),
       number("fluid_B0", "bulk modulus of the fluid in the pores, Pa; 0: dry", 0).at_least(0),
-      number("fluid_pressure_initial", "pressure of fluid and body at the start, Pa", 0)
-          .at_least(0),
+      number("fluid_pressure_initial", "initial pressure of fluid and body, Pa", 0).at_least(0),
       number("T1_rate_dependence", "tau = T1 |D|^T2, s^(1 + T2); 0: no rate dependence", 0)
           .at_least(0),
       number("T2_rate_dependence", "its exponent", 0),
-      number("subcycling_characteristic_number",
-             "most parts that a step is taken in; at least 1 are", 256),
+      number("subcycling_characteristic_number", "largest number of parts of a step; at least 1",
+             256),
       number("gruneisen_parameter", "0; other values are not supported", 0),
       choice("Use_Disaggregation_Algorithm", "true is not supported", false)};
 }
@@ -59,7 +58,7 @@ std::optional<AreniscaConstants> common(const Parameters& p, double STREN, doubl
   AreniscaConstants c;
   const auto limit = limit_curve(p.real("PEAKI1"), p.real("FSLOPE"), STREN, YSLOPE);
   if (!limit) {
-    p.error("FSLOPE", "<PEAKI1>, <FSLOPE>, <STREN>, <YSLOPE> are no limit curve",
+    p.error("FSLOPE", "<PEAKI1>, <FSLOPE>, <STREN>, <YSLOPE> do not give a limit curve",
             "linear: FSLOPE alone above 0; constant: STREN alone; curved: FSLOPE > YSLOPE and "
             "STREN > YSLOPE PEAKI1");
     good = false;
@@ -72,11 +71,11 @@ std::optional<AreniscaConstants> common(const Parameters& p, double STREN, doubl
   c.rock.p1 = p.real("p1_crush_curve");
   c.rock.p3 = p.real("p3_crush_curve");
   if (!(c.rock.p0 < 0)) {
-    p.error("p0_crush_curve", "<p0_crush_curve> must be negative: it lies in compression");
+    p.error("p0_crush_curve", "<p0_crush_curve> must be negative: it is in compression");
     good = false;
   }
   if (c.rock.p1 == 0) {
-    p.error("p1_crush_curve", "<p1_crush_curve> is 0: the cap would harden without end");
+    p.error("p1_crush_curve", "<p1_crush_curve> is 0: the cap would harden without limit");
     good = false;
   }
   c.rock.fluid = p.real("fluid_B0");
@@ -122,7 +121,7 @@ std::shared_ptr<const Material> make_linear(const Parameters& p) {
   if (!c || !zero) return nullptr;
   const double FSLOPE = p.real("FSLOPE"), flow = p.real("FSLOPE_p");
   if (!(flow > 0 && flow <= FSLOPE)) {
-    p.error("FSLOPE_p", "<FSLOPE_p> must lie above 0 and not above <FSLOPE>");
+    p.error("FSLOPE_p", "<FSLOPE_p> must be above 0 and not above <FSLOPE>");
     return nullptr;
   }
   if (c->rock.fluid > 0 && p.real("p4_fluid_effect") != 0)
@@ -144,14 +143,14 @@ std::shared_ptr<const Material> make_linear(const Parameters& p) {
 Tags tags_of_3() {
   Tags tags = common_tags();
   for (const TagSpec& t :
-       {number("STREN", "greatest J2^(1/2), Pa; 0: the curve is linear", 0).at_least(0),
+       {number("STREN", "largest J2^(1/2), Pa; 0: the curve is linear", 0).at_least(0),
         number("YSLOPE", "slope of the limit curve far in compression", 0).at_least(0),
         number("BETA_nonassociativity", "1: associated flow; less: less dilatancy", 1)
             .above(0)
             .at_most(1),
         number("B1", "stiffening by pressure, Pa", 0).at_least(0),
         number("B2", "its scale, Pa", 0).at_least(0),
-        number("B3", "softening by crushed pores, Pa", 0).at_least(0),
+        number("B3", "softening by pore collapse, Pa", 0).at_least(0),
         number("B4", "its scale", 0).at_least(0)})
     tags.push_back(t);
   for (const char* name : {"G1", "G2", "G3", "G4", "p2_crush_curve"})
@@ -162,7 +161,7 @@ Tags tags_of_3() {
 // Some decks give the numbers of the cap twice.
 TagSpec copy_of_the_cap() {
   TagSpec copy =
-      tag("internal_variable_model", "accepted without effect: the numbers of the cap once more")
+      tag("internal_variable_model", "accepted without effect: repeats the numbers of the cap")
           .attribute(attribute("type", "its name").text());
   for (const char* name : {"arenisca_fSlope", "arenisca_peakI1", "arenisca_Cr", "arenisca_B0",
                            "arenisca_p0", "arenisca_p1", "arenisca_p3", "arenisca_p4"})
@@ -182,7 +181,8 @@ MaterialModel Arenisca_model() {
   tags.push_back(copy_of_the_cap());
   return {"Arenisca",
           {"arenisca"},
-          "rock with a linear limit curve, a cap that pores harden, and hardening in shear",
+          "rock with a linear limit curve, a cap that hardens with pore collapse, and hardening in "
+          "shear",
           tags,
           make_linear};
 }
@@ -190,7 +190,7 @@ MaterialModel Arenisca_model() {
 MaterialModel Arenisca3_model() {
   return {"Arenisca3",
           {},
-          "rock with a limit curve and a cap that pores and their fluid harden",
+          "rock with a limit curve and a cap that hardens with pore collapse and pore fluid",
           tags_of_3(),
           make};
 }

@@ -145,11 +145,11 @@ std::shared_ptr<const Material> make(const Parameters& p) {
     }
   const double phi = p.real("Phi"), psi = p.real("Psi");
   if (psi > phi) {
-    p.error("Psi", "<Psi> must not be greater than <Phi>: sliding would make energy");
+    p.error("Psi", "<Psi> must not be greater than <Phi>: sliding would create energy");
     good = false;
   }
   if (phi == 0 && p.real("c") == 0) {
-    p.error("c", "a body without cohesion <c> and friction <Phi> bears no shear");
+    p.error("c", "a body without cohesion <c> and friction <Phi> sustains no shear");
     good = false;
   }
   if (!good) return nullptr;
@@ -166,7 +166,7 @@ MaterialModel MohrCoulomb_model() {
                tag("c", "cohesion, Pa").once().real().at_least(0),
                tag("Phi", "angle of friction, degrees").once().real().at_least(0).at_most(89),
                number("Psi", "angle of dilatancy, degrees", 0).at_least(0).at_most(89),
-               number("Version", "accepted without effect: the return is the one above", 11)};
+               number("Version", "accepted without effect: there is one return algorithm", 11)};
   for (const std::string& name : extensions)
     tags.push_back(number(name, "0; other values are not supported", 0));
   for (const char* name : {"A1",         "B1",           "W",          "beta",      "beta_rate",

@@ -282,8 +282,8 @@ std::shared_ptr<const Material> make(const Parameters& p) {
   const auto differs = [&](const char* name, double counts, const char* of) {
     if (p.has(name) && !(std::abs(p.real(name) / counts - 1) < 0.01))
       add_warning(p.faults(), p.block(name)->where,
-                  fmt::format("p_alpha: <{}> is {:g}, but {} = {:g} counts", name, p.real(name), of,
-                              counts),
+                  fmt::format("p_alpha: <{}> is {:g}, but {} = {:g} is used", name, p.real(name),
+                              of, counts),
                   "");
   };
   differs("alpha0", c.alpha_0, "<rhoS>/<density>");
@@ -295,20 +295,20 @@ std::shared_ptr<const Material> make(const Parameters& p) {
 
 MaterialModel p_alpha_model() {
   Tags tags = {
-      positive("Pe", "pressure where pores begin to crush, Pa"),
-      positive("Ps", "pressure where none is left, Pa"),
+      positive("Pe", "pressure at the onset of pore collapse, Pa"),
+      positive("Ps", "pressure of complete pore collapse, Pa"),
       positive("rhoS", "density of the solid, kg/m^3"),
       positive("K0", "bulk modulus of the porous body at rest, Pa"),
       positive("C_0", "sound speed of weak shocks in the solid, m/s"),
       tag("Gamma_0", "Grueneisen coefficient of the solid").once().real().at_least(0),
       tag("S_alpha", "slope of its shock speed against particle speed").once().real().at_least(0),
       positive_or("T_0", "temperature at which the solid has no thermal pressure, K", 300),
-      tag("alpha0", "held against <rhoS>/<density>, which counts").real().at_least(1),
-      tag("Ks", "held against <rhoS> <C_0>^2, which counts, Pa").real().above(0)};
+      tag("alpha0", "compared with <rhoS>/<density>, which is used").real().at_least(1),
+      tag("Ks", "compared with <rhoS> <C_0>^2, which is used, Pa").real().above(0)};
   tags.push_back(number("shear_modulus", "G of the porous body, Pa; 0: none", 0).at_least(0));
   tags.push_back(number("yield_stress", "of von Mises, at the start, Pa", 0).at_least(0));
   tags.push_back(number("hardening_modulus", "sigma_Y over plastic strain, Pa", 0).at_least(0));
-  return {"p_alpha", {}, "porous solid whose pores close under pressure", tags, make};
+  return {"p_alpha", {}, "porous solid with pore collapse under pressure", tags, make};
 }
 
 }  // namespace sluice::mpm

@@ -72,7 +72,8 @@ MaterialModel ideal_gas_model() {
           {positive_or("gamma", "ratio of specific heats, above 1", 1.4),
            tag("specific_heat", "c_v, J/kg/K; absent: that of the material").real().above(0),
            number("Pref", "pressure without stress, Pa; absent: 101325", 101325),
-           choice("UseArtificialViscosity", "whether shocks are spread over cells", true)},
+           choice("UseArtificialViscosity",
+                  "whether an artificial viscosity spreads shocks over cells", true)},
           [](const Parameters& p) -> std::shared_ptr<const Material> {
             if (!(p.real("gamma") > 1)) {
               p.error("gamma", "<gamma> must be greater than 1");

@@ -98,7 +98,7 @@ std::shared_ptr<const Material> make(const Parameters& p) {
   if (p.flag("useInitialStress")) {
     const double base = 1 + c.of.n * c.of.K * p.real("initial_pressure");
     if (!(base > 0)) {
-      p.error("initial_pressure", "<initial_pressure> is below what the solid bears");
+      p.error("initial_pressure", "<initial_pressure> is below the lowest pressure of the solid");
       return nullptr;
     }
     c.J0 = std::pow(base, -1 / c.of.n);
@@ -109,29 +109,30 @@ std::shared_ptr<const Material> make(const Parameters& p) {
 }  // namespace
 
 MaterialModel jwlpp_mpm_model() {
-  return {"jwlpp_mpm",
-          {},
-          "explosive that turns from Murnaghan's solid into products of JWL",
-          {positive("ignition_pressure", "pressure where burning begins, Pa"),
-           positive("murnaghan_K", "compressibility of the solid, 1/Pa"),
-           positive("murnaghan_n", "derivative of its bulk modulus by pressure"),
-           positive("jwl_A", "pressure of the first exponential, Pa"),
-           number("jwl_B", "pressure of the second exponential, Pa"),
-           number("jwl_C", "pressure of the power of density, Pa"),
-           positive("jwl_R1", "first exponent"), positive("jwl_R2", "second exponent"),
-           positive("jwl_om", "Grueneisen coefficient"),
-           number("jwl_rho0", "accepted without effect: the density of the material counts", 0),
-           positive("reaction_G", "rate of burning, 1/(s Pa^b)"),
-           positive("reaction_b", "exponent of the pressure"),
-           number("max_burn_timestep_size", "accepted without effect: sub-steps follow the rate",
-                  1e-12),
-           number("max_burned_fraction", "burning ends here", 1).above(0).at_most(1),
-           choice("useInitialStress", "whether the body starts under <initial_pressure>", false),
-           number("initial_pressure", "Pa", 0),
-           choice("doFastStressCompute", "accepted without effect", false),
-           number("tolerance_for_Newton_iterations", "accepted without effect", 1e-3),
-           number("maximum_number_of_Newton_iterations", "accepted without effect", 20)},
-          make};
+  return {
+      "jwlpp_mpm",
+      {},
+      "explosive that reacts from Murnaghan's solid to products of JWL",
+      {positive("ignition_pressure", "pressure of ignition, Pa"),
+       positive("murnaghan_K", "compressibility of the solid, 1/Pa"),
+       positive("murnaghan_n", "derivative of its bulk modulus by pressure"),
+       positive("jwl_A", "pressure of the first exponential, Pa"),
+       number("jwl_B", "pressure of the second exponential, Pa"),
+       number("jwl_C", "pressure of the power of density, Pa"),
+       positive("jwl_R1", "first exponent"), positive("jwl_R2", "second exponent"),
+       positive("jwl_om", "Grueneisen coefficient"),
+       number("jwl_rho0", "accepted without effect: the density of the material is used", 0),
+       positive("reaction_G", "rate of burning, 1/(s Pa^b)"),
+       positive("reaction_b", "exponent of the pressure"),
+       number("max_burn_timestep_size", "accepted without effect: sub-steps follow the rate",
+              1e-12),
+       number("max_burned_fraction", "burnt fraction at which burning ends", 1).above(0).at_most(1),
+       choice("useInitialStress", "whether the initial state has <initial_pressure>", false),
+       number("initial_pressure", "Pa", 0),
+       choice("doFastStressCompute", "accepted without effect", false),
+       number("tolerance_for_Newton_iterations", "accepted without effect", 1e-3),
+       number("maximum_number_of_Newton_iterations", "accepted without effect", 20)},
+      make};
 }
 
 }  // namespace sluice::mpm

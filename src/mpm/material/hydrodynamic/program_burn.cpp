@@ -107,10 +107,10 @@ MaterialModel program_burn_model() {
            .once()
            .vector(),
        tag("direction_if_plane",
-           "normal of the plane that it starts from; [0, 0, 0]: from the point")
+           "normal of the plane where it starts; [0, 0, 0]: it starts at the point")
            .vector()
            .by_default("[0, 0, 0]"),
-       number("P0", "accepted without effect: pressure of reference beside a fluid, Pa", 0)},
+       number("P0", "accepted without effect: reference pressure with a fluid, Pa", 0)},
       make};
 }
 

@@ -63,7 +63,7 @@ class Liquid final : public Material {
 MaterialModel water_model() {
   return {"water",
           {},
-          "viscous liquid under Murnaghan's pressure",
+          "viscous liquid with Murnaghan's pressure",
           {positive("bulk_modulus", "K, Pa: the bulk modulus is K gamma"),
            tag("viscosity", "mu, Pa s").once().real().at_least(0),
            positive("gamma", "exponent of the density")},
@@ -77,11 +77,11 @@ MaterialModel murnaghanMPM_model() {
   return {
       "murnaghanMPM",
       {},
-      "the same liquid under its other tags",
+      "the same liquid with other tags",
       {positive("K", "K, Pa: the bulk modulus is K gamma"),
        number("viscosity", "mu, Pa s", 0).at_least(0), positive("gamma", "exponent of the density"),
-       number("pressure", "pressure of reference beside a fluid, Pa", 0),
-       number("rho0", "density of reference beside a fluid, kg/m^3", 0)},
+       number("pressure", "reference pressure with a fluid, Pa", 0),
+       number("rho0", "reference density with a fluid, kg/m^3", 0)},
       [](const Parameters& p) -> std::shared_ptr<const Material> {
         return std::make_shared<Liquid>(p.real("K"), p.real("viscosity"), p.real("gamma"),
                                         p.constants().density);

@@ -379,14 +379,14 @@ std::shared_ptr<const Material> make(const Parameters& p) {
 Tags tags() {
   Tags list = {
       positive("bulk_modulus", "K, Pa: for the first time step, and the default of the parts"),
-      positive("shear_modulus", "mu, Pa: likewise"),
+      positive("shear_modulus", "mu, Pa: for the first time step, and the default of the parts"),
       number("coeff_thermal_expansion", "linear, 1/K; of default_hypo and default_hyper", 0),
-      number("taylor_quinney_coeff", "chi, share of the plastic work that becomes heat", 0.9)
+      number("taylor_quinney_coeff", "chi, fraction of the plastic work that becomes heat", 0.9)
           .at_least(0)
           .at_most(1),
       positive_or("initial_material_temperature", "temperature without thermal strain, K", 294),
       choice("do_melting", "whether a particle above its melting temperature is a liquid", true),
-      choice("compute_specific_heat", "whether <specific_heat_model> counts", false),
+      choice("compute_specific_heat", "whether <specific_heat_model> is used", false),
       choice("check_TEPLA_failure_criterion",
              "whether a particle fails at <critical_porosity>; "
              "with <erosion>",
@@ -399,13 +399,13 @@ Tags tags() {
       yield_condition_tag(),
       stability_tag(),
       deviator_tag(),
-      tag("plastic_convergence_algo", "radialReturn is the one there is")
+      tag("plastic_convergence_algo", "only radialReturn is supported")
           .words({"radialReturn", "biswajit"})
           .by_default("radialReturn"),
       number("tolerance", "accepted without effect: the return is solved to round-off", 1e-10),
       cell_pressure_tag("useModifiedEOS"),
       choice("isothermal", "accepted without effect", false),
-      choice("evolve_damage", "accepted without effect: <damage_model> says it", false),
+      choice("evolve_damage", "accepted without effect: determined by <damage_model>", false),
       choice("check_max_stress_failure", "accepted without effect", false),
       number("critical_stress", "accepted without effect", 0),
       objective_tag()};
@@ -427,11 +427,10 @@ MaterialModel elastic_plastic_hp_model() {
 }
 MaterialModel rf_elastic_plastic_model() {
   Tags list = tags();
-  list.push_back(
-      number("volume_expansion_coeff", "strain by what diffuses; 0 alone is supported", 0)
-          .at_least(0)
-          .at_most(0));
-  return {"rf_elastic_plastic", {}, "the same metal, in axes that turn with it", list, make};
+  list.push_back(number("volume_expansion_coeff", "strain by diffusion; only 0 is supported", 0)
+                     .at_least(0)
+                     .at_most(0));
+  return {"rf_elastic_plastic", {}, "the same metal, in axes that rotate with it", list, make};
 }
 
 }  // namespace sluice::mpm

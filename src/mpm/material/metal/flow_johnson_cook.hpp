@@ -32,7 +32,7 @@ struct JohnsonCook {
             number("B", "hardening, Pa"),
             number("C", "sensitivity to the rate of strain"),
             tag("n", "exponent of hardening").once().real().at_least(0),
-            tag("m", "exponent of softening by heat").once().real().at_least(0),
+            tag("m", "exponent of thermal softening").once().real().at_least(0),
             positive_or("T_r", "temperature without softening, K", 298),
             tag("T_m",
                 "melting temperature, K; absent: <melt_temp> of the material, without that "

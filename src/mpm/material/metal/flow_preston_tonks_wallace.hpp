@@ -39,19 +39,19 @@ struct PrestonTonksWallace {
   static Tags tags() {
     return {number("theta", "rate of hardening"),
             number("p", "deviation from linear hardening"),
-            number("s0", "greatest saturation stress, of mu"),
-            number("sinf", "least saturation stress, of mu"),
+            number("s0", "largest saturation stress, relative to mu"),
+            number("sinf", "smallest saturation stress, relative to mu"),
             number("kappa", "dependence on temperature"),
             positive("gamma", "dependence on the rate"),
-            number("y0", "greatest yield stress, of mu"),
-            number("yinf", "least yield stress, of mu"),
-            number("y1", "of the yield stress at high rates"),
+            number("y0", "largest yield stress, relative to mu"),
+            number("yinf", "smallest yield stress, relative to mu"),
+            number("y1", "coefficient of the yield stress at high rates"),
             number("y2", "its exponent"),
             number("beta", "exponent of overdriven shocks"),
             positive("M", "mass of an atom, u"),
-            number("G0", "of the shear modulus; <shear_modulus_model> has it", 0),
-            number("alpha", "likewise", 0),
-            number("alphap", "likewise", 0)};
+            number("G0", "of the shear modulus, for <shear_modulus_model>", 0),
+            number("alpha", "of the shear modulus, for <shear_modulus_model>", 0),
+            number("alphap", "of the shear modulus, for <shear_modulus_model>", 0)};
   }
   static PrestonTonksWallace read(const Parameters& q) {
     return {q.real("theta"), q.real("p"),     q.real("s0"),   q.real("sinf"),

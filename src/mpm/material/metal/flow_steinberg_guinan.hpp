@@ -41,18 +41,18 @@ struct SteinbergGuinan {
   }
 
   static Tags tags() {
-    return {positive("mu_0", "shear modulus of reference, Pa"),
+    return {positive("mu_0", "reference shear modulus, Pa"),
             tag("sigma_0", "yield stress, Pa").once().real().at_least(0),
-            positive("Y_max", "greatest yield stress, Pa"),
+            positive("Y_max", "largest yield stress, Pa"),
             number("beta", "hardening"),
             number("n", "exponent of hardening"),
-            number("epsilon_p0", "plastic strain at the start", 0),
-            number("A", "of the shear modulus; <shear_modulus_model> has it", 0),
-            number("B", "likewise", 0),
-            number("T_m0", "of melting; <melting_temp_model> has it", 0),
-            number("Gamma_0", "likewise", 0),
-            number("a", "likewise", 0),
-            number("C1", "greatest rate of the thermal part, 1/s; absent: no thermal part", 0),
+            number("epsilon_p0", "initial plastic strain", 0),
+            number("A", "of the shear modulus, for <shear_modulus_model>", 0),
+            number("B", "of the shear modulus, for <shear_modulus_model>", 0),
+            number("T_m0", "of melting, for <melting_temp_model>", 0),
+            number("Gamma_0", "of melting, for <melting_temp_model>", 0),
+            number("a", "of melting, for <melting_temp_model>", 0),
+            number("C1", "largest rate of the thermal part, 1/s; absent: no thermal part", 0),
             number("C2", "drag, Pa s", 0),
             number("energy_to_form_kink_pair", "U_k, eV", 0.31),
             number("Boltzmann_constant", "k, eV/K", 8.617385e-5),
@@ -64,7 +64,7 @@ struct SteinbergGuinan {
     if (g.sigma_0 > g.Y_max)
       add_warning(p.faults(), p.block("sigma_0")->where,
                   fmt::format("steinberg_cochran_guinan: <sigma_0> {:g} is above <Y_max> {:g}, the "
-                              "greatest yield stress: the metal does not harden",
+                              "largest yield stress: the metal does not harden",
                               g.sigma_0, g.Y_max));
     if (p.real("C1") == 0) return g;
     g.C1 = p.real("C1");

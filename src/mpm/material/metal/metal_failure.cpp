@@ -40,7 +40,7 @@ const std::vector<Part>& yields() {
       {"gurson",
        {positive("q1", "weight of the pores"), positive("q2", "weight of the pressure"),
         number("q3", "weight of the squared pores"), number("k", "growth of f* beyond f_c"),
-        positive("f_c", "porosity where pores join")}}};
+        positive("f_c", "porosity of pore coalescence")}}};
   return list;
 }
 const std::vector<std::string> yields_not_supported = {"rousselier"};
@@ -64,24 +64,24 @@ bool unstable(Stability check, const Symmetric& strain, const Symmetric& N, doub
 }
 
 TagSpec yield_condition_tag() {
-  return part_tag("yield_condition", "which stresses make the metal yield", yields(),
+  return part_tag("yield_condition", "yield condition of the metal", yields(),
                   yields_not_supported);
 }
 TagSpec stability_tag() {
-  return part_tag("stability_check", "when a particle fails by becoming unstable; with <erosion>",
+  return part_tag("stability_check", "criterion of failure by instability; with <erosion>",
                   checks(), checks_not_supported);
 }
 Tags pore_tags() {
   return {choice("evolve_porosity", "whether pores grow", true),
-          number("initial_mean_porosity", "share of pores at the start", 0.002).at_least(0),
+          number("initial_mean_porosity", "initial porosity", 0.002).at_least(0),
           number("initial_std_porosity", "its deviation", 0).at_least(0),
-          tag("initial_porosity_distrib", "how it is drawn")
+          tag("initial_porosity_distrib", "distribution of the random values")
               .words({"constant", "gauss"})
               .by_default("constant"),
-          positive_or("critical_porosity", "share of pores where the particle fails", 0.5),
-          number("frac_nucleation", "f_n, share of pores that form", 0.1),
-          number("meanstrain_nucleation", "eps_n, plastic strain where most form", 0.3),
-          positive_or("stddevstrain_nucleation", "s_n, its deviation", 0.1)};
+          positive_or("critical_porosity", "porosity at which the particle fails", 0.5),
+          number("frac_nucleation", "f_n, porosity of nucleated pores", 0.1),
+          number("meanstrain_nucleation", "eps_n, mean plastic strain of nucleation", 0.3),
+          positive_or("stddevstrain_nucleation", "s_n, its standard deviation", 0.1)};
 }
 
 YieldCondition read_yield_condition(const Parameters& model) {

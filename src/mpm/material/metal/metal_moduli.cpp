@@ -82,19 +82,19 @@ const std::vector<Part>& shear_parts() {
   static const std::vector<Part> parts = {
       {"constant_shear", {tag("shear_modulus", "Pa; absent: that of the model").real().above(0)}},
       {"mts_shear",
-       {positive("mu_0", "shear modulus at 0 K, Pa"), number("D", "its fall, Pa"),
-        positive("T_0", "temperature of its fall, K")}},
+       {positive("mu_0", "shear modulus at 0 K, Pa"), number("D", "its decrease, Pa"),
+        positive("T_0", "temperature of its decrease, K")}},
       {"scg_shear",
-       {positive("mu_0", "shear modulus at 300 K, Pa"), number("A", "growth by pressure, 1/Pa"),
-        number("B", "fall by temperature, 1/K")}},
+       {positive("mu_0", "shear modulus at 300 K, Pa"), number("A", "increase with pressure, 1/Pa"),
+        number("B", "decrease with temperature, 1/K")}},
       {"np_shear",
        {positive("mu_0", "shear modulus at 0 K, Pa"), positive("zeta", "width of melting"),
-        number("slope_mu_p_over_mu0", "growth by pressure, 1/Pa"),
+        number("slope_mu_p_over_mu0", "increase with pressure, 1/Pa"),
         positive("C", "of Lindemann's law"), positive("m", "mass of an atom, u")}},
       {"ptw_shear",
        {positive("mu_0", "shear modulus at 0 K, Pa"), number("alpha", "without effect", 0),
-        number("alphap", "fall to the melting temperature"),
-        number("slope_mu_p_over_mu0", "growth by pressure, 1/Pa")}}};
+        number("alphap", "decrease up to the melting temperature"),
+        number("slope_mu_p_over_mu0", "increase with pressure, 1/Pa")}}};
   return parts;
 }
 
@@ -103,11 +103,12 @@ const std::vector<Part>& melting_parts() {
       {"constant_Tm", {tag("T_m", "K; absent: <melt_temp> of the material").real().above(0)}},
       {"linear_Tm",
        {positive("T_m0", "melting temperature without pressure, K"),
-        number("b", "growth by pressure, K/Pa", 0), number("a", "b = a T_m0/K_T", 0),
+        number("b", "increase with pressure, K/Pa", 0), number("a", "b = a T_m0/K_T", 0),
         number("Gamma_0", "a = 2 (Gamma_0 - 1/3)", 0), number("K_T", "bulk modulus, Pa", 0)}},
       {"scg_Tm",
        {positive("T_m0", "melting temperature without pressure, K"),
-        number("Gamma_0", "Grueneisen coefficient"), number("a", "its fall with compression")}}};
+        number("Gamma_0", "Grueneisen coefficient"),
+        number("a", "its dependence on compression")}}};
   return parts;
 }
 
@@ -117,10 +118,10 @@ const std::vector<Part>& heat_parts() {
       {"copper_Cp", {}},
       {"steel_Cp",
        {positive_or("T_transition", "temperature between the two forms, K", 1040),
-        number("A_LowT", "J/kg/K", 190.14), number("B_LowT", "likewise", 273.75),
-        number("C_LowT", "likewise", 418.30), number("n_LowT", "exponent", 0.2),
-        number("A_HighT", "J/kg/K", 465.21), number("B_HighT", "likewise", 267.52),
-        number("C_HighT", "likewise", 58.16), number("n_HighT", "exponent", 0.35)}}};
+        number("A_LowT", "J/kg/K", 190.14), number("B_LowT", "J/kg/K", 273.75),
+        number("C_LowT", "J/kg/K", 418.30), number("n_LowT", "exponent", 0.2),
+        number("A_HighT", "J/kg/K", 465.21), number("B_HighT", "J/kg/K", 267.52),
+        number("C_HighT", "J/kg/K", 58.16), number("n_HighT", "exponent", 0.35)}}};
   return parts;
 }
 const std::vector<std::string> heats_not_supported = {"cubic_Cp"};
@@ -129,16 +130,15 @@ const std::vector<std::string> meltings_not_supported = {"bps_Tm"};
 }  // namespace
 
 TagSpec shear_modulus_tag() {
-  return part_tag("shear_modulus_model", "how the shear modulus depends on pressure and heat",
-                  shear_parts());
+  return part_tag("shear_modulus_model", "model of the shear modulus", shear_parts());
 }
 TagSpec melting_tag() {
-  return part_tag("melting_temp_model", "how the melting temperature depends on pressure",
-                  melting_parts(), meltings_not_supported);
+  return part_tag("melting_temp_model", "model of the melting temperature", melting_parts(),
+                  meltings_not_supported);
 }
 TagSpec specific_heat_tag() {
-  return part_tag("specific_heat_model", "how the specific heat depends on temperature",
-                  heat_parts(), heats_not_supported);
+  return part_tag("specific_heat_model", "model of the specific heat", heat_parts(),
+                  heats_not_supported);
 }
 
 ShearModulus read_shear_modulus(const Parameters& model, double constant) {

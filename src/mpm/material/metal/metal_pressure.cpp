@@ -54,8 +54,7 @@ const std::vector<std::string> not_supported = {"mie_gruneisen_energy"};
 }  // namespace
 
 TagSpec metal_pressure_tag() {
-  return part_tag("equation_of_state", "how pressure follows from volume and heat", parts(),
-                  not_supported);
+  return part_tag("equation_of_state", "model of the pressure", parts(), not_supported);
 }
 
 MetalPressure read_metal_pressure(const Parameters& model, double K) {
