@@ -109,7 +109,7 @@ StepBalance Mpm::balance(const std::vector<double>& sums, const StepStart* /*sta
   return b;
 }
 
-// docs/theory/mpm_transfers.md, "Energy account". What each follows: K_p with the nodes' K* - K, U
+// docs/theory/mpm_transfers.md, "Energy budget". What each follows: K_p with the nodes' K* - K, U
 // with the work of the forces within, what contact took, and what is left of the nodes' balance.
 std::vector<std::string> Mpm::tally_names() const {
   return {"kinetic energy of particles",
