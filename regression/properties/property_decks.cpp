@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "framework/base/environment.hpp"
+#include "framework/base/test_support/environment.hpp"
 #include "sluice_source_dir.hpp"
 
 namespace sluice::properties {

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <string>
 
-#include "framework/base/environment.hpp"
+#include "framework/base/test_support/environment.hpp"
 #include "verification/amr_case.hpp"
 
 namespace sluice::verification::sources_test {

@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "app/command/command_test_support.hpp"
-#include "framework/base/environment.hpp"
+#include "framework/base/test_support/environment.hpp"
 #include "sluice_source_dir.hpp"
 
 namespace sluice::example_decks_test {

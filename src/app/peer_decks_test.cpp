@@ -8,7 +8,7 @@
 #include <map>
 
 #include "app/loading/sluice_schema.hpp"
-#include "framework/base/environment.hpp"
+#include "framework/base/test_support/environment.hpp"
 #include "framework/deck/load_deck.hpp"
 #include "sluice_source_dir.hpp"
 

@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "app/loading/sluice_schema.hpp"
-#include "framework/base/environment.hpp"
+#include "framework/base/test_support/environment.hpp"
 #include "framework/deck/load_deck.hpp"
 #include "ice/start/material_fill.hpp"
 

@@ -7,7 +7,7 @@
 
 #include "app/archive_runs_test_support.hpp"
 #include "framework/archive/archive.hpp"
-#include "framework/base/environment.hpp"
+#include "framework/base/test_support/environment.hpp"
 #include "sluice_source_dir.hpp"
 
 namespace sluice::solid_bits_test {

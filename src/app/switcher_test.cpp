@@ -10,7 +10,7 @@
 #include <string>
 
 #include "app/archive_runs_test_support.hpp"
-#include "framework/base/environment.hpp"
+#include "framework/base/test_support/environment.hpp"
 #include "sluice_source_dir.hpp"
 
 namespace sluice::switcher_test {

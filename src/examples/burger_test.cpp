@@ -3,7 +3,7 @@
 
 #include <numbers>
 
-#include "examples/example_run.hpp"
+#include "examples/test_support/example_run.hpp"
 
 namespace sluice::examples::burger_test {
 namespace {

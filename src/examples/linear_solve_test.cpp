@@ -1,7 +1,7 @@
 // A linear solve as a stage of a step: exact solutions, solvers, equal bits, faults.
 #include "examples/linear_solve.hpp"
 
-#include "examples/example_run.hpp"
+#include "examples/test_support/example_run.hpp"
 
 namespace sluice::examples::linear_solve_test {
 namespace {

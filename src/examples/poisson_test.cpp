@@ -1,7 +1,7 @@
 // Laplace's equation on nodes: boundary values, convergence, the residual, equal bits.
 #include "examples/poisson.hpp"
 
-#include "examples/example_run.hpp"
+#include "examples/test_support/example_run.hpp"
 
 namespace sluice::examples::poisson_test {
 namespace {

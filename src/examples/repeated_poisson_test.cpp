@@ -1,7 +1,7 @@
 // Sweeps repeated within a step.
 #include "examples/repeated_poisson.hpp"
 
-#include "examples/example_run.hpp"
+#include "examples/test_support/example_run.hpp"
 
 namespace sluice::examples::repeated_poisson_test {
 namespace {

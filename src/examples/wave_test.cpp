@@ -1,7 +1,7 @@
 // The wave equation: order against the exact radial solution, levels, mirrors, equal bits.
 #include "examples/wave.hpp"
 
-#include "examples/example_run.hpp"
+#include "examples/test_support/example_run.hpp"
 
 namespace sluice::examples::wave_test {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "framework/base/environment.hpp"
+#include "framework/base/test_support/environment.hpp"
 #include "kinetics/read_mechanism.hpp"
 
 namespace sluice::kinetics::hydrogen_burke_test {

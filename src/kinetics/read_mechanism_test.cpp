@@ -4,8 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "framework/base/environment.hpp"
 #include "framework/base/error.hpp"
+#include "framework/base/test_support/environment.hpp"
 #include "kinetics/species_gas.hpp"
 
 namespace sluice::kinetics::read_mechanism_test {

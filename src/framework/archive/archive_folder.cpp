@@ -14,29 +14,6 @@ namespace sluice {
 namespace fs = std::filesystem;
 namespace {
 
-bool is_partial(const fs::path& path) {
-  return path.extension() == ".partial";
-}
-
-bool is_step_folder(const fs::path& path) {
-  const std::string name = path.filename().string();
-  return name.size() > 5 && name[0] == 't' &&
-         name.find_first_not_of("0123456789", 1) == std::string::npos;
-}
-
-// What a killed run left behind: half-written files and steps that the index does not name.
-void remove_leftovers(const fs::path& folder, const ArchiveIndex& index) {
-  auto indexed = [&](const fs::path& path) {
-    return std::any_of(index.steps.begin(), index.steps.end(),
-                       [&](const StepEntry& s) { return s.href.parent_path() == path.filename(); });
-  };
-  std::vector<fs::path> left;
-  for (const auto& entry : fs::directory_iterator(folder))
-    if (is_partial(entry.path()) || (is_step_folder(entry.path()) && !indexed(entry.path())))
-      left.push_back(entry.path());
-  for (const fs::path& p : left) remove_tree(p);
-}
-
 void copy_over(const fs::path& from, const fs::path& to) {
   std::error_code error;
   fs::copy_file(from, to, fs::copy_options::overwrite_existing, error);
@@ -145,26 +122,6 @@ void ArchiveWriter::link_newest(const fs::path& base) {
                                   std::generic_category().message(error_number)));
 }
 
-ArchiveWriter ArchiveWriter::resume(const fs::path& folder, const ArchiveSetup& setup,
-                                    int restart_step, WriterRanks ranks) {
-  ArchiveWriter writer(setup, std::move(ranks));
-  writer.on_root([&] {
-    std::error_code error;
-    writer.folder_ = fs::canonical(folder, error);  // a link names the archive as well
-    if (error) fail_system("open archive", folder, error.value());
-  });
-  writer.folder_ = writer.ranks_.gather_to_all(writer.folder_.string()).front();
-  writer.outputs_.folder = writer.folder_;
-  writer.checkpoints_.folder = writer.folder_ / "checkpoints";
-  writer.on_root([&] {
-    writer.lock_ = FolderLock(writer.folder_);
-    writer.outputs_.index = read_index(writer.outputs_.folder);
-    writer.checkpoints_.index = read_index(writer.checkpoints_.folder);
-    writer.drop_later_steps(restart_step);
-  });
-  return writer;
-}
-
 namespace {
 
 // Histories that either index names: a run killed between a checkpoint and its next output has
@@ -180,21 +137,6 @@ std::vector<HistoryEntry> all_histories(const ArchiveIndex& outputs,
 }
 
 }  // namespace
-
-void ArchiveWriter::drop_later_steps(int restart_step) {
-  const StepEntry start = find_step(checkpoints_.index, restart_step, folder_);
-  outputs_.index.histories = all_histories(outputs_.index, checkpoints_.index);
-  for (Store* store : {&outputs_, &checkpoints_}) {
-    std::erase_if(store->index.steps, [&](const StepEntry& s) { return s.step > restart_step; });
-    store->index.restarts.push_back({folder_.filename().string(), restart_step});
-    store->index.ranks = ranks_.size;
-    write_index(*store);
-    remove_leftovers(store->folder, store->index);
-  }
-  for (const HistoryEntry& h : outputs_.index.histories)
-    if (fs::exists(folder_ / h.file))
-      cut_history(folder_ / h.file, setup_.histories, restart_step, start.time);
-}
 
 void ArchiveWriter::adopt(const fs::path& earlier_archive, int restart_step, Earlier mode) {
   on_root([&] {

@@ -104,42 +104,6 @@ TEST(ArchiveRestart, CheckpointCycleKeepsTheNewest) {
   EXPECT_THAT(steps_of(Archive::open(keeper.folder()).checkpoints()), ElementsAre(2, 4, 6, 8));
 }
 
-TEST(ArchiveRestart, ResumedRunLeavesTheSameArchive) {
-  const TemporaryFolder folder;
-  ArchiveWriter reference = ArchiveWriter::create(setup_in(folder.path()));
-  write_steps(reference, 1, 9);
-  fs::path path;
-  {
-    ArchiveWriter writer = ArchiveWriter::create(setup_in(folder.path()));
-    write_steps(writer, 1, 7);
-    path = writer.folder();
-    // What a kill may leave: a half-written step, a cut history line, lines beyond the checkpoint.
-    fs::create_directory(path / "t00008.partial");
-    fs::create_directory(path / "checkpoints" /
-                         "t00002");  // dropped from the index, not yet removed
-    fs::create_directory(path / "checkpoints" / "t00008.partial");
-    std::ofstream(path / "TotalMass.dat", std::ios::app) << "0.8\t0.1";
-  }
-  ArchiveWriter resumed = ArchiveWriter::resume(path, setup_in(folder.path()), 4);
-  EXPECT_EQ(dat(resumed).find("0.5\t"), std::string::npos);
-  EXPECT_FALSE(fs::exists(path / "t00008.partial"));
-  EXPECT_FALSE(fs::exists(path / "t00005"));
-  EXPECT_FALSE(fs::exists(path / "checkpoints" / "t00002"));
-  EXPECT_FALSE(fs::exists(path / "checkpoints" / "t00006"));
-  write_steps(resumed, 5, 9);
-  EXPECT_EQ(dat(resumed), dat(reference));
-  EXPECT_EQ(read_text(path / "Momentum_2.dat"), read_text(reference.folder() / "Momentum_2.dat"));
-  const Archive a = Archive::open(path);
-  EXPECT_THAT(steps_of(a.outputs()), ElementsAre(1, 2, 3, 4, 5, 6, 7, 8, 9));
-  EXPECT_THAT(steps_of(a.checkpoints()), ElementsAre(6, 8));
-  ASSERT_EQ(a.index().restarts.size(), 1u);
-  EXPECT_EQ(a.index().restarts[0].step, 4);
-  EXPECT_EQ(a.index().histories.size(), 2u);
-  for (const char* file : {"t00004/p00000.h5", "t00008/p00000.h5", "checkpoints/t00008/p00000.h5"})
-    EXPECT_EQ(read_text(path / file), read_text(reference.folder() / file)) << file;
-  EXPECT_THROW(ArchiveWriter::resume(reference.folder(), setup_in(folder.path()), 5), Error);
-}
-
 TEST(ArchiveRestart, NewArchiveAdoptsTheEarlierOutputs) {
   const TemporaryFolder folder;
   fs::path old_path;
@@ -197,7 +161,7 @@ TEST(ArchiveRestart, OneWriterAtATime) {
   ArchiveWriter writer = ArchiveWriter::create(setup_in(folder.path()));
   write_steps(writer, 1, 2);
   try {
-    ArchiveWriter::resume(writer.folder(), setup_in(folder.path()), 2);
+    const FolderLock second(writer.folder());
     FAIL();
   } catch (const SystemError& e) {
     EXPECT_THAT(e.what(), ::testing::HasSubstr("another run is writing"));

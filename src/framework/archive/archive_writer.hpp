@@ -60,10 +60,6 @@ class ArchiveWriter {
  public:
   // A new archive under the smallest free number. Two runs started at once get two folders.
   static ArchiveWriter create(const ArchiveSetup& setup, WriterRanks ranks = {});
-  // Continues an existing archive from one of its checkpoints: later outputs, checkpoints and
-  // history lines are dropped, as is what a killed run left behind.
-  static ArchiveWriter resume(const std::filesystem::path& folder, const ArchiveSetup& setup,
-                              int restart_step, WriterRanks ranks = {});
   // For a new archive of a restarted run, before its first step: says where it comes from, and
   // brings in outputs (by reference or copy) and history lines up to the restart.
   void adopt(const std::filesystem::path& earlier_archive, int restart_step, Earlier mode);
@@ -106,7 +102,6 @@ class ArchiveWriter {
   void on_root(const std::function<void()>& work);
   void make_archive_folder();
   void link_newest(const std::filesystem::path& base);
-  void drop_later_steps(int restart_step);
   WriteReport write_step(Store& store, const StepInfo& info, const Grid& grid,
                          std::span<const FieldPiece> pieces, const StorageOptions& options);
   void publish(Store& store, const StepInfo& info, const Grid& grid);

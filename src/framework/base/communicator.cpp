@@ -305,26 +305,12 @@ void Messages::post_send(const double* buffer, std::size_t count, int destinatio
   requests_->posted.push_back(request);
 }
 
-bool Messages::test_all() {
-  if (requests_->posted.empty()) return true;
-  int arrived = 0;
-  check(MPI_Testall(to_count(requests_->posted.size(), "messages"), requests_->posted.data(),
-                    &arrived, MPI_STATUSES_IGNORE),
-        "MPI_Testall");
-  if (arrived != 0) requests_->posted.clear();
-  return arrived != 0;
-}
-
 void Messages::wait_all() {
   if (requests_->posted.empty()) return;
   check(MPI_Waitall(to_count(requests_->posted.size(), "messages"), requests_->posted.data(),
                     MPI_STATUSES_IGNORE),
         "MPI_Waitall");
   requests_->posted.clear();
-}
-
-std::size_t Messages::under_way() const {
-  return requests_->posted.size();
 }
 
 }  // namespace sluice

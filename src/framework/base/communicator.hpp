@@ -73,10 +73,7 @@ class Messages {
 
   void post_receive(double* buffer, std::size_t count, int source, int tag);
   void post_send(const double* buffer, std::size_t count, int destination, int tag);
-  // True when all have arrived (and then nothing is under way any more).
-  bool test_all();
   void wait_all();
-  std::size_t under_way() const;
 
  private:
   struct Requests;

@@ -157,9 +157,7 @@ TEST(Communicator, sends_around_the_ring) {
     std::iota(sent.begin(), sent.end(), 1e6 * ranks.rank());
     messages.post_receive(received.data(), count, previous, 7);
     messages.post_send(sent.data(), count, next, 7);
-    EXPECT_EQ(messages.under_way(), 2U);
     messages.wait_all();
-    EXPECT_EQ(messages.under_way(), 0U);
     for (std::size_t i = 0; i < count; ++i) {
       ASSERT_EQ(received[i], 1e6 * previous + static_cast<double>(i));
     }
@@ -168,8 +166,7 @@ TEST(Communicator, sends_around_the_ring) {
   double received = -1.0;
   messages.post_receive(&received, 1, previous, 8);
   messages.post_send(&sent, 1, next, 8);
-  while (!messages.test_all()) {
-  }
+  messages.wait_all();
   EXPECT_EQ(received, previous);
 }
 

@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "framework/base/launcher.hpp"
-#include "framework/base/with_variable.hpp"
+#include "framework/base/test_support/with_variable.hpp"
 
 namespace sluice::console_test {
 namespace {

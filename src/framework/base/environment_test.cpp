@@ -1,9 +1,9 @@
 // A variable that names a folder, one that is empty, and one that is not there.
-#include "framework/base/environment.hpp"
+#include "framework/base/test_support/environment.hpp"
 
 #include <gtest/gtest.h>
 
-#include "framework/base/with_variable.hpp"
+#include "framework/base/test_support/with_variable.hpp"
 
 namespace sluice::environment_test {
 namespace {

@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "framework/base/error.hpp"
-#include "framework/base/with_variable.hpp"
+#include "framework/base/test_support/with_variable.hpp"
 
 namespace sluice::temporary_folder_test {
 namespace {

@@ -85,12 +85,6 @@ std::optional<Label> find_label(std::string_view name) {
   return Label(it->second);
 }
 
-int label_count() {
-  Registry& r = registry();
-  const std::lock_guard lock(r.mutex);
-  return static_cast<int>(r.infos.size());
-}
-
 std::vector<Label> all_labels() {
   Registry& r = registry();
   const std::lock_guard lock(r.mutex);

@@ -66,7 +66,6 @@ Label declare_label(LabelInfo info);
 // now on it means this one. A run has one component, which claims its names when it is made.
 Label claim_label(LabelInfo info);
 std::optional<Label> find_label(std::string_view name);
-int label_count();
 std::vector<Label> all_labels();  // sorted by name
 
 }  // namespace sluice

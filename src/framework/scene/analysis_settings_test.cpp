@@ -1,7 +1,7 @@
 // Analysis modules of a deck: what is read, and what is said about bad ones.
 #include "framework/scene/analysis_settings.hpp"
 
-#include "framework/scene/deck_text.hpp"
+#include "framework/scene/test_support/deck_text.hpp"
 
 namespace sluice::analysis_settings_test {
 namespace {

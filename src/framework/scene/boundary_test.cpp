@@ -1,7 +1,7 @@
 // Regions, precedence, coverage and faults of boundary conditions.
 #include "framework/scene/boundary.hpp"
 
-#include "framework/scene/deck_text.hpp"
+#include "framework/scene/test_support/deck_text.hpp"
 
 namespace sluice::boundary_test {
 namespace {

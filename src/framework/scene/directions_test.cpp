@@ -1,7 +1,7 @@
 // Which directions are active, what happens to the velocity along the others, and why.
 #include "framework/scene/directions.hpp"
 
-#include "framework/scene/deck_text.hpp"
+#include "framework/scene/test_support/deck_text.hpp"
 
 namespace sluice::directions_test {
 namespace {

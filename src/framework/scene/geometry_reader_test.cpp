@@ -4,7 +4,7 @@
 #include <fstream>
 
 #include "framework/base/temporary_folder.hpp"
-#include "framework/scene/deck_text.hpp"
+#include "framework/scene/test_support/deck_text.hpp"
 
 namespace sluice::geometry_reader_test {
 namespace {

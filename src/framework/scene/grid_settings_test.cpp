@@ -4,7 +4,7 @@
 #include <set>
 
 #include "framework/base/error.hpp"
-#include "framework/scene/deck_text.hpp"
+#include "framework/scene/test_support/deck_text.hpp"
 
 namespace sluice::grid_settings_test {
 namespace {

@@ -1,7 +1,7 @@
 // The archiver's tags, defaults and faults.
 #include "framework/scene/output_settings.hpp"
 
-#include "framework/scene/deck_text.hpp"
+#include "framework/scene/test_support/deck_text.hpp"
 #include "framework/scene/time_settings.hpp"
 
 namespace sluice::output_settings_test {

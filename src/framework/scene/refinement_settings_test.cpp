@@ -1,10 +1,10 @@
 // <AMR> from the deck: levels that are added, every fault of them, regions and criteria.
 #include "framework/scene/refinement_settings.hpp"
 
-#include "framework/base/environment.hpp"
 #include "framework/base/error.hpp"
-#include "framework/scene/deck_text.hpp"
+#include "framework/base/test_support/environment.hpp"
 #include "framework/scene/scene.hpp"
+#include "framework/scene/test_support/deck_text.hpp"
 
 namespace sluice::refinement_settings_test {
 namespace {

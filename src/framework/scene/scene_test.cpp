@@ -1,8 +1,8 @@
 // A whole deck as a scene, and all faults of a bad one at once.
 #include "framework/scene/scene.hpp"
 
-#include "framework/base/environment.hpp"
-#include "framework/scene/deck_text.hpp"
+#include "framework/base/test_support/environment.hpp"
+#include "framework/scene/test_support/deck_text.hpp"
 
 namespace sluice::scene_test {
 namespace {

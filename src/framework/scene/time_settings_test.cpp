@@ -1,7 +1,7 @@
 // The time block's tags and contradictions.
 #include "framework/scene/time_settings.hpp"
 
-#include "framework/scene/deck_text.hpp"
+#include "framework/scene/test_support/deck_text.hpp"
 
 namespace sluice::time_settings_test {
 namespace {

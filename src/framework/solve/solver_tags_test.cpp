@@ -2,8 +2,8 @@
 #include "framework/solve/solver_tags.hpp"
 
 #include "framework/deck/schema_check.hpp"
-#include "framework/scene/deck_text.hpp"
 #include "framework/scene/deck_values.hpp"
+#include "framework/scene/test_support/deck_text.hpp"
 
 namespace sluice::solve::solver_tags_test {
 namespace {

@@ -11,6 +11,26 @@
 namespace sluice::level_cycle_mock_test {
 namespace {
 
+// A compiled sweep as a node: inadmissible cells reject the step.
+Sweep sweep_node(std::string name, const Level& level, SweepExecutor& executor,
+                 Communicator& ranks) {
+  return {std::move(name), level.index,
+          [&level, &executor, &ranks](const StepScope& scope, StepJournal&) {
+            const Reductions& r = executor.run({scope.time, scope.dt, level.spacing, level.index});
+            return agree(r.fault_count() > 0 ? Verdict::reject : Verdict::good, ranks);
+          }};
+}
+
+// An exchange of ghost cells as a node.
+HaloPoint halo_node(std::string name, const Level& level, int width, HaloExchange& exchange,
+                    Warehouse& warehouse, std::vector<int> slots) {
+  return {std::move(name), level.index, width,
+          [&exchange, &warehouse, slots = std::move(slots)](const StepScope&, StepJournal&) {
+            exchange.run(warehouse, slots);
+            return Verdict::good;
+          }};
+}
+
 using namespace sweep_test;
 
 constexpr int ghosts = 1, ratio = 2, fine_low = 16, fine_high = 48;

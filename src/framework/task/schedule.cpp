@@ -162,22 +162,4 @@ std::string describe(const Schedule& schedule) {
   return text;
 }
 
-Sweep sweep_node(std::string name, const Level& level, SweepExecutor& executor,
-                 Communicator& ranks) {
-  return {std::move(name), level.index,
-          [&level, &executor, &ranks](const StepScope& scope, StepJournal&) {
-            const Reductions& r = executor.run({scope.time, scope.dt, level.spacing, level.index});
-            return agree(r.fault_count() > 0 ? Verdict::reject : Verdict::good, ranks);
-          }};
-}
-
-HaloPoint halo_node(std::string name, const Level& level, int width, HaloExchange& exchange,
-                    Warehouse& warehouse, std::vector<int> slots) {
-  return {std::move(name), level.index, width,
-          [&exchange, &warehouse, slots = std::move(slots)](const StepScope&, StepJournal&) {
-            exchange.run(warehouse, slots);
-            return Verdict::good;
-          }};
-}
-
 }  // namespace sluice

@@ -116,11 +116,4 @@ Verdict run(const Schedule& schedule, const StepScope& scope, StepJournal& journ
 // One line a node, indented: for `sluice plan`.
 std::string describe(const Schedule& schedule);
 
-// A compiled sweep as a node: inadmissible cells reject the step.
-Sweep sweep_node(std::string name, const Level& level, SweepExecutor& executor,
-                 Communicator& ranks);
-// An exchange of ghost cells as a node.
-HaloPoint halo_node(std::string name, const Level& level, int width, HaloExchange& exchange,
-                    Warehouse& warehouse, std::vector<int> slots);
-
 }  // namespace sluice

@@ -12,6 +12,7 @@
 #include "ice/one_material/leaving_shocks.hpp"
 #include "ice/one_material/quantity_rows.hpp"
 #include "ice/one_material/tasks.hpp"
+#include "ice/step/slope_rows.hpp"
 #include "ice/step/variables.hpp"
 
 namespace sluice::ice {
@@ -21,6 +22,10 @@ struct Handles {
   In rho, velocity, pressure, sound, mask, open;
   Out velocity_slope, pressure_slope, predicted, transverse;
 };
+
+SlopeOutputs slopes_of(const Handles& h) {
+  return {h.velocity_slope, h.pressure_slope, h.transverse};
+}
 
 // What a slope needs to know of each axis.
 template <int D>
@@ -109,39 +114,6 @@ void predict_row(const Row& row, const Handles& h, const AxisConstants<D>& const
 }
 
 template <int D>
-void mask_rows(const Row& row, const Handles& h) {
-  const int n = row.whole_vectors();
-  const double* __restrict mask = row(h.mask);
-  for (int d = 0; d < D; ++d)
-    for (double* __restrict s : {row(h.velocity_slope, d), row(h.pressure_slope, d),
-                                 D > 1 ? row(h.transverse, d) : nullptr}) {
-      if (s == nullptr) continue;
-#pragma GCC ivdep
-      for (int i = 0; i < n; ++i) s[i] *= mask[i];
-    }
-}
-
-// Beside solids: along axes that are open, transverse advection by those across.
-template <int D>
-void close_rows(const Row& row, const Handles& h) {
-  const int n = row.count();
-  for (int d = 0; d < D; ++d) {
-    const double* open = row(h.open, d);
-    double *su = row(h.velocity_slope, d), *sp = row(h.pressure_slope, d);
-    for (int i = 0; i < n; ++i) {
-      su[i] *= open[i];
-      sp[i] *= open[i];
-    }
-    for (int t = 0; t < D && D > 1; ++t) {
-      if (t == d) continue;
-      const double* across = row(h.open, t);
-      double* UT = row(h.transverse, d);
-      for (int i = 0; i < n; ++i) UT[i] *= across[i];
-    }
-  }
-}
-
-template <int D>
 void damp_rows(const Row& row, const Handles& h, const InterfaceDistance& ends) {
   for (int d = 0; d < D; ++d)
     damp_leaving_shocks(
@@ -174,8 +146,8 @@ void add_slopes(TaskList& list, const SchemeVariables& v, const SchemeOptions& o
         slope_rows<D, true>(row, h, k);
       else
         slope_rows<D, false>(row, h, k);
-      if (o.masked && !o.walled) mask_rows<D>(row, h);
-      if (o.walled) close_rows<D>(row, h);
+      if (o.masked && !o.walled) mask_slopes(row, h.mask, slopes_of(h), D);
+      if (o.walled) close_slopes(row, h.open, slopes_of(h), D);
       if (o.shocks_leave && o.recorder->ends != nullptr) damp_rows<D>(row, h, *o.recorder->ends);
       predict_row<D>(row, h, k);
     });

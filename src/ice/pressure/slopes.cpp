@@ -12,6 +12,7 @@
 #include "ice/fluid/limiters.hpp"
 #include "ice/one_material/quantity_rows.hpp"
 #include "ice/pressure/variables.hpp"
+#include "ice/step/slope_rows.hpp"
 
 namespace sluice::ice::pressure {
 namespace {
@@ -20,6 +21,10 @@ struct Handles {
   In rho, velocity, pressure, mask, open;
   Out velocity_slope, pressure_slope, transverse;
 };
+
+SlopeOutputs slopes_of(const Handles& h) {
+  return {h.velocity_slope, h.pressure_slope, h.transverse};
+}
 
 [[gnu::always_inline]] inline double slope_of_five(double d0, double d1, double d2, double d3) {
   const double limited = central_slope(d1, d2);
@@ -90,37 +95,6 @@ void transverse_rows(const Row& row, const Handles& h, const Axes& axes) {
     }
 }
 
-void mask_rows(const Row& row, const Handles& h, int D) {
-  const int n = row.whole_vectors();
-  const double* __restrict mask = row(h.mask);
-  for (int d = 0; d < D; ++d)
-    for (double* __restrict s : {row(h.velocity_slope, d), row(h.pressure_slope, d),
-                                 D > 1 ? row(h.transverse, d) : nullptr}) {
-      if (s == nullptr) continue;
-#pragma GCC ivdep
-      for (int i = 0; i < n; ++i) s[i] *= mask[i];
-    }
-}
-
-// Beside solids: along axes that are open, transverse advection by those across.
-void close_rows(const Row& row, const Handles& h, int D) {
-  const int n = row.count();
-  for (int d = 0; d < D; ++d) {
-    const double* open = row(h.open, d);
-    double *su = row(h.velocity_slope, d), *sp = row(h.pressure_slope, d);
-    for (int i = 0; i < n; ++i) {
-      su[i] *= open[i];
-      sp[i] *= open[i];
-    }
-    for (int t = 0; t < D && D > 1; ++t) {
-      if (t == d) continue;
-      const double* across = row(h.open, t);
-      double* UT = row(h.transverse, d);
-      for (int i = 0; i < n; ++i) UT[i] *= across[i];
-    }
-  }
-}
-
 void no_slopes(const Row& row, const Handles& h, int D) {
   for (int d = 0; d < D; ++d) {
     std::fill_n(row(h.velocity_slope, d), row.whole_vectors(), 0.0);
@@ -157,8 +131,8 @@ void add_smooth_slopes(TaskList& list, const SchemeVariables& v, const SchemeOpt
           pressure_slopes<false>(row, h, d, 0, 0);
       }
       if constexpr (D > 1) transverse_rows<D>(row, h, o.axes);
-      if (o.masked && !o.walled) mask_rows(row, h, D);
-      if (o.walled) close_rows(row, h, D);
+      if (o.masked && !o.walled) mask_slopes(row, h.mask, slopes_of(h), D);
+      if (o.walled) close_slopes(row, h.open, slopes_of(h), D);
     });
   });
 }
