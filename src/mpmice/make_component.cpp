@@ -18,7 +18,7 @@ void check_cracks(const std::vector<models::SolidBurn>& burns, const MpmIce& com
                   std::vector<Fault>& faults) {
   for (const models::SolidBurn& burn : burns) {
     const auto* ddt = std::get_if<models::Ddt1>(&burn.law);
-    const auto solid = static_cast<std::size_t>(burn.solid);
+    const std::size_t solid = burn.solid;
     if (ddt == nullptr || !ddt->cracks ||
         mpm::column_of(component.solids().carried()[solid], "p.crackRad") >= 0)
       continue;
