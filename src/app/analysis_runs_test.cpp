@@ -203,8 +203,7 @@ TEST_F(AnalysisRuns, FreeFallHasTheStatisticsOfItsTimes) {
   };
   EXPECT_NEAR(last("mean_vel_CC")[1], mean, 1e-14);
   EXPECT_NEAR(last("variance_vel_CC")[1], variance, 1e-14);
-  for (int c = 0; c < 3; ++c)
-    EXPECT_NEAR(last("uv_vw_wu_prime")[static_cast<std::size_t>(c)], 0.0, 1e-15);
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(last("uv_vw_wu_prime")[c], 0.0, 1e-15);
 }
 
 // A module of planes, each by two corners.

@@ -35,8 +35,7 @@ PolynomialHeat polynomial_heat(std::span<const double> coefficients, int order, 
     throw InputError("Polynomial specific heat has Tmin " + std::to_string(T_min) + " and Tmax " +
                      std::to_string(T_max) + " K; needed is 0 < Tmin < Tmax");
   PolynomialHeat heat{.order = order, .T_min = T_min, .T_max = T_max};
-  for (int k = 0; k <= order; ++k)
-    heat.inverse[static_cast<std::size_t>(k)] = coefficients[static_cast<std::size_t>(order - k)];
+  for (int k = 0; k <= order; ++k) heat.inverse[k] = coefficients[order - k];
   check_positive(heat);
   return heat;
 }

@@ -22,7 +22,7 @@ struct PolynomialHeat {
   double specific_heat(double T) const {
     const double r = 1.0 / std::min(std::max(T, T_min), T_max);
     double sum = 0.0;
-    for (int k = order; k >= 0; --k) sum = sum * r + inverse[static_cast<std::size_t>(k)];
+    for (int k = order; k >= 0; --k) sum = sum * r + inverse[k];
     return sum;
   }
   double energy(double T) const {
@@ -42,8 +42,7 @@ struct PolynomialHeat {
   double integral(double T) const {
     const double r = 1.0 / T;
     double sum = 0.0;
-    for (int k = order; k >= 2; --k)
-      sum = (sum + inverse[static_cast<std::size_t>(k)] / (1.0 - k)) * r;
+    for (int k = order; k >= 2; --k) sum = (sum + inverse[k] / (1.0 - k)) * r;
     return inverse[0] * T + (order >= 1 ? inverse[1] * std::log(T) : 0.0) + sum;
   }
 };

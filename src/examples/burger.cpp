@@ -124,7 +124,7 @@ std::vector<SlotInfo> Burger::state_slots() const {
 void Burger::initialise(Warehouse& state) const {
   for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
     const RealView u = state.view(0, 0, b);
-    for_each_cell(state.local_boxes()[static_cast<std::size_t>(b)].cells,
+    for_each_cell(state.local_boxes()[b].cells,
                   [&](IntVec3 i) { u(i) = start(node_position(state.level(), i)); });
   }
 }
@@ -174,7 +174,7 @@ void Burger::measure_rates(const Warehouse& state, Reductions& rates) const {
   for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
     const RealView u = state.view(0, 0, b);
     double fastest = 0;
-    for_each_cell(state.local_boxes()[static_cast<std::size_t>(b)].cells,
+    for_each_cell(state.local_boxes()[b].cells,
                   [&](IntVec3 i) { fastest = std::max(fastest, std::abs(u(i))); });
     rates.maximum(0, ordered_bits(fastest * slowness));
   }

@@ -27,7 +27,7 @@ double exact(Vec3 x, double t, std::array<bool, 3> active) {
   const auto at = [&](double u) {
     Vec3 from{};
     for (int d = 0; d < 3; ++d)
-      if (active[static_cast<std::size_t>(d)]) from[d] = x[d] - t * u;
+      if (active[d]) from[d] = x[d] - t * u;
     return Burger::start(from);
   };
   double u = at(0);
@@ -96,9 +96,7 @@ TEST(Burger, AShockStandsWhereItShould) {
 TEST(Burger, SidesCopyTheirInnerNodes) {
   const ExampleRun run(burger, deck({6, 5, 4}, 1e-3, 0.01).text());
   const std::vector<double> u = run.values("u");
-  const auto at = [&](int i, int j, int k) {
-    return u[static_cast<std::size_t>(i + 7 * (j + 6 * k))];
-  };
+  const auto at = [&](int i, int j, int k) { return u[i + 7 * (j + 6 * k)]; };
   EXPECT_EQ(at(0, 2, 2), at(1, 2, 2));
   EXPECT_EQ(at(6, 2, 2), at(5, 2, 2));
   EXPECT_EQ(at(0, 0, 0), at(1, 1, 1));

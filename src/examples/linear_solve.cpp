@@ -31,11 +31,10 @@ solve::CellMatrix matrix_on(const Level& level, const Directions& directions) {
   solve::CellMatrix matrix(level);
   for (const RealView& v : matrix.diagonal()) fill(v, v.box, diagonal(directions));
   for (int d = 0; d < 3; ++d) {
-    const auto n = static_cast<std::size_t>(d);
-    if (!directions[n] || !level.active[n]) continue;
+    if (!directions[d] || !level.active[d]) continue;
     for (const RealView& v : matrix.low(d)) {
       IndexBox coupled = v.box;  // with a cell below them
-      if (!level.periodic[n])
+      if (!level.periodic[d])
         coupled.lower[d] = std::max(coupled.lower[d], level.domain.lower[d] + 1);
       fill(v, coupled, -1.0);
     }
@@ -81,7 +80,7 @@ struct PressureSolve {
     const int from = state.find(pressure, 0), to = state.find(solution, 0);
     solve::BoxViews x;
     for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
-      const IndexBox& cells = state.local_boxes()[static_cast<std::size_t>(b)].cells;
+      const IndexBox& cells = state.local_boxes()[b].cells;
       x.push_back(part_of(state.view(to, 0, b), cells));
       const RealView old = state.view(from, 0, b);
       for_each_cell(cells, [&](IntVec3 c) { x.back()(c) = old(c); });
@@ -177,8 +176,7 @@ std::unique_ptr<Component> make_solver_test(const Deck& deck, const Scene& scene
   SolverTestScene settings;
   settings.dt = block->real("delt");
   for (int d = 0; d < 3; ++d)
-    settings.directions[static_cast<std::size_t>(d)] =
-        block->child(fmt::format("{}_Laplacian", "XYZ"[d])) != nullptr;
+    settings.directions[d] = block->child(fmt::format("{}_Laplacian", "XYZ"[d])) != nullptr;
   if (diagonal(settings.directions) == 0)
     add_error(faults, block->where,
               "<SolverTest> needs one of <X_Laplacian>, <Y_Laplacian> and <Z_Laplacian>");

@@ -25,7 +25,7 @@ std::array<double, 3> weights_of(const Level& grid, const Axes& axes) {
   double sum = 0;
   for (int a = 0; a < axes.count; ++a) {
     const double dx = grid.spacing[axes.direction[a]];
-    weight[static_cast<std::size_t>(a)] = 1 / (dx * dx);
+    weight[a] = 1 / (dx * dx);
     sum += 2 / (dx * dx);
   }
   for (double& w : weight) w /= sum;
@@ -55,8 +55,7 @@ void Poisson::fill_boundary(Warehouse& state, double /*time*/, std::span<const d
     const RealView phi = state.view(0, 0, b);
     for (const Side side : all_sides)
       if (ends_at(state.level(), side))
-        fill(phi, side_nodes(state.level(), side, phi.box),
-             settings_.side_value[static_cast<std::size_t>(side)]);
+        fill(phi, side_nodes(state.level(), side, phi.box), settings_.side_value[index_of(side)]);
   }
 }
 
@@ -72,7 +71,7 @@ void Poisson::declare_step(TaskList& list, const StepVariant& variant) const {
     double* to = row(next);
     for (int i = part.begin; i < part.end; ++i) to[i] = 0;
     for (int a = 0; a < axes.count; ++a) {
-      const double w = weight[static_cast<std::size_t>(a)];
+      const double w = weight[a];
       const double *below = row(phi, 0, a, -1), *above = row(phi, 0, a, 1);
 #pragma GCC ivdep
       for (int i = part.begin; i < part.end; ++i) to[i] += w * (below[i] + above[i]);

@@ -54,7 +54,7 @@ PoissonScene read_poisson(const Deck& deck, const Scene& scene, std::vector<Faul
   read.most_residual = block->real("maxresidual");
   for (const Side side : all_sides)
     if (ends_at(scene.grid.levels.front(), side))
-      read.side_value[static_cast<std::size_t>(side)] = side_value(scene, side, faults);
+      read.side_value[index_of(side)] = side_value(scene, side, faults);
   return read;
 }
 

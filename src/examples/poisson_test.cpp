@@ -34,7 +34,7 @@ std::vector<double> jacobi(int n, int sweeps, std::vector<double>& residuals) {
   const auto at = [m](int i, int j, int k) {
     return static_cast<std::size_t>(i + m * (j + m * k));
   };
-  std::vector<double> phi(static_cast<std::size_t>(m * m * m), 0.0);
+  std::vector<double> phi(m * m * m, 0.0);
   for (int k = 0; k < m; ++k)
     for (int j = 0; j < m; ++j)
       if (j > 0 && j < n && k > 0 && k < n) phi[at(0, j, k)] = 1;

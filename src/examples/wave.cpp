@@ -132,15 +132,14 @@ void add_euler(TaskList& list, int effect, const Variables& v, const Axes& axes,
 // What a deck may save of the states within a step: a task each, as only those wanted are stored.
 void add_stage_outputs(TaskList& list, int effect, const WaveLabels& labels, const Variables& v) {
   for (int stage = 0; stage < stages; ++stage) {
-    const auto n = static_cast<std::size_t>(stage);
     const auto save = [&](Label label, auto row_of) {
       TaskBuilder task = list.task("save " + label.name(), effect);
       const Fields y = read_state(task, v, stage, Stencil::point());
       const Out to = task.write(list.output(label, 0));
       task.kernel([=](const Row& row) { std::copy_n(row_of(y, row), row.count(), row(to)); });
     };
-    save(labels.phi_stage[n], [](const Fields& y, const Row& row) { return y.phi_row(row); });
-    save(labels.pi_stage[n], [](const Fields& y, const Row& row) { return y.pi_row(row); });
+    save(labels.phi_stage[stage], [](const Fields& y, const Row& row) { return y.phi_row(row); });
+    save(labels.pi_stage[stage], [](const Fields& y, const Row& row) { return y.pi_row(row); });
   }
 }
 
@@ -178,11 +177,11 @@ void Wave::initialise(Warehouse& state) const {
   const double r = settings_.radius;
   for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
     const RealView phi = state.view(0, 0, b), pi = state.view(1, 0, b);
-    for_each_cell(state.local_boxes()[static_cast<std::size_t>(b)].cells, [&](IntVec3 c) {
+    for_each_cell(state.local_boxes()[b].cells, [&](IntVec3 c) {
       Vec3 x = state.level().centre(c);
       double square = 0;
       for (int d = 0; d < 3; ++d)
-        if (state.level().active[static_cast<std::size_t>(d)]) square += x[d] * x[d];
+        if (state.level().active[d]) square += x[d] * x[d];
       phi(c) = std::exp(-square / (r * r)) / (r * r * r);
       pi(c) = 0;
     });
@@ -215,7 +214,7 @@ double Wave::step_of(const Vec3& spacing) const {
   const Level& coarsest = level(0);
   double smallest = 0, sum = 0;
   for (int d = 0; d < 3; ++d) {
-    if (!coarsest.active[static_cast<std::size_t>(d)]) continue;
+    if (!coarsest.active[d]) continue;
     smallest = smallest > 0 ? std::min(smallest, spacing[d]) : spacing[d];
     sum += 1 / (spacing[d] * spacing[d]);
   }

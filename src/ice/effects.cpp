@@ -116,7 +116,7 @@ void add_exchange(const IceScene& ice, EffectList& e) {
                  : std::string("one material: its own equation of state"),
          several ? ice.materials[1].where : ice.materials.front().where});
   const std::optional<SlipExchange>& slip = ice.exchange.slip;
-  const auto name_of = [&](int m) { return called(ice.materials[static_cast<std::size_t>(m)]); };
+  const auto name_of = [&](int m) { return called(ice.materials[m]); };
   Effect momentum =
       exchange("momentum exchange", ice.exchange.momentum, ice, ice.exchange.momentum_where);
   if (momentum.on && ice.one_velocity())
@@ -147,7 +147,7 @@ Effect sources(const IceScene& ice) {
     if (acts && !on) where = place;
     on = on || acts;
   };
-  const auto material = [&](int m) { return called(ice.materials[static_cast<std::size_t>(m)]); };
+  const auto material = [&](int m) { return called(ice.materials[m]); };
   for (const models::MassExchange& x : ice.models.mass_exchanges)
     if (x.by_pressure)
       name(fmt::format("{} burns to {} above {:g} Pa", material(x.from), material(x.to),
@@ -198,7 +198,7 @@ Effect tracers(const IceScene& ice) {
   std::string names;
   for (const models::TracerParticles& t : ice.models.tracers)
     names += fmt::format("{}{} in {}", names.empty() ? "" : ", ", t.name,
-                         called(ice.materials[static_cast<std::size_t>(t.material)]));
+                         called(ice.materials[t.material]));
   return {"tracer particles", true, names + ", moved after each step",
           ice.models.tracers.front().where};
 }

@@ -35,8 +35,7 @@ std::unique_ptr<TransferOperators> make_flow_transfer(const Scene& scene, const 
   std::size_t views = 0;  // of the flow: the components of its slots, which scalars follow
   const std::size_t beside =
       ice.models.scalars.size() + (o.implicit ? 1 : 0) + (ice.solids > 0 ? 1 : 0);
-  for (std::size_t s = 0; s + beside < slots.size(); ++s)
-    views += static_cast<std::size_t>(slots[s].components);
+  for (std::size_t s = 0; s + beside < slots.size(); ++s) views += slots[s].components;
   for (std::size_t s = 0; s < ice.models.scalars.size(); ++s)
     if (ice.models.scalars[s].by_volume) by_volume.push_back(views + s);
   if (materials == 1)
@@ -47,8 +46,7 @@ std::unique_ptr<TransferOperators> make_flow_transfer(const Scene& scene, const 
         by_volume.empty() ? MixedGasView{} : MixedGasView{o.mixed, by_volume.front()});
   if (ice.models.scalars.empty()) return flow;
   std::vector<std::size_t> mass;
-  for (const models::TransportedScalar& s : ice.models.scalars)
-    mass.push_back(static_cast<std::size_t>(s.material));
+  for (const models::TransportedScalar& s : ice.models.scalars) mass.push_back(s.material);
   return std::make_unique<scalars::ScalarTransfer>(std::move(flow), std::move(mass), views,
                                                    std::move(by_volume));
 }
@@ -80,8 +78,7 @@ FluidPart::FluidPart(const Scene& scene, IceScene ice_scene, Places places)
   if (material_count() > 1) slots.volume = labels().volume;
   if (options_.own_velocities) slots.slip = labels().slip;
   if (options_.implicit) slots.offset = labels().pressure_offset;
-  for (int c = 0; c < options_.components; ++c)
-    slots.directions.push_back(options_.direction[static_cast<std::size_t>(c)]);
+  for (int c = 0; c < options_.components; ++c) slots.directions.push_back(options_.direction[c]);
   for (int level = 0; level < static_cast<int>(scene.grid.levels.size()); ++level)
     boundary_.push_back(std::make_unique<BoundaryFill>(scene, std::span(ice_.materials), slots,
                                                        level, ice_.conditions, ice_.models.scalars,
@@ -108,13 +105,13 @@ FluidPart::FluidPart(const Scene& scene, IceScene ice_scene, Places places)
 
 SchemeOptions FluidPart::at_level(int level) const {
   SchemeOptions o = options_;
-  const Level& cells = scene_->grid.levels[static_cast<std::size_t>(level)];
+  const Level& cells = scene_->grid.levels[level];
   o.level = &cells;
   o.domain = cells.domain;
   o.transports = transport_models(ice_, cells);
   o.transport = o.transports.front();
-  o.boundary = boundary_[static_cast<std::size_t>(level)].get();
-  if (!sources_.empty()) o.sources = sources_[static_cast<std::size_t>(level)].get();
+  o.boundary = boundary_[level].get();
+  if (!sources_.empty()) o.sources = sources_[level].get();
   return o;
 }
 
@@ -158,7 +155,7 @@ std::vector<SlotInfo> FluidPart::state_slots() const {
 std::vector<std::vector<Label>> FluidPart::checkpoint_labels() const {
   std::vector<Label> momentum, slip;
   for (int c = 0; c < options_.components; ++c) {
-    const int d = options_.direction[static_cast<std::size_t>(c)];
+    const int d = options_.direction[c];
     momentum.push_back(labels().momentum_component[d]);
     slip.push_back(labels().slip_component[d]);
   }
@@ -199,7 +196,7 @@ SchemeOptions FluidPart::of_graph(const StepVariant& variant) const {
     return o;
   }
   o.material = variant.kind;
-  const auto m = static_cast<std::size_t>(o.material);
+  const std::size_t m = o.material;
   o.fluid = o.fluids[m];
   if (!is_mixed(o, m)) {
     o.mixed = nullptr;
@@ -390,7 +387,7 @@ IntVec3 FluidPart::interface_depth(const Level& level) const {
 
 std::string FluidPart::describe_fault(int kind) const {
   if (kind >= fault_of_material) {
-    const auto m = static_cast<std::size_t>(kind / fault_of_material - 1);
+    const std::size_t m = kind / fault_of_material - 1;
     return fmt::format(
         "energy of material {} ('{}', J/m^3 of the cell; with its mass and volume it must be a "
         "state of its law: pressure above {:g} Pa, sound speed squared above 0)",

@@ -26,9 +26,7 @@ class FluidPart {
   const SchemeOptions& options() const { return options_; }  // of level 0, whatever the graph
   SchemeOptions at_level(int level) const;
   SchemeOptions of_graph(const StepVariant& variant) const;
-  const BoundaryFill& boundary(int level) const {
-    return *boundary_[static_cast<std::size_t>(level)];
-  }
+  const BoundaryFill& boundary(int level) const { return *boundary_[level]; }
 
   std::vector<SlotInfo> state_slots() const;
   std::vector<std::vector<Label>> checkpoint_labels() const;

@@ -40,7 +40,7 @@ class TwoLevels : public testing::Test {
     }
   }
   double value(int level, Label label, IntVec3 cell, int c = 0) const {
-    const Warehouse& state = *states_[static_cast<std::size_t>(level)];
+    const Warehouse& state = *states_[level];
     return state.view(state.find(label, 0), c, 0)(cell);
   }
   double pressure(int level, IntVec3 cell) const {

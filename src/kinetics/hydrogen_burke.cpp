@@ -164,7 +164,7 @@ Species species_of(const SpeciesRow& row, std::size_t k) {
 std::size_t row_of(const std::string& name) {
   const auto found = std::find_if(species_rows.begin(), species_rows.end(),
                                   [&](const SpeciesRow& row) { return name == row.name; });
-  return static_cast<std::size_t>(found - species_rows.begin());
+  return found - species_rows.begin();
 }
 
 Arrhenius in_si(const Arrhenius& row, int order) {

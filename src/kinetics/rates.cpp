@@ -14,7 +14,7 @@ void Rates::add_changes(const Reaction& reaction, Step& step) {
   const auto side = [&](const std::vector<Participant>& participants) {
     Span span{molecules_.size(), 0};
     for (const Participant& p : participants)
-      molecules_.insert(molecules_.end(), static_cast<std::size_t>(p.count), p.species);
+      molecules_.insert(molecules_.end(), p.count, p.species);
     span.end = molecules_.size();
     return span;
   };

@@ -77,7 +77,7 @@ Species read_species(const DeckNode& node, std::vector<std::string>& elements) {
     const auto found = std::find(elements.begin(), elements.end(), symbol);
     if (found == elements.end())
       refuse(atoms, fmt::format("element {} is not in <elementArray>", in_quotes(symbol)));
-    species.atoms[static_cast<std::size_t>(found - elements.begin())] += count;
+    species.atoms[found - elements.begin()] += count;
     species.molar_mass += count * *mass;
   }
   if (!(species.molar_mass > 0)) refuse(atoms, "a species has atoms");

@@ -41,7 +41,7 @@ std::pair<double, double> rigid_blocks(double time, double v = start_speed) {
 }
 
 const std::vector<double>& column(const ParticleTable& t, const char* name, int component = 0) {
-  return t.find(name)->components[static_cast<std::size_t>(component)];
+  return t.find(name)->components[component];
 }
 
 double momentum(const ParticleTable& t) {

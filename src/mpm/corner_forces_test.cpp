@@ -23,7 +23,7 @@ struct Seen {
 std::vector<CornerForce> pushed(const ParticleSet& set, const Columns& c) {
   std::vector<CornerForce> forces;
   const CornerColumns x = corners_of(set, c);
-  const double* outer = set.column(static_cast<std::size_t>(c.outer));
+  const double* outer = set.column(c.outer);
   for (std::size_t p = 0; p < set.size(); ++p) {
     if ((static_cast<int>(outer[p]) & outer_face_bit(0, 0)) == 0) continue;
     for (std::size_t k = 0; k < static_cast<std::size_t>(c.corner_count); k += 2)

@@ -79,9 +79,8 @@ TEST(ScalarDiffusion, BetweenSidesItIsTheSeriesOfFourier) {
     deck.faces = ends_at(1, 0);
     const TextRun run = run_until(1, deck, "sides");
     const auto x = run.particles("p.x"), C = run.particles("p.concentration");
-    std::vector<double> mean(static_cast<std::size_t>(n), 0.0);
-    for (std::size_t p = 0; p < x[0].size(); ++p)
-      mean[static_cast<std::size_t>(x[0][p] * n)] += C[0][p] / 2;
+    std::vector<double> mean(n, 0.0);
+    for (std::size_t p = 0; p < x[0].size(); ++p) mean[x[0][p] * n] += C[0][p] / 2;
     double squares = 0;
     for (int i = 0; i < n; ++i) {
       const double at = (i + 0.5) / n;
@@ -89,7 +88,7 @@ TEST(ScalarDiffusion, BetweenSidesItIsTheSeriesOfFourier) {
       for (int k = 1; k < 40; ++k)
         exact -=
             2 / (k * pi) * std::sin(k * pi * at) * std::exp(-k * k * pi * pi * 0.1 * run.time());
-      const double off = mean[static_cast<std::size_t>(i)] - exact;
+      const double off = mean[i] - exact;
       squares += off * off / n;
     }
     error[n / 40] = std::sqrt(squares);

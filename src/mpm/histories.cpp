@@ -78,7 +78,7 @@ const Histories& histories() {
 }
 
 double sum_at(const Totals& totals, int place) {
-  return totals.amounts[static_cast<std::size_t>(place)].sum.value();
+  return totals.amounts[place].sum.value();
 }
 Vec3 vector_at(const Totals& totals, int place) {
   return {sum_at(totals, place), sum_at(totals, place + 1), sum_at(totals, place + 2)};
@@ -88,7 +88,7 @@ Vec3 vector_at(const Totals& totals, int place) {
 Vec3 step_sum(const Totals& totals, StepSums::Index first) {
   Vec3 v;
   for (int d = 0; d < 3; ++d) {
-    const auto n = static_cast<std::size_t>(first + d);
+    const std::size_t n = first + d;
     v[d] = n < totals.sweep_sums.size() ? totals.sweep_sums[n] : 0;
   }
   return v;
@@ -122,7 +122,7 @@ void need_sums(const Scene& scene, HistorySums& sums) {
   if (saved(h.count)) sums.need(HistorySum::count);
   if (saved(h.centre)) sums.need(HistorySum::centre_of_mass);
   for (const Side side : all_sides) {
-    const SideHistories& s = h.sides[static_cast<std::size_t>(side)];
+    const SideHistories& s = h.sides[index_of(side)];
     if (saved(s.force) || saved(s.traction)) sums.need(HistorySum::face_force, side);
     if (saved(s.traction) || saved(s.area) || saved(s.cell_area))
       sums.need(HistorySum::face_area, side);
@@ -149,7 +149,7 @@ double history_of(Label label, const Totals& totals, const HistorySums& sums) {
   if (label == h.volume) return sum_at(totals, sums.place(HistorySum::volume));
   if (label == h.count) return sum_at(totals, sums.place(HistorySum::count));
   for (const Side side : all_sides) {
-    const SideHistories& s = h.sides[static_cast<std::size_t>(side)];
+    const SideHistories& s = h.sides[index_of(side)];
     if (label == s.area || label == s.cell_area)
       return sum_at(totals, sums.place(HistorySum::face_area, side));
   }
@@ -167,7 +167,7 @@ Vec3 vector_history_of(Label label, const Totals& totals, const HistorySums& sum
   if (label == h.reaction || label == h.transmitted) return step_sum(totals, StepSums::reaction_x);
   if (label == h.torque) return step_sum(totals, StepSums::torque_x);
   for (const Side side : all_sides) {
-    const SideHistories& s = h.sides[static_cast<std::size_t>(side)];
+    const SideHistories& s = h.sides[index_of(side)];
     if (label != s.force && label != s.traction) continue;
     const Vec3 force = vector_at(totals, sums.place(HistorySum::face_force, side));
     if (label == s.force) return force;

@@ -53,8 +53,8 @@ struct Stretched {
         double sum = c == 0 || c == 6 ? 0.03 : -0.01;
         for (int e = 0; e < 3; ++e)
           sum += 0.5 * F[3 * d + e] * edges[4 * e] * (c >> e & 1 ? 1.0 : -1.0);
-        const auto at = static_cast<std::size_t>(3 * c + d);
-        corners[at] = x[d] + sum * grid.axes[static_cast<std::size_t>(d)].spacing;
+        const std::size_t at = 3 * c + d;
+        corners[at] = x[d] + sum * grid.axes[d].spacing;
         s.corners[at] = &corners[at];
       }
     return s;
@@ -71,8 +71,8 @@ TEST(Impulses, AreTheAdjointOfVelocitiesWithSpin) {
   TransferGrid grid;
   grid.count = 3;
   for (int d = 0; d < 3; ++d) {
-    grid.axes[static_cast<std::size_t>(d)] = axis_of(level, d);
-    grid.active[static_cast<std::size_t>(d)] = d;
+    grid.axes[d] = axis_of(level, d);
+    grid.active[d] = d;
   }
   grid.half = {0.25, 0.3, 0.5};
   const double x[3] = {0.71, 0.42, 1.53}, mass = 1, v[3] = {0.3, -0.2, 0.7};
@@ -236,8 +236,7 @@ TEST_P(Midpoint, DiskKeepsItsSpin) {
   const auto x = run.particles("p.x"), v = run.particles("p.velocity");
   double middle[2] = {}, spin = 0;
   for (int d = 0; d < 2; ++d)
-    for (const double place : x[static_cast<std::size_t>(d)])
-      middle[d] += place / static_cast<double>(x[0].size());
+    for (const double place : x[d]) middle[d] += place / static_cast<double>(x[0].size());
   for (std::size_t p = 0; p < x[0].size(); ++p)
     spin += body.volume() * ((x[0][p] - middle[0]) * v[1][p] - (x[1][p] - middle[1]) * v[0][p]);
   EXPECT_NEAR(spin / momentum, 1, 0.01);

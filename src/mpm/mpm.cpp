@@ -100,9 +100,8 @@ StepBalance Mpm::balance(const std::vector<double>& sums, const StepStart* /*sta
   for (std::size_t m = 0; m < solids_.materials.size(); ++m)
     b.mass.push_back(-sums[StepSums::count + m]);
   for (int d = 0; d < 3; ++d) {
-    b.momentum[d] = sums[static_cast<std::size_t>(StepSums::impulse_x + d)] -
-                    sums[static_cast<std::size_t>(StepSums::left_x + d)];
-    b.momentum_of_forces[d] = sums[static_cast<std::size_t>(StepSums::force_x + d)];
+    b.momentum[d] = sums[StepSums::impulse_x + d] - sums[StepSums::left_x + d];
+    b.momentum_of_forces[d] = sums[StepSums::force_x + d];
   }
   b.energy = sums[StepSums::work] - sums[StepSums::left_kinetic] - sums[StepSums::left_internal];
   b.energy_of_forces = sums[StepSums::force_work] - sums[StepSums::heat_from_fluid];
@@ -171,12 +170,12 @@ void Mpm::add_totals(const Warehouse& /*state*/, const LevelCoverage& /*coverage
 // Of the water in pores, which counts as its material.
 static void add_water(const ParticleSet& set, const Columns& c, ConservedTotal& mass,
                       Totals& totals) {
-  const double* m = set.column(static_cast<std::size_t>(c.water_mass));
+  const double* m = set.column(c.water_mass);
   const auto v = read_columns<3>(set, c.water_velocity);
   for (std::size_t p = 0; p < set.size(); ++p) {
     mass.add(m[p]);
     for (int d = 0; d < 3; ++d) {
-      const double vd = v[static_cast<std::size_t>(d)][p];
+      const double vd = v[d][p];
       totals.momentum[d].add(m[p] * vd);
       totals.kinetic_energy.add(0.5 * m[p] * vd * vd);
     }
@@ -191,20 +190,19 @@ void Mpm::add_particle_totals(const ParticleCloud& cloud, Totals& totals) const 
       add_cohesive_energy(store, totals);
       continue;
     }
-    const Columns& c = particles_.carried()[static_cast<std::size_t>(k)].columns;
+    const Columns& c = particles_.carried()[k].columns;
     for (int l = 0; l < store.level_count(); ++l)
       for (int b = 0; b < store.box_count(l); ++b) {
         const ParticleSet& set = store.set(l, b);
-        const double* m = set.column(static_cast<std::size_t>(c.mass));
-        const double* energy = set.column(static_cast<std::size_t>(c.energy));
-        const double* heat =
-            c.lost_heat >= 0 ? set.column(static_cast<std::size_t>(c.lost_heat)) : nullptr;
+        const double* m = set.column(c.mass);
+        const double* energy = set.column(c.energy);
+        const double* heat = c.lost_heat >= 0 ? set.column(c.lost_heat) : nullptr;
         const auto v = read_columns<3>(set, c.velocity);
         for (std::size_t p = 0; p < set.size(); ++p) {
-          totals.mass[static_cast<std::size_t>(k)].add(m[p]);
+          totals.mass[k].add(m[p]);
           double v2 = 0;
           for (int d = 0; d < 3; ++d) {
-            const double vd = v[static_cast<std::size_t>(d)][p];
+            const double vd = v[d][p];
             totals.momentum[d].add(m[p] * vd);
             v2 += vd * vd;
           }
@@ -212,7 +210,7 @@ void Mpm::add_particle_totals(const ParticleCloud& cloud, Totals& totals) const 
           totals.internal_energy.add(energy[p]);
           if (heat != nullptr) totals.internal_energy.add(heat[p]);
         }
-        if (c.water_mass >= 0) add_water(set, c, totals.mass[static_cast<std::size_t>(k)], totals);
+        if (c.water_mass >= 0) add_water(set, c, totals.mass[k], totals);
       }
   }
   if (history_sums_.any()) history_sums_.add(cloud, particles_.carried(), totals);

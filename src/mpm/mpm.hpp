@@ -38,7 +38,7 @@ class Mpm : public Component {
   double courant_number() const override { return 1; }
 
   // Of Totals::amounts, how many are the solids'.
-  std::size_t amount_count() const { return static_cast<std::size_t>(history_sums_.count()); }
+  std::size_t amount_count() const { return history_sums_.count(); }
   void add_particle_totals(const ParticleCloud& particles, Totals& totals) const override;
   StepBalance balance(const std::vector<double>& sums, const StepStart* start,
                       double dt) const override;

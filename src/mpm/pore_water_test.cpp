@@ -101,9 +101,8 @@ TEST(PoreWater, MomentumOfBothIsConserved) {
   for (std::size_t p = 0; p < m_s[0].size(); ++p) {
     mass += m_s[0][p] + m_w[0][p];
     for (int d = 0; d < 3; ++d) {
-      const auto k = static_cast<std::size_t>(d);
-      momentum[d] += m_s[0][p] * v_s[k][p] + m_w[0][p] * v_w[k][p];
-      apart = std::max(apart, std::fabs(v_s[k][p] - v_w[k][p]));
+      momentum[d] += m_s[0][p] * v_s[d][p] + m_w[0][p] * v_w[d][p];
+      apart = std::max(apart, std::fabs(v_s[d][p] - v_w[d][p]));
     }
   }
   EXPECT_GT(apart, 0.005);  // something happens
@@ -126,7 +125,7 @@ TEST(PoreWater, AColumnConsolidatesAsTerzaghiSays) {
         const double a = pi * (m + 0.5);
         exact += 2 / a * std::sin(a * (1 - t.position(p).x)) * std::exp(-a * a * T);
       }
-      error[static_cast<std::size_t>(t.position(p).x * 20)] +=
+      error[t.position(p).x * 20] +=
           0.5 * (t.find("p.porepressure")->components[0][p] / 1000 - exact);
     }
     double worst = 0;

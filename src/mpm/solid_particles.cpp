@@ -47,9 +47,8 @@ double rate_of_displacements(const Level& level, const ParticleSet& set, const C
   constexpr double most_cells = 0.8;
   double rate = 0;
   for (int d = 0; d < 3; ++d) {
-    if (!level.active[static_cast<std::size_t>(d)]) continue;
-    for (const double v :
-         set.attribute_values(static_cast<std::size_t>(carried.columns.velocity + d)))
+    if (!level.active[d]) continue;
+    for (const double v : set.attribute_values(carried.columns.velocity + d))
       rate = std::max(rate, std::fabs(v) / (most_cells * level.spacing[d]));
   }
   return rate;
@@ -60,8 +59,7 @@ double rate_of_displacements(const Level& level, const ParticleSet& set, const C
 DerivedAttribute place_of_format() {
   return {solid_labels().place_of_format,
           [](const ParticleSet& set, std::vector<std::vector<double>>& to) {
-            for (int d = 0; d < 3; ++d)
-              std::copy_n(set.coordinate(d), set.size(), to[static_cast<std::size_t>(d)].begin());
+            for (int d = 0; d < 3; ++d) std::copy_n(set.coordinate(d), set.size(), to[d].begin());
           }};
 }
 
@@ -93,18 +91,16 @@ SolidParticles::SolidParticles(const Scene& scene, const MpmScene& solids)
 // The loads that act on the particle just added.
 void SolidParticles::mark(int kind, const Level& level, const SeededParticles& seeded,
                           std::size_t p, ParticleSet& set) const {
-  const Columns& c = carried_[static_cast<std::size_t>(kind)].columns;
+  const Columns& c = carried_[kind].columns;
   Vec3 width{};
-  for (int d = 0; d < 3; ++d)
-    width[d] = std::fabs(seeded.edges[static_cast<std::size_t>(4 * d)][p]) * level.spacing[d];
+  for (int d = 0; d < 3; ++d) width[d] = std::fabs(seeded.edges[4 * d][p]) * level.spacing[d];
   std::array<int, most_marks> named{};
   for (std::size_t n = 0; n < named.size(); ++n)
     if (!seeded.load_curve[n].empty()) named[n] = seeded.load_curve[n][p];
   const std::size_t last = set.size() - 1;
   const auto marks =
       loads_.marks_of(kind, set.position(last), width, seeded.surface[p] != 0, named);
-  for (std::size_t n = 0; n < marks.size(); ++n)
-    set.attribute(static_cast<std::size_t>(c.marks) + n, last) = marks[n];
+  for (std::size_t n = 0; n < marks.size(); ++n) set.attribute(c.marks + n, last) = marks[n];
 }
 
 // What the deck says of the particles in these cells.
@@ -123,15 +119,12 @@ void SolidParticles::seed(int kind, const Level& level, const IndexBox& cells,
 // The columns of the particle just added.
 void SolidParticles::put_seeded(int kind, const Level& level, const SeededParticles& seeded,
                                 std::size_t p, ParticleSet& set) const {
-  const Columns& c = carried_[static_cast<std::size_t>(kind)].columns;
+  const Columns& c = carried_[kind].columns;
   const std::size_t n = set.size() - 1;
   const auto put = [&](int column, double value) {
-    if (column >= 0) set.attribute(static_cast<std::size_t>(column), n) = value;
+    if (column >= 0) set.attribute(column, n) = value;
   };
-  for (int d = 0; d < 3; ++d)
-    put(c.velocity + d, level.active[static_cast<std::size_t>(d)]
-                            ? seeded.velocity[static_cast<std::size_t>(d)][p]
-                            : 0.0);
+  for (int d = 0; d < 3; ++d) put(c.velocity + d, level.active[d] ? seeded.velocity[d][p] : 0.0);
   put(c.mass, seeded.mass[p]);
   put(c.volume_0, seeded.volume[p]);
   put(c.volume, seeded.volume[p]);
@@ -140,27 +133,23 @@ void SolidParticles::put_seeded(int kind, const Level& level, const SeededPartic
   put(c.concentration, seeded.concentration[p]);
   put(c.colour, seeded.colour[p]);
   for (int d = 0; d < 3 && c.half >= 0; ++d)
-    put(c.half + d, 0.5 * std::fabs(seeded.edges[static_cast<std::size_t>(4 * d)][p]));
-  for (int e = 0; e < 9 && c.size >= 0; ++e)
-    put(c.size + e, seeded.edges[static_cast<std::size_t>(e)][p]);
-  if (const auto& water = solids_->materials[static_cast<std::size_t>(kind)].water) {
+    put(c.half + d, 0.5 * std::fabs(seeded.edges[4 * d][p]));
+  for (int e = 0; e < 9 && c.size >= 0; ++e) put(c.size + e, seeded.edges[e][p]);
+  if (const auto& water = solids_->materials[kind].water) {
     put(c.water_mass, water->porosity * water->density * seeded.volume[p]);
     put(c.pore_pressure, water->initial_pressure);
     put(c.filtered_pressure, water->initial_pressure);
-    for (int d = 0; d < 3; ++d)
-      put(c.water_velocity + d, set.attribute(static_cast<std::size_t>(c.velocity + d), n));
+    for (int d = 0; d < 3; ++d) put(c.water_velocity + d, set.attribute(c.velocity + d, n));
   }
   if (c.marks >= 0) mark(kind, level, seeded, p, set);
   for (int d = 0; d < 3 && c.given_force >= 0; ++d)
-    put(c.given_force + d, optional(seeded.external_force[static_cast<std::size_t>(d)], p));
-  for (int d = 0; d < 3 && c.normal >= 0; ++d)
-    put(c.normal + d, optional(seeded.normal[static_cast<std::size_t>(d)], p));
+    put(c.given_force + d, optional(seeded.external_force[d], p));
+  for (int d = 0; d < 3 && c.normal >= 0; ++d) put(c.normal + d, optional(seeded.normal[d], p));
   for (int k = 0; k < c.corner_count; ++k)
-    for (int d = 0; d < 3; ++d)
-      put(c.corners + 3 * k + d, seeded.corners[p].place[static_cast<std::size_t>(k)][d]);
+    for (int d = 0; d < 3; ++d) put(c.corners + 3 * k + d, seeded.corners[p].place[k][d]);
   if (c.outer >= 0) put(c.outer, seeded.corners[p].outer);
-  put(carried_[static_cast<std::size_t>(kind)].filled, 1);
-  if (const int surface = carried_[static_cast<std::size_t>(kind)].surface; surface >= 0) {
+  put(carried_[kind].filled, 1);
+  if (const int surface = carried_[kind].surface; surface >= 0) {
     const models::SurfaceHistory unlit;
     put(surface, unlit.temperature);
     put(surface + 1, unlit.gradient);
@@ -172,11 +161,11 @@ void SolidParticles::start(int kind, const Level& level, const IndexBox& cells,
                            ParticleSet& set) const {
   const std::size_t materials = solids_->materials.size();
   if (static_cast<std::size_t>(kind) >= materials) {
-    start_cohesive(*solids_, static_cast<std::size_t>(kind) - materials, level, cells, set);
+    start_cohesive(*solids_, kind - materials, level, cells, set);
     return;
   }
-  const SolidMaterial& material = solids_->materials[static_cast<std::size_t>(kind)];
-  const Carried& carried = carried_[static_cast<std::size_t>(kind)];
+  const SolidMaterial& material = solids_->materials[kind];
+  const Carried& carried = carried_[kind];
   const Columns& c = carried.columns;
   const std::size_t begin = set.size();
   for (const IndexBox& layer : layers_of(cells)) seed(kind, level, layer, set);
@@ -184,8 +173,7 @@ void SolidParticles::start(int kind, const Level& level, const IndexBox& cells,
     for (std::size_t n = begin; n < set.size(); ++n) {
       const Vec3 v = motion->velocity(set.position(n), scene_->time.initial_time);
       for (int d = 0; d < 3; ++d)
-        if (level.active[static_cast<std::size_t>(d)])
-          set.attribute(static_cast<std::size_t>(c.velocity + d), n) = v[d];
+        if (level.active[d]) set.attribute(c.velocity + d, n) = v[d];
     }
   double wave_speed[chunk_size], heating[chunk_size] = {};
   LawBatch columns;
@@ -195,14 +183,14 @@ void SolidParticles::start(int kind, const Level& level, const IndexBox& cells,
     b.time = scene_->time.initial_time;
     b.wave_speed = wave_speed;
     b.heating = heating;
-    for (int d = 0; d < 3; ++d) b.position[static_cast<std::size_t>(d)] = set.coordinate(d) + at;
+    for (int d = 0; d < 3; ++d) b.position[d] = set.coordinate(d) + at;
     material.law->start(b);
   }
 }
 
 std::optional<std::int64_t> SolidParticles::count_at_start(int kind, const Level& level,
                                                            const IndexBox& cells) const {
-  const auto material = static_cast<std::size_t>(kind);
+  const std::size_t material = kind;
   if (material >= solids_->materials.size()) return std::nullopt;
   std::int64_t count = 0;
   for (const SeedObject& object : solids_->materials[material].objects) {
@@ -222,13 +210,13 @@ std::optional<std::int64_t> SolidParticles::count_at_start(int kind, const Level
 bool SolidParticles::asks_refinement(int kind, const ParticleSet& set, std::size_t n, int level,
                                      int coarse) const {
   if (level > coarse || solids_->splits.empty()) return true;
-  const Columns& c = carried_[static_cast<std::size_t>(kind)].columns;
+  const Columns& c = carried_[kind].columns;
   for (const SplitCriterion& s : solids_->splits) {
     if (s.kind != SplitCriterion::Kind::stress_norm || (s.material >= 0 && s.material != kind))
       continue;
     double norm = 0;  // |sigma|: off the diagonal each counts twice
     for (int e = 0; e < 6; ++e) {
-      const double v = set.attribute_values(static_cast<std::size_t>(c.stress + e))[n];
+      const double v = set.attribute_values(c.stress + e)[n];
       norm += (e < 3 ? 1 : 2) * v * v;
     }
     if (norm > s.value * s.value) return true;
@@ -238,7 +226,7 @@ bool SolidParticles::asks_refinement(int kind, const ParticleSet& set, std::size
 
 void SolidParticles::follow_wrapped(int kind, const Level& level, ParticleSet& set) const {
   if (solids_->carries_corners() && kind < static_cast<int>(carried_.size()))
-    wrap_corners(level, carried_[static_cast<std::size_t>(kind)].columns, set);
+    wrap_corners(level, carried_[kind].columns, set);
 }
 
 // Of put_seeded(): what it leaves alone.
@@ -299,19 +287,17 @@ std::vector<double> SolidParticles::rates(const ParticleCloud& cloud, int l) con
                               set, c, 0, set.size()));
       all[0] = std::max(all[0], rate_of_step(static_cast<int>(k), level, set, by_kind[k].wave));
     }
-    by_kind[k].to(std::span(all).subspan(1 + k * static_cast<std::size_t>(KindRates::count),
-                                         static_cast<std::size_t>(KindRates::count)));
+    by_kind[k].to(std::span(all).subspan(1 + k * KindRates::count, KindRates::count));
   }
   return all;
 }
 
 double SolidParticles::rate_of_step(int kind, const Level& level, const ParticleSet& set,
                                     double& wave) const {
-  const SolidMaterial& material = solids_->materials[static_cast<std::size_t>(kind)];
-  if (solids_->implicit)
-    return rate_of_displacements(level, set, carried_[static_cast<std::size_t>(kind)]);
+  const SolidMaterial& material = solids_->materials[kind];
+  if (solids_->implicit) return rate_of_displacements(level, set, carried_[kind]);
   if (material.rigid) return 0;
-  const Carried& carried = carried_[static_cast<std::size_t>(kind)];
+  const Carried& carried = carried_[kind];
   ParticleSet to(set.attribute_count());  // a law writes beside what it reads
   for (int q = 0; q < chunk_size; ++q) to.add({}, 0);
   double wave_speed[chunk_size], heating[chunk_size], still[chunk_size] = {}, rate = 0;

@@ -25,7 +25,7 @@ std::string flag(const std::string& name, const std::string& value) {
 }
 
 double column(const ParticleTable& t, const char* name, int component, std::size_t n) {
-  return t.find(name)->components[static_cast<std::size_t>(component)][n];
+  return t.find(name)->components[component][n];
 }
 
 double largest(const ParticleTable& t, const char* name) {

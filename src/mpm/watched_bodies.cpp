@@ -55,15 +55,15 @@ std::string Mpm::better_for_energy() const {
 // The particle of a material whose energy has grown most in an attempted step, on all ranks.
 std::string Mpm::place_of_gain(const ParticleCloud& cloud, int material,
                                Communicator& ranks) const {
-  const Columns& c = particles_.carried()[static_cast<std::size_t>(material)].columns;
+  const Columns& c = particles_.carried()[material].columns;
   const ParticleStore& store = cloud.store(material);
   double most = 0;
   std::string text;
   for (int l = 0; l < store.level_count(); ++l)
     for (int b = 0; b < store.box_count(l); ++b) {
       const ParticleSet &set = store.set(l, b), &next = store.next(l, b);
-      const double* mass = set.column(static_cast<std::size_t>(c.mass));
-      const auto energy = static_cast<std::size_t>(c.energy);
+      const double* mass = set.column(c.mass);
+      const std::size_t energy = c.energy;
       const auto v = read_columns<3>(set, c.velocity), w = read_columns<3>(next, c.velocity);
       for (std::size_t p = 0; p < set.size(); ++p) {
         double gain = next.column(energy)[p] - set.column(energy)[p];

@@ -28,7 +28,7 @@ void join(const Totals& part, std::size_t first_material, std::size_t first_amou
 }  // namespace
 
 std::size_t MpmIce::first_burned_sum() const {
-  return static_cast<std::size_t>(solids_.reduction_sums() + fluid_.reduction_sums());
+  return solids_.reduction_sums() + fluid_.reduction_sums();
 }
 
 std::vector<std::string> MpmIce::tally_names() const {
@@ -54,7 +54,7 @@ std::vector<double> MpmIce::tallies(const std::vector<double>& sums) const {
     all.push_back(sums[mpm::StepSums::surface_work] + sums[mpm::StepSums::corner_work]);
   }
   if (burns_.empty()) return all;
-  const std::size_t beside = first_burned_sum() + static_cast<std::size_t>(material_count());
+  const std::size_t beside = first_burned_sum() + material_count();
   all.push_back(sums[beside + BurnedSums::burned]);
   all.push_back(sums[beside + BurnedSums::heat]);
   return all;
@@ -84,10 +84,9 @@ void MpmIce::add_totals(const Warehouse& state, const LevelCoverage& coverage,
   Totals of_fluid;
   fluid_.add_totals(state, coverage, of_fluid);
   solids_.add_totals(state, coverage, totals);
-  totals.mass.resize(static_cast<std::size_t>(material_count()));
+  totals.mass.resize(material_count());
   totals.amounts.resize(solids_.amount_count() + of_fluid.amounts.size());
-  join(of_fluid, static_cast<std::size_t>(solids_.material_count()), solids_.amount_count(),
-       totals);
+  join(of_fluid, solids_.material_count(), solids_.amount_count(), totals);
 }
 
 void MpmIce::add_particle_totals(const ParticleCloud& particles, Totals& totals) const {
@@ -105,14 +104,12 @@ void MpmIce::add_particle_totals(const ParticleCloud& particles, Totals& totals)
 // Solids free of stress bear the reference pressure, which works on them: -p_ref V.
 void MpmIce::add_reference_work(const ParticleCloud& particles, Totals& totals) const {
   for (int k = 0; k < solids_.material_count(); ++k) {
-    const auto n = static_cast<std::size_t>(k);
-    const double reference = solids_.scene().materials[n].constants.reference_pressure;
+    const double reference = solids_.scene().materials[k].constants.reference_pressure;
     const ParticleStore& store = particles.store(k);
     for (int l = 0; l < store.level_count() && reference != 0; ++l)
       for (int b = 0; b < store.box_count(l); ++b) {
         const ParticleSet& set = store.set(l, b);
-        const double* volume =
-            set.column(static_cast<std::size_t>(solids_.carried()[n].columns.volume));
+        const double* volume = set.column(solids_.carried()[k].columns.volume);
         for (std::size_t p = 0; p < set.size(); ++p)
           totals.internal_energy.add(-reference * volume[p]);
       }
@@ -129,7 +126,7 @@ StepBalance MpmIce::balance(const std::vector<double>& sums, const StepStart* st
                                        start != nullptr ? &of_fluid : nullptr, dt);
   b.mass.insert(b.mass.end(), f.mass.begin(), f.mass.end());
   if (!f.mass_of_sources.empty()) {
-    b.mass_of_sources.assign(static_cast<std::size_t>(solids_.material_count()), 0.0);
+    b.mass_of_sources.assign(solids_.material_count(), 0.0);
     b.mass_of_sources.insert(b.mass_of_sources.end(), f.mass_of_sources.begin(),
                              f.mass_of_sources.end());
   }
@@ -138,7 +135,7 @@ StepBalance MpmIce::balance(const std::vector<double>& sums, const StepStart* st
   b.energy += f.energy;
   b.energy_of_forces += f.energy_of_forces;
   if (burns_.empty()) return b;
-  b.mass_of_sources.resize(static_cast<std::size_t>(material_count()), 0.0);
+  b.mass_of_sources.resize(material_count(), 0.0);
   for (std::size_t m = 0; m < b.mass_of_sources.size(); ++m)
     b.mass_of_sources[m] += sums[first_burned_sum() + m];
   b.energy_of_forces += sums[first_burned_sum() + b.mass_of_sources.size() + BurnedSums::energy];

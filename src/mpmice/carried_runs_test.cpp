@@ -14,8 +14,7 @@ constexpr int gas = 1;
 
 double farthest(const DenseField& f, double value, int c = 0) {
   double most = 0;
-  for (const double q : f.components[static_cast<std::size_t>(c)])
-    most = std::max(most, std::fabs(q - value));
+  for (const double q : f.components[c]) most = std::max(most, std::fabs(q - value));
   return most;
 }
 

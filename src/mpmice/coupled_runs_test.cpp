@@ -12,8 +12,7 @@ namespace {
 // Largest |q - value| over the cells of a field, any component c.
 double farthest(const DenseField& f, double value, int c = 0) {
   double most = 0;
-  for (const double q : f.components[static_cast<std::size_t>(c)])
-    most = std::max(most, std::fabs(q - value));
+  for (const double q : f.components[c]) most = std::max(most, std::fabs(q - value));
   return most;
 }
 
@@ -50,11 +49,9 @@ TEST(CoupledRuns, AShockLeavesARigidWallAsTheoryHasIt) {
     const DenseField p = run.field("press_CC", 0), rho = run.field("rho_micro_CC", 1);
     const int wall = static_cast<int>(std::floor(std::stod(surface) * 200));
     double mean = 0;
-    for (int i = wall - 12; i < wall - 2; ++i) mean += p.components[0][static_cast<std::size_t>(i)];
+    for (int i = wall - 12; i < wall - 2; ++i) mean += p.components[0][i];
     EXPECT_NEAR(mean / 10, 15e5, 0.005 * 15e5) << surface;
-    EXPECT_NEAR(rho.components[0][static_cast<std::size_t>(wall - 3)], 6.0 * 1.1614402,
-                0.01 * 6.0 * 1.1614402)
-        << surface;
+    EXPECT_NEAR(rho.components[0][wall - 3], 6.0 * 1.1614402, 0.01 * 6.0 * 1.1614402) << surface;
     EXPECT_LT(run.worst_drift_but_energy(), 1e-13);
   }
 }
@@ -117,9 +114,8 @@ TEST(CoupledRuns, WhatIsSymmetricStaysSo) {
   double most = 0;
   for (int j = 0; j < n / 2; ++j)
     for (int i = 0; i < n; ++i)
-      most =
-          std::max(most, std::fabs(p.components[0][static_cast<std::size_t>(j * n + i)] -
-                                   p.components[0][static_cast<std::size_t>((n - 1 - j) * n + i)]));
+      most = std::max(most,
+                      std::fabs(p.components[0][j * n + i] - p.components[0][(n - 1 - j) * n + i]));
   EXPECT_LT(most, 1e-8 * 1e5);
 }
 

@@ -15,8 +15,7 @@ constexpr int gas = 1;
 
 double farthest(const DenseField& f, double value, int c = 0) {
   double most = 0;
-  for (const double q : f.components[static_cast<std::size_t>(c)])
-    most = std::max(most, std::fabs(q - value));
+  for (const double q : f.components[c]) most = std::max(most, std::fabs(q - value));
   return most;
 }
 
@@ -115,9 +114,7 @@ TEST(Ball, AndGasThatMoveTogetherFeelNothing) {
   EXPECT_LT(farthest(run.field("press_CC", 0), 1e5), 1e-10 * 1e5);
   EXPECT_LT(farthest(run.field("temp_CC", gas), 300), 1e-10 * 300);
   for (int c = 0; c < 3; ++c)
-    EXPECT_LT(
-        farthest(run.field("vel_CC", gas), std::array{40, 15, -20}[static_cast<std::size_t>(c)], c),
-        1e-9);
+    EXPECT_LT(farthest(run.field("vel_CC", gas), std::array{40, 15, -20}[c], c), 1e-9);
 }
 
 TEST(Ball, TakesFromTheGasWhatItGets) {
@@ -361,7 +358,7 @@ TEST(SpinningDisk, HardlyTurnsTheGas) {
   double torque = 0;
   for (int j = 0; j < 40; ++j)
     for (int i = 0; i < 40; ++i) {
-      const auto n = static_cast<std::size_t>(j * 40 + i);
+      const std::size_t n = j * 40 + i;
       const double x = (i + 0.5) / 40 - 0.5, y = (j + 0.5) / 40 - 0.5;
       torque += rho.components[0][n] * (x * u.components[1][n] - y * u.components[0][n]) / 1600;
     }

@@ -36,7 +36,7 @@ Places places_of_fluid(const mpm::Mpm& solids, int fluids) {
 mpm::MpmScene with_corners(mpm::MpmScene solids, const std::vector<models::SolidBurn>& burns,
                            const Level& level) {
   for (const models::SolidBurn& burn : burns) {
-    mpm::SolidMaterial& solid = solids.materials[static_cast<std::size_t>(burn.solid)];
+    mpm::SolidMaterial& solid = solids.materials[burn.solid];
     solid.burns = true;
     const models::BurningMemory memory = burn.law->memory();
     solid.awaits_flames |= memory.flame;
@@ -206,7 +206,7 @@ std::vector<OutputSwitch> MpmIce::output_switches() const {
 }
 
 bool MpmIce::passes_switch(std::size_t n, const std::vector<double>& sums) const {
-  const auto behind = static_cast<std::size_t>(BurnedSums::count(material_count()));
+  const std::size_t behind = BurnedSums::count(material_count());
   return sums[first_burned_sum() + behind + n] > 0;
 }
 

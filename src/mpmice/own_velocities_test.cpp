@@ -39,7 +39,7 @@ std::pair<double, double> slip(const CoupledRun& run, int i) {
   const DenseField light = run.field("vel_CC", 1), heavy = run.field("vel_CC", 2);
   double least = 1e300, most = -1e300;
   for (int j = 0; j < 40; ++j) {
-    const auto n = static_cast<std::size_t>(j * 40 + i);
+    const std::size_t n = j * 40 + i;
     const double apart = heavy.components[0][n] - light.components[0][n];
     least = std::min(least, apart);
     most = std::max(most, apart);

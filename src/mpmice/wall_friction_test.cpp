@@ -19,8 +19,7 @@ double error(const CoupledRun& run, double low, double high, double scale, Exact
     const double y = (j + 0.5) / rows;
     if (y - 0.5 / rows < low || y + 0.5 / rows > high) continue;
     for (int i = 0; i < 4; ++i)
-      most = std::max(most,
-                      std::fabs(u.components[0][static_cast<std::size_t>(4 * j + i)] - exact(y)));
+      most = std::max(most, std::fabs(u.components[0][4 * j + i] - exact(y)));
   }
   return most / scale;
 }
@@ -121,7 +120,7 @@ double between_cylinders(int n) {
     for (int i = 0; i < n; ++i) {
       const double x = (i + 0.5) / n - 0.5, y = (j + 0.5) / n - 0.5, r = std::hypot(x, y);
       if (r < inner + 0.75 / n || r > outer - 0.75 / n) continue;
-      const auto k = static_cast<std::size_t>(j * n + i);
+      const std::size_t k = j * n + i;
       const double around = (x * u.components[1][k] - y * u.components[0][k]) / r;
       const double exact =
           turn * inner * inner * (outer * outer / r - r) / (outer * outer - inner * inner);

@@ -38,7 +38,7 @@ std::string error_lines(const fs::path& folder) {
     if (reference->solution->materials() > 1 && variable == std::string("temp_CC")) continue;
     for (int c = 0; c < field->components(); ++c) {
       const Level& level = step.grid().levels.front();
-      if (field->components() > 1 && !level.active[static_cast<std::size_t>(c)]) continue;
+      if (field->components() > 1 && !level.active[c]) continue;
       const exact::ErrorNorms e = archive_error(step, *reference, variable, c, 0);
       const std::string name =
           field->components() == 1 ? variable : fmt::format("{}.{}", variable, "xyz"[c]);

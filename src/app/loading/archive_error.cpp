@@ -206,9 +206,8 @@ exact::ErrorNorms archive_error(const ArchiveStep& step, const ArchiveStep& refe
       for_uncovered(grid, l, box, [&](IntVec3 c, std::size_t n) {
         const IntVec3 low = (c - box.cells.lower) * ratio;
         double sum = 0;
-        for_each_cell({low, low + ratio}, [&](IntVec3 f) {
-          sum += fine[static_cast<std::size_t>(f.x + size.x * (f.y + size.y * f.z))];
-        });
+        for_each_cell({low, low + ratio},
+                      [&](IntVec3 f) { sum += fine[f.x + size.x * (f.y + size.y * f.z)]; });
         computed.push_back(values[n]);
         exact.push_back(sum / (ratio.x * ratio.y * ratio.z));
         volumes.push_back(level.cell_volume());

@@ -80,7 +80,7 @@ void add_rules(const LoadedScene& loaded, PlannedHierarchy& p) {
 void add_levels(const Scene& scene, PlannedHierarchy& p) {
   int in_coarse_step = 1;
   for (const Level& level : scene.grid.levels) {
-    const auto n = static_cast<std::size_t>(level.index);
+    const std::size_t n = level.index;
     PlannedLevel planned;
     planned.level = level;
     if (p.adaptive && n < scene.refinement.tile.size()) planned.tile = scene.refinement.tile[n];

@@ -94,8 +94,7 @@ class MemoryPlanner {
   void add_fields(PlannedMemory& m, int rank, const std::set<Label>& kept) const {
     for (const Level& level : levels_) {
       // Old and new; with substeps also the state at the start of the coarse step.
-      const int copies =
-          r_.hierarchy.levels[static_cast<std::size_t>(level.index)].substeps > 1 ? 3 : 2;
+      const int copies = r_.hierarchy.levels[level.index].substeps > 1 ? 3 : 2;
       for (const SlotInfo& s : r_.component.state_slots())
         m.states +=
             copies * s.components * word * static_cast<double>(framed_cells(level, rank, s.ghosts));

@@ -83,13 +83,13 @@ class Planner {
   }
 
   void describe_effects() {
-    const auto count = static_cast<std::size_t>(component_.effects().size());
+    const std::size_t count = component_.effects().size();
     std::vector<int> tasks(count, 0);
     std::vector<double> doubles(count, 0);
     plan_.effect_fields.assign(count, 0);
     for (const PlannedTask& p : plain_.plan.tasks) {
-      const Task& t = plain_.list.tasks()[static_cast<std::size_t>(p.task)];
-      const auto e = static_cast<std::size_t>(t.effect);
+      const Task& t = plain_.list.tasks()[p.task];
+      const std::size_t e = t.effect;
       ++tasks[e];
       for (VariableId v : t.writes) {
         plan_.effect_fields[e] += plain_.list[v].components;

@@ -62,7 +62,7 @@ IntVec3 resolution_in(const std::string& file, const Json& value) {
            fmt::format("{} in \"resolution\" is not a triple such as [100,1,1]", value.dump()));
   }
   for (int d = 0; d < 3; ++d) {
-    const Json& n = value.at(static_cast<std::size_t>(d));
+    const Json& n = value.at(d);
     if (!n.is_whole() || n.get<std::int64_t>() < 1 || n.get<std::int64_t>() > 100000000) {
       refuse(file, fmt::format("{} in \"resolution\": cells must be whole numbers from 1 on",
                                value.dump()));

@@ -135,7 +135,7 @@ void TuneSearch::first_round() {
   measure(solvers_.front(), 0);
   double best = solvers_.front().trials[0].seconds();
   for (int n = 1; n < all && time_left(); ++n) {
-    TunedSolver& s = solvers_[static_cast<std::size_t>(n)];
+    TunedSolver& s = solvers_[n];
     report(short_name(s.settings), n, all);
     first_trial(s, best);
     if (s.state == TuneState::ranked) best = std::min(best, s.trials[0].seconds());

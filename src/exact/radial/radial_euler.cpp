@@ -43,7 +43,7 @@ inline Flux hllc(double rl, double ul, double pl, double rr, double ur, double p
 
 RadialEuler::RadialEuler(RadialProblem problem) : problem_(std::move(problem)) {
   check(problem_);
-  const auto n = static_cast<std::size_t>(problem_.cells);
+  const std::size_t n = problem_.cells;
   const int d = problem_.dimension;
   dr_ = (problem_.high - problem_.low) / static_cast<double>(n);
   const std::size_t all = n + 2 * ghosts;
@@ -70,7 +70,7 @@ RadialEuler::RadialEuler(RadialProblem problem) : problem_(std::move(problem)) {
 }
 
 void RadialEuler::fill_ghosts(std::vector<double>& q, double sign_at_wall) const {
-  const auto n = static_cast<std::size_t>(problem_.cells);
+  const std::size_t n = problem_.cells;
   for (std::size_t g = 0; g < ghosts; ++g) {
     q[ghosts - 1 - g] = sign_at_wall * q[ghosts + g];
     q[n + ghosts + g] = problem_.outflow ? q[n + ghosts - 1] : sign_at_wall * q[n + ghosts - 1 - g];
@@ -78,7 +78,7 @@ void RadialEuler::fill_ghosts(std::vector<double>& q, double sign_at_wall) const
 }
 
 void RadialEuler::find_primitives() {
-  const std::size_t end = ghosts + static_cast<std::size_t>(problem_.cells);
+  const std::size_t end = ghosts + problem_.cells;
   for (std::size_t c = ghosts; c < end; ++c) {
     u_[c] = mom_[c] / rho_[c];
     p_[c] = (problem_.gamma - 1) * (ene_[c] - 0.5 * mom_[c] * u_[c]);
@@ -89,7 +89,7 @@ void RadialEuler::find_primitives() {
 }
 
 double RadialEuler::stable_step() const {
-  const std::size_t end = ghosts + static_cast<std::size_t>(problem_.cells);
+  const std::size_t end = ghosts + problem_.cells;
   double fastest = 0;
   bool good = true;
   for (std::size_t c = ghosts; c < end; ++c) {
@@ -110,7 +110,7 @@ double RadialEuler::stable_step() const {
 // cells before the prediction would not do: the geometric term has no mirror image at the high
 // end.)
 void RadialEuler::mirror_faces() {
-  const std::size_t first = ghosts, last = ghosts + static_cast<std::size_t>(problem_.cells) - 1;
+  const std::size_t first = ghosts, last = ghosts + problem_.cells - 1;
   rho_hi_[first - 1] = rho_lo_[first];
   u_hi_[first - 1] = -u_lo_[first];
   p_hi_[first - 1] = p_lo_[first];
@@ -122,7 +122,7 @@ void RadialEuler::mirror_faces() {
 // Limited slopes, and both face values of each cell half a step on (Toro eqs. 14.41-14.43, in
 // primitive variables with the geometric terms of 17.1).
 void RadialEuler::predict(double dt) {
-  const std::size_t end = ghosts + static_cast<std::size_t>(problem_.cells);
+  const std::size_t end = ghosts + problem_.cells;
   const double half = 0.5 * dt / dr_, g = problem_.gamma;
   const double geometry = 0.5 * dt * (problem_.dimension - 1);
   for (std::size_t c = ghosts; c < end; ++c) {
@@ -146,7 +146,7 @@ void RadialEuler::predict(double dt) {
 }
 
 void RadialEuler::find_fluxes() {
-  const std::size_t faces = static_cast<std::size_t>(problem_.cells) + 1;
+  const std::size_t faces = problem_.cells + 1;
   const double g = problem_.gamma;
   for (std::size_t f = 0; f < faces; ++f) {
     const std::size_t a = f + ghosts - 1, b = a + 1;
@@ -161,7 +161,7 @@ void RadialEuler::step(double dt) {
   predict(dt);
   mirror_faces();
   find_fluxes();
-  const auto n = static_cast<std::size_t>(problem_.cells);
+  const std::size_t n = problem_.cells;
   for (std::size_t i = 0; i < n; ++i) {
     const std::size_t c = i + ghosts;
     const double lo = area_[i], hi = area_[i + 1], rate = dt / volume_[c];

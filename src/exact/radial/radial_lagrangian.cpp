@@ -204,7 +204,7 @@ void RadialLagrangian::advance_to(double t) {
 RadialState RadialLagrangian::at(double r) const {
   const double place = std::clamp(r, centre_.front(), centre_.back());
   const auto above = std::upper_bound(centre_.begin() + 1, centre_.end() - 1, place);
-  const auto b = static_cast<std::size_t>(above - centre_.begin()), a = b - 1;
+  const std::size_t b = above - centre_.begin(), a = b - 1;
   const double part = (place - centre_[a]) / (centre_[b] - centre_[a]);
   const auto mix = [&](const std::vector<double>& q) { return q[a] + part * (q[b] - q[a]); };
   return {mix(rho_), mix(u_), mix(p_)};

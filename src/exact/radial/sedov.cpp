@@ -93,9 +93,8 @@ double SedovProfile::energy_integral() const {
   double sum = 0;
   for (int panel = 0; panel < panels; ++panel) {
     for (int point = 0; point < 8; ++point) {
-      const double s = point < 4 ? -gauss_point[static_cast<std::size_t>(point)]
-                                 : gauss_point[static_cast<std::size_t>(point - 4)];
-      const double weight = gauss_weight[static_cast<std::size_t>(point % 4)] / (2 * panels);
+      const double s = point < 4 ? -gauss_point[point] : gauss_point[point - 4];
+      const double weight = gauss_weight[point % 4] / (2 * panels);
       const double lambda = (panel + 0.5 * (1 + s)) / panels;
       const Scaled scaled = at(lambda);
       const double u = u2 * scaled.velocity;

@@ -120,8 +120,8 @@ class Isentrope {
     for (int row = 0; row < rows; ++row) {
       if (!midpoint(from, h, 2 * (row + 1), here[0])) return 0;
       double off_energy = 0, off_velocity = 0;
-      for (std::size_t k = 1; k <= static_cast<std::size_t>(row); ++k) {
-        const double ratio = (row + 1.0) / (row + 1.0 - static_cast<double>(k));
+      for (int k = 1; k <= row; ++k) {
+        const double ratio = (row + 1.0) / (row + 1.0 - k);
         const double share = 1 / (ratio * ratio - 1);
         off_energy = share * (here[k - 1].energy - above[k - 1].energy);
         off_velocity = share * (here[k - 1].velocity - above[k - 1].velocity);
@@ -130,7 +130,7 @@ class Isentrope {
       }
       above = here;
       if (row < 2) continue;
-      to = here[static_cast<std::size_t>(row)];
+      to = here[row];
       const Rates r = rates(to);
       if (!r.good()) return 0;
       if (tiny || (std::abs(off_energy) <= tolerance * (std::abs(to.energy) + r.squared_speed) &&

@@ -16,7 +16,7 @@ State in_space(const MaterialRiemann::Sample& sample, double temperature, const 
   out.density = sample.state.density;
   out.velocity = place.direction * sample.state.velocity;
   out.pressure = sample.state.pressure;
-  out.material = place.materials[static_cast<std::size_t>(sample.side)];
+  out.material = place.materials[sample.side];
   out.known_energy = sample.state.energy;
   out.known_temperature = temperature;
   return out;

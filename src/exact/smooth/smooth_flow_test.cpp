@@ -26,14 +26,13 @@ double residual(const ExactSolution& flow, Vec3 x, double t, Vec3 gravity = {}) 
   const auto value = [&](int k, Vec3 at, double time) {
     const State q = flow.at(at, time);
     const std::array<double, 4> all = {q.density, q.velocity.x, q.velocity.y, q.pressure};
-    return all[static_cast<std::size_t>(k)];
+    return all[k];
   };
   std::array<double, 4> dt{}, dx{}, dy{};
   for (int k = 0; k < 4; ++k) {
-    const auto n = static_cast<std::size_t>(k);
-    dt[n] = slope([&](double h) { return value(k, x, t + h); });
-    dx[n] = slope([&](double h) { return value(k, x + Vec3{h, 0, 0}, t); });
-    dy[n] = slope([&](double h) { return value(k, x + Vec3{0, h, 0}, t); });
+    dt[k] = slope([&](double h) { return value(k, x, t + h); });
+    dx[k] = slope([&](double h) { return value(k, x + Vec3{h, 0, 0}, t); });
+    dy[k] = slope([&](double h) { return value(k, x + Vec3{0, h, 0}, t); });
   }
   const auto along = [&](std::size_t k) {
     return dt[k] + s.velocity.x * dx[k] + s.velocity.y * dy[k];

@@ -121,9 +121,7 @@ class ExampleRun {
     const FieldInfo& info = *step.find(name, 0, level);
     const DenseField field = step.read(info);
     for_each_cell(field.cells, [&](IntVec3 c) {
-      if (field.has(c))
-        f(position(step.grid().levels[static_cast<std::size_t>(level)], info.centring, c),
-          field.at(c));
+      if (field.has(c)) f(position(step.grid().levels[level], info.centring, c), field.at(c));
     });
   }
   std::vector<double> values(const std::string& name) const {

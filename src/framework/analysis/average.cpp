@@ -54,7 +54,7 @@ AverageSampler::AverageSampler(const Level& level, AveragePlan plan)
 std::size_t AverageSampler::quantity_number(const AnalysedQuantity& q) {
   const auto found = std::find_if(quantities_.begin(), quantities_.end(),
                                   [&](const AnalysedQuantity& other) { return same(q, other); });
-  if (found != quantities_.end()) return static_cast<std::size_t>(found - quantities_.begin());
+  if (found != quantities_.end()) return found - quantities_.begin();
   quantities_.push_back(q);
   return quantities_.size() - 1;
 }
@@ -120,7 +120,7 @@ void AverageSampler::add_cells(const Warehouse& outputs, const IndexBox& cells, 
     const AnalysedQuantity& q = quantities_[quantity];
     const ConstRealView v = outputs.view(outputs.find(q.label, q.material), component, box);
     std::vector<double> values;
-    values.reserve(static_cast<std::size_t>(cells.volume()));
+    values.reserve(cells.volume());
     for_each_cell(cells, [&](IntVec3 c) { values.push_back(v(c)); });
     return values;
   };
@@ -151,7 +151,7 @@ void AverageSampler::pack(const Warehouse& outputs, int /*rank*/,
   for (const int plane : planes_) {
     std::vector<ExactSum> sums(sum_count());
     for (int b = 0; b < static_cast<int>(outputs.local_boxes().size()); ++b) {
-      IndexBox cells = outputs.local_boxes()[static_cast<std::size_t>(b)].cells;
+      IndexBox cells = outputs.local_boxes()[b].cells;
       cells.lower[plan_.normal] = std::max(cells.lower[plan_.normal], plane);
       cells.upper[plan_.normal] = std::min(cells.upper[plan_.normal], plane + 1);
       if (!cells.empty()) add_cells(outputs, cells, b, sums);

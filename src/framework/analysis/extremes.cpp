@@ -18,7 +18,7 @@ IndexBox indices_in(const IndexBox& cells, Label label, const Level& level) {
   IndexBox box = cells;
   const IntVec3 closing = closing_layers(label.info().centring);
   for (int d = 0; d < 3; ++d)
-    if (level.active[static_cast<std::size_t>(d)]) box.upper[d] += closing[d];
+    if (level.active[d]) box.upper[d] += closing[d];
   return box;
 }
 
@@ -51,8 +51,7 @@ void ExtremesSampler::pack(const Warehouse& outputs, int /*rank*/,
       double least = infinity, most = -infinity;
       for (int b = 0; b < static_cast<int>(outputs.local_boxes().size()); ++b) {
         const RealView v = outputs.view(slot, c, b);
-        for_each_cell(indices_in(outputs.local_boxes()[static_cast<std::size_t>(b)].cells, q.label,
-                                 outputs.level()),
+        for_each_cell(indices_in(outputs.local_boxes()[b].cells, q.label, outputs.level()),
                       [&](IntVec3 i) {
                         const double x = v(i) + 0.0;  // -0 becomes 0: their order would show
                         least = std::min(least, x);
@@ -67,7 +66,7 @@ void ExtremesSampler::pack(const Warehouse& outputs, int /*rank*/,
 
 void ExtremesSampler::write(RankNumbers& numbers, int /*step*/, double time) {
   for (std::size_t n = 0; n < quantities_.size(); ++n) {
-    const auto components = static_cast<std::size_t>(quantities_[n].components);
+    const std::size_t components = quantities_[n].components;
     std::vector<double> least(components, infinity), most(components, -infinity);
     for (int r = 0; r < numbers.ranks(); ++r) {
       const double* own = numbers.take(r, 2 * components);

@@ -27,8 +27,7 @@ AnalysedLine line(Vec3 start, Vec3 end, double step = 0) {
 TEST(AnalysisLine, WithoutAStepEveryCellComesOnceInOrder) {
   const LineCells found = cells_on_line(line({1, 0.15, 0.05}, {0, 0.15, 0.05}), ten_by_four());
   ASSERT_EQ(found.cells.size(), 10u);
-  for (int n = 0; n < 10; ++n)
-    EXPECT_EQ(found.cells[static_cast<std::size_t>(n)], (IntVec3{9 - n, 3, 0}));
+  for (int n = 0; n < 10; ++n) EXPECT_EQ(found.cells[n], (IntVec3{9 - n, 3, 0}));
   EXPECT_FALSE(found.clipped);
 }
 

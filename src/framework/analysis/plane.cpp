@@ -55,7 +55,7 @@ void PlaneSampler::lay_out(const Level& level) {
       const IndexBox cells = intersection(level.boxes[b].cells, plane.where.cells);
       if (cells.empty()) continue;
       plane.pieces.push_back({cells, level.boxes[b].owner, numbers[b]});
-      lines_ += static_cast<std::size_t>(cells.volume()) * quantities_.size();
+      lines_ += cells.volume() * quantities_.size();
     }
   }
 }
@@ -65,7 +65,7 @@ IndexBox PlaneSampler::indices_of(const IndexBox& cells, Label label) const {
   IndexBox indices = cells;
   const IntVec3 closing = closing_layers(label.info().centring);
   for (int d = 0; d < 3; ++d)
-    if (geometry_.active[static_cast<std::size_t>(d)]) indices.upper[d] += closing[d];
+    if (geometry_.active[d]) indices.upper[d] += closing[d];
   return indices;
 }
 
@@ -86,22 +86,19 @@ void PlaneSampler::pack(const Warehouse& outputs, int rank, std::vector<double>&
 std::string PlaneSampler::text_of(const Plane& plane, const AnalysedQuantity& q,
                                   RankNumbers& numbers, double time) const {
   const IndexBox all = indices_of(plane.where.cells, q.label);
-  const auto n = static_cast<std::size_t>(all.volume());
-  const auto components = static_cast<std::size_t>(q.components);
+  const std::size_t n = all.volume();
+  const std::size_t components = q.components;
   std::vector<double> values(n * components);
   std::vector<char> held(n, 0);
   const IntVec3 size = all.size();
   auto place = [&](IntVec3 i) {
     const IntVec3 at = i - all.lower;
-    return static_cast<std::size_t>(at.x) +
-           static_cast<std::size_t>(size.x) *
-               (static_cast<std::size_t>(at.y) +
-                static_cast<std::size_t>(size.y) * static_cast<std::size_t>(at.z));
+    return at.x + size.x * (at.y + static_cast<std::size_t>(size.y) * at.z);
   };
   for (const Piece& p : plane.pieces) {
     const IndexBox indices = indices_of(p.cells, q.label);
     for (std::size_t c = 0; c < components; ++c) {
-      const double* next = numbers.take(p.owner, static_cast<std::size_t>(indices.volume()));
+      const double* next = numbers.take(p.owner, indices.volume());
       for_each_cell(indices, [&](IntVec3 i) {
         values[place(i) * components + c] = *next++;
         held[place(i)] = 1;

@@ -22,7 +22,7 @@ std::string header_line(const std::vector<AnalysedQuantity>& quantities) {
 PointsSampler::PointsSampler(const Level& level, std::vector<AnalysedQuantity> quantities,
                              const std::vector<SampledLine>& lines)
     : LevelSampler(std::move(quantities)), level_(level.index), header_(header_line(quantities_)) {
-  for (const AnalysedQuantity& q : quantities_) columns_ += static_cast<std::size_t>(q.components);
+  for (const AnalysedQuantity& q : quantities_) columns_ += q.components;
   for (const SampledLine& line : lines) {
     for (IntVec3 c : line.cells) candidates_.push_back({c, level.centre(c), names_.size()});
     names_.push_back(line.name);
@@ -46,8 +46,7 @@ void PointsSampler::lay_out(const Level& level) {
   for (std::size_t n = 0; n < candidates_.size(); ++n) {
     const IntVec3 cell = candidates_[n].cell;
     for (const int b : finder.overlapping({cell, cell + IntVec3::all(1)})) {
-      const auto box = static_cast<std::size_t>(b);
-      points_.push_back({n, level.boxes[box].owner, numbers[box]});
+      points_.push_back({n, level.boxes[b].owner, numbers[b]});
     }
   }
 }

@@ -26,11 +26,10 @@ int wrapped(int i, const Level& level, int d) {
 
 Pair pair_around(double x, const Level& level, int d) {
   const int low = level.domain.lower[d], last = level.domain.upper[d] - 1;
-  if (!level.active[static_cast<std::size_t>(d)]) return {low, low, 0};
+  if (!level.active[d]) return {low, low, 0};
   const double at = (x - level.anchor[d]) / level.spacing[d] - 0.5;
   const auto i = static_cast<int>(std::floor(at));
-  if (level.periodic[static_cast<std::size_t>(d)])
-    return {wrapped(i, level, d), wrapped(i + 1, level, d), at - i};
+  if (level.periodic[d]) return {wrapped(i, level, d), wrapped(i + 1, level, d), at - i};
   if (i < low) return {low, low, 0};
   if (i >= last) return {last, last, 0};
   return {i, i + 1, at - i};
@@ -38,7 +37,7 @@ Pair pair_around(double x, const Level& level, int d) {
 
 bool outside(Vec3 x, const Level& level) {
   for (int d = 0; d < 3; ++d) {
-    if (!level.active[static_cast<std::size_t>(d)]) continue;
+    if (!level.active[d]) continue;
     const double at = (x[d] - level.anchor[d]) / level.spacing[d];
     if (at < level.domain.lower[d] - probe_rounding || at > level.domain.upper[d] + probe_rounding)
       return true;
@@ -122,7 +121,7 @@ void ProbeSampler::lay_out(const Level& level) {
         held_[n].clear();
         break;
       }
-      const auto b = static_cast<std::size_t>(found.front());
+      const std::size_t b = found.front();
       held_[n].push_back({cell, level.boxes[b].owner, numbers[b]});
     }
   }
@@ -140,7 +139,7 @@ void ProbeSampler::pack(const Warehouse& outputs, int rank, std::vector<double>&
 
 void ProbeSampler::write(RankNumbers& numbers, int /*step*/, double /*time*/) {
   std::size_t columns = 0;
-  for (const AnalysedQuantity& q : quantities_) columns += static_cast<std::size_t>(q.components);
+  for (const AnalysedQuantity& q : quantities_) columns += q.components;
   for (std::size_t n = 0; n < held_.size(); ++n) {
     if (held_[n].empty()) continue;
     std::vector<double> values(columns, 0.0);

@@ -32,12 +32,11 @@ RankNumbers::RankNumbers(const std::vector<std::string>& packed) : next_(packed.
 }
 
 const double* RankNumbers::take(int rank, std::size_t count) {
-  const auto r = static_cast<std::size_t>(rank);
-  if (next_[r] + count > numbers_[r].size())
+  if (next_[rank] + count > numbers_[rank].size())
     throw std::logic_error("an analysis reads more numbers than rank " + std::to_string(rank) +
                            " has packed");
-  const double* first = numbers_[r].data() + next_[r];
-  next_[r] += count;
+  const double* first = numbers_[rank].data() + next_[rank];
+  next_[rank] += count;
   return first;
 }
 

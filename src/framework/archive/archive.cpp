@@ -81,8 +81,7 @@ const StepEntry& Archive::select_output(std::string_view text) const {
   try {
     if (text.starts_with('#')) {
       const int n = parse_int(text.substr(1), "--time");
-      if (n >= 0 && static_cast<std::size_t>(n) < steps.size())
-        return steps[static_cast<std::size_t>(n)];
+      if (n >= 0 && static_cast<std::size_t>(n) < steps.size()) return steps[n];
       throw InputError(fmt::format("{} has no output {}: there are #0 to #{}", folder_.string(),
                                    text, steps.size() - 1));
     }

@@ -33,15 +33,10 @@ struct DenseField {
 
   std::size_t offset(IntVec3 c) const {
     const IntVec3 n = cells.size(), r = c - cells.lower;
-    return static_cast<std::size_t>(r.x) +
-           static_cast<std::size_t>(n.x) *
-               (static_cast<std::size_t>(r.y) +
-                static_cast<std::size_t>(n.y) * static_cast<std::size_t>(r.z));
+    return r.x + n.x * (r.y + static_cast<std::size_t>(n.y) * r.z);
   }
   bool has(IntVec3 c) const { return cells.contains(c) && present[offset(c)]; }
-  double at(IntVec3 c, int component = 0) const {
-    return components[static_cast<std::size_t>(component)][offset(c)];
-  }
+  double at(IntVec3 c, int component = 0) const { return components[component][offset(c)]; }
 };
 
 // One archived state. Files are opened when first read.

@@ -31,7 +31,7 @@ struct Written {
   std::vector<std::string> verify(int n) const {
     const Archive a = Archive::open(archive);
     std::int64_t good = 0;
-    return a.read_output(a.outputs().at(static_cast<std::size_t>(n - 1))).verify(good);
+    return a.read_output(a.outputs().at(n - 1)).verify(good);
   }
 };
 

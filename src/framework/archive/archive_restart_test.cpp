@@ -126,7 +126,7 @@ TEST(ArchiveRestart, NewArchiveAdoptsTheEarlierOutputs) {
     ASSERT_THAT(steps_of(a.outputs()), ElementsAre(1, 2, 3, 4, 5, 6));
     EXPECT_EQ(fs::exists(writer.folder() / "t00001"), mode == Earlier::copy);
     for (int n = 0; n < 6; ++n) {
-      const ArchiveStep step = a.read_output(a.outputs()[static_cast<std::size_t>(n)]);
+      const ArchiveStep step = a.read_output(a.outputs()[n]);
       EXPECT_EQ(step.read(*step.find("press_CC", 0, 0)).at({2, 1, 0}), n + 1 + 0.2);
     }
     const std::string text = dat(writer);

@@ -182,7 +182,7 @@ TEST(ArchiveRoundTrip, SeveralRanksShareOneArchive) {
   std::vector<std::string> texts(ranks);
   auto run = [&](int rank) {
     WriterRanks shared{rank, ranks, [&, rank](const std::string& text) {
-                         texts[static_cast<std::size_t>(rank)] = text;
+                         texts[rank] = text;
                          meet.arrive_and_wait();
                          const std::vector<std::string> all = texts;
                          meet.arrive_and_wait();

@@ -71,7 +71,7 @@ const FieldInfo* ArchiveStep::find_particles(std::string_view name, int material
 
 std::vector<std::vector<double>> ArchiveStep::read_particles(const FieldInfo& field) const {
   if (!damage_.empty()) throw DamageError(damage_.front());
-  const auto n = static_cast<std::size_t>(field.components());
+  const std::size_t n = field.components();
   std::vector<std::vector<double>> lists(n);
   for (const auto& file : files_) {
     const StoredVariable* v = file->find(field.name, field.level, field.material);
@@ -111,13 +111,13 @@ void ArchiveStep::visit_boxes(const FieldInfo& field, const IndexBox& cells, F&&
 DenseField ArchiveStep::read(const FieldInfo& field, const IndexBox& cells) const {
   DenseField dense;
   dense.cells = cells;
-  const auto count = static_cast<std::size_t>(cells.volume());
-  const auto n = static_cast<std::size_t>(field.components());
+  const std::size_t count = cells.volume();
+  const std::size_t n = field.components();
   dense.components.assign(n, std::vector<double>(count));
   dense.present.assign(count, 0);
   visit_boxes(field, cells, [&](const IndexBox& box, const std::vector<double>& values) {
     const IndexBox part = intersection(box, cells);
-    const auto volume = static_cast<std::size_t>(box.volume());
+    const std::size_t volume = box.volume();
     DenseField source;
     source.cells = box;
     for_each_cell(part, [&](IntVec3 c) {
@@ -127,7 +127,7 @@ DenseField ArchiveStep::read(const FieldInfo& field, const IndexBox& cells) cons
     });
   });
   if (!damage_.empty())  // some boxes may be in the files that cannot be read
-    for (const GridBox& b : grid().levels.at(static_cast<std::size_t>(field.level)).boxes)
+    for (const GridBox& b : grid().levels.at(field.level).boxes)
       for_each_cell(intersection(b.cells, cells), [&](IntVec3 c) {
         if (!dense.has(c)) throw DamageError(damage_.front());
       });
@@ -141,7 +141,7 @@ void ArchiveStep::read_into(const FieldInfo& field, int component, const IndexBo
     const IndexBox part = intersection(box, cells);
     DenseField source;
     source.cells = box;
-    const auto start = static_cast<std::size_t>(component) * static_cast<std::size_t>(box.volume());
+    const auto start = static_cast<std::size_t>(component) * box.volume();
     for_each_cell(part, [&](IntVec3 c) { target(c) = values[start + source.offset(c)]; });
     filled += part.volume();
   });

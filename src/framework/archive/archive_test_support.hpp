@@ -21,7 +21,7 @@ inline Grid make_grid(IntVec3 cells, IntVec3 pieces) {
   level.anchor = {-1.0, 0.25, 3.0};
   level.spacing = {0.1, 0.25, 0.5};
   level.domain = {{0, 0, 0}, cells};
-  for (int d = 0; d < 3; ++d) level.active[static_cast<std::size_t>(d)] = cells[d] > 1;
+  for (int d = 0; d < 3; ++d) level.active[d] = cells[d] > 1;
   int id = 0;
   for (const IndexBox& b : split(level.domain, pieces)) level.boxes.push_back({b, 0, id++});
   return {{level}};
@@ -92,8 +92,7 @@ class Fields {
                    const Function& f) {
     const IndexBox with_ghosts = cells.grown({2, 2, 2});
     const IntVec3 n = with_ghosts.size();
-    auto& memory =
-        memory_.emplace_back(static_cast<std::size_t>(with_ghosts.volume()), std::nan(""));
+    auto& memory = memory_.emplace_back(with_ghosts.volume(), std::nan(""));
     RealView view;
     view.data = memory.data();
     view.box = with_ghosts;

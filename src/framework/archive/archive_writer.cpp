@@ -159,7 +159,7 @@ void ArchiveWriter::publish(Store& store, const StepInfo& info, const Grid& grid
 // Takes the checkpoints beyond the cycle out of the index; their folders go once it is written.
 std::vector<fs::path> ArchiveWriter::retire(Store& store) const {
   auto& steps = store.index.steps;
-  const auto keep = static_cast<std::size_t>(setup_.checkpoint_cycle);
+  const std::size_t keep = setup_.checkpoint_cycle;
   std::vector<fs::path> retired;
   if (&store != &checkpoints_ || setup_.checkpoint_cycle <= 0) return retired;
   while (steps.size() > keep) {

@@ -214,13 +214,12 @@ bool numbers_differ(double a, double b, double absolute, double relative) {
 
 std::string grid_mismatch(const Level& a, const Level& b) {
   for (int d = 0; d < 3; ++d) {
-    const auto n = static_cast<std::size_t>(d);
     if (!same_length(a.spacing[d], b.spacing[d]))
       return fmt::format("spacing {} and {}", triple_text(a.spacing), triple_text(b.spacing));
     // The anchors are compared in units of a cell: 0 and 1e-17 are the same place.
     if (std::abs(a.anchor[d] - b.anchor[d]) > 1e-12 * std::max(a.spacing[d], std::abs(a.anchor[d])))
       return fmt::format("anchor {} and {}", triple_text(a.anchor), triple_text(b.anchor));
-    if (a.periodic[n] != b.periodic[n]) return "periodic in different directions";
+    if (a.periodic[d] != b.periodic[d]) return "periodic in different directions";
   }
   if (a.domain != b.domain)
     return fmt::format("cells {} to {} and {} to {}", triple_text(a.domain.lower),

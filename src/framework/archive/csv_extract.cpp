@@ -26,8 +26,7 @@ bool covered(const Grid& grid, const std::vector<LoadedField>& fields, const Fie
   for (const LoadedField& f : fields) {
     if (f.info.material != coarse.material || f.info.level <= coarse.level) continue;
     IntVec3 fine = c;
-    for (int l = coarse.level + 1; l <= f.info.level; ++l)
-      fine = times(fine, grid.levels[static_cast<std::size_t>(l)].ratio);
+    for (int l = coarse.level + 1; l <= f.info.level; ++l) fine = times(fine, grid.levels[l].ratio);
     if (f.values.has(fine)) return true;
   }
   return false;
@@ -88,7 +87,7 @@ std::int64_t extract_csv(const ArchiveStep& step, const ExtractOptions& options,
   if (is_of_particles(step, options.label)) return extract_particles(step, options, write);
   std::vector<LoadedField> fields;
   for (const FieldInfo& f : select_fields(step, options.label, options.material, options.level)) {
-    const Level& level = step.grid().levels.at(static_cast<std::size_t>(f.level));
+    const Level& level = step.grid().levels.at(f.level);
     fields.push_back(
         {f, step.read(f, intersection(step.range(f), index_range(level, f.centring)))});
   }
@@ -98,7 +97,7 @@ std::int64_t extract_csv(const ArchiveStep& step, const ExtractOptions& options,
                  value_columns(fields.front().info.type));
   std::int64_t rows = 0;
   for (const LoadedField& f : fields) {
-    const Level& level = step.grid().levels[static_cast<std::size_t>(f.info.level)];
+    const Level& level = step.grid().levels[f.info.level];
     for_each_cell(f.values.cells, [&](IntVec3 c) {
       const Vec3 p = position(level, f.info.centring, c);
       if (!f.values.has(c) || !inside(p, options) || covered(step.grid(), fields, f.info, c))

@@ -142,8 +142,7 @@ TEST(CsvExtract, AllLevelsGiveEveryPointOnceFromTheFinest) {
   EXPECT_EQ(static_cast<std::int64_t>(t.rows.size()),
             grid.levels[0].cell_count() - fine / 8 + fine);
   double volume = 0;
-  for (const Row& r : t.rows)
-    volume += grid.levels[static_cast<std::size_t>(r.level)].cell_volume();
+  for (const Row& r : t.rows) volume += grid.levels[r.level].cell_volume();
   EXPECT_NEAR(volume, 8 * 6 * 3 * grid.levels[0].cell_volume(), 1e-12);
   EXPECT_EQ(extracted(step, {"press_CC", {}, 0, {}, {}}).rows.size(), 8u * 6 * 3);
   EXPECT_EQ(extracted(step, {"press_CC", {}, 1, {}, {}}).rows.size(),

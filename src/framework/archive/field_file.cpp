@@ -24,9 +24,7 @@ struct Group {
   std::vector<std::uint32_t> sums;                    // one a piece
   std::int64_t values_offset = -1, sums_offset = -1;  // in the file
 
-  std::size_t components() const {
-    return static_cast<std::size_t>(component_count(variable.type));
-  }
+  std::size_t components() const { return component_count(variable.type); }
   hsize_t box_count() const { return pieces.size() / components(); }
   hsize_t value_count() const {
     return static_cast<hsize_t>(variable.bytes) / size_of(variable.stored);
@@ -261,8 +259,8 @@ std::uint32_t metadata_checksum(const std::filesystem::path& path, const DataFil
   std::int64_t at = 0;
   for (const auto& [start, length] : values) {
     while (at < start) {
-      const auto count = static_cast<std::size_t>(
-          std::min<std::int64_t>(start - at, static_cast<std::int64_t>(buffer.size())));
+      const std::size_t count =
+          std::min<std::int64_t>(start - at, static_cast<std::int64_t>(buffer.size()));
       file.read_at(at, buffer.data(), count);
       sum = crc32c(sum, buffer.data(), count);
       at += static_cast<std::int64_t>(count);

@@ -21,7 +21,7 @@ std::size_t value_count(const Hdf5Handle& data_set, const std::string& path) {
   const auto space = checked(H5Dget_space(data_set.get()), H5Sclose, "ask for a space", path);
   const hssize_t count = H5Sget_simple_extent_npoints(space.get());
   if (count < 0) fail_hdf5("ask for an extent", path);
-  return static_cast<std::size_t>(count);
+  return count;
 }
 
 template <class T>
@@ -91,7 +91,7 @@ FieldFileReader::Table FieldFileReader::read_table(const StoredVariable& variabl
   const auto stored = static_cast<std::int64_t>(value_count(t.values, file));
   if (total != stored ||
       total * static_cast<std::int64_t>(size_of(variable.stored)) != variable.bytes ||
-      t.sums.size() != t.boxes.size() * static_cast<std::size_t>(components))
+      t.sums.size() != t.boxes.size() * components)
     throw DamageError(
         fmt::format("{}: {} has {} values where its boxes hold {}", file, group, stored, total));
   return t;
@@ -105,8 +105,8 @@ template <class T>
 std::vector<double> FieldFileReader::read_box_as(const StoredVariable& variable, const Table& t,
                                                  std::size_t box) {
   const std::string file = path_.string();
-  const auto components = static_cast<std::size_t>(component_count(variable.type));
-  const auto volume = static_cast<std::size_t>(t.boxes[box].volume());
+  const std::size_t components = component_count(variable.type);
+  const std::size_t volume = t.boxes[box].volume();
   std::vector<T> stored(volume * components);
   const hsize_t start = static_cast<hsize_t>(t.starts[box]), count = stored.size();
   const auto space = checked(H5Dget_space(t.values.get()), H5Sclose, "ask for a space", file);

@@ -51,8 +51,7 @@ class Chunk {
 
   void row(const double* from, std::ptrdiff_t stride, int count) {
     while (count > 0) {
-      const auto take =
-          std::min<std::size_t>(static_cast<std::size_t>(count), buffer_.size() - used_);
+      const auto take = std::min<std::size_t>(count, buffer_.size() - used_);
       copy(buffer_.data() + used_, from, stride, take);
       used_ += take;
       from += static_cast<std::ptrdiff_t>(take) * stride;

@@ -128,16 +128,14 @@ void Hdf5Target::read(std::int64_t at, char* bytes, std::size_t count) noexcept 
   const std::int64_t end = at + static_cast<std::int64_t>(count);
   try {
     const std::int64_t stored = std::min(end, file_->size());
-    if (stored > at) file_->read_at(at, bytes, static_cast<std::size_t>(stored - at));
+    if (stored > at) file_->read_at(at, bytes, stored - at);
   } catch (...) {
     if (!failure_) failure_ = std::current_exception();
   }
   for (const Kept& k : kept_) {
     const std::int64_t from = std::max(at, k.at),
                        to = std::min(end, k.at + static_cast<std::int64_t>(k.bytes.size()));
-    if (from < to)
-      std::memcpy(bytes + (from - at), k.bytes.data() + (from - k.at),
-                  static_cast<std::size_t>(to - from));
+    if (from < to) std::memcpy(bytes + (from - at), k.bytes.data() + (from - k.at), to - from);
   }
 }
 

@@ -56,7 +56,7 @@ NormsRow norms_of(const DenseField& x, const DenseField& y, IntVec3 shift, int m
 void add_rows(const ArchiveStep& a, const ArchiveStep& b, const FieldInfo& fa, const FieldInfo& fb,
               std::vector<NormsRow>& rows) {
   constexpr const char* axes[] = {".x", ".y", ".z"};
-  const auto l = static_cast<std::size_t>(fa.level);
+  const std::size_t l = fa.level;
   if (l >= b.grid().levels.size())
     throw InputError(fmt::format("the second archive has no level {}", fa.level));
   const IntVec3 shift = index_shift(a.grid().levels.at(l), b.grid().levels[l]);

@@ -99,7 +99,7 @@ void PosixFile::write_at(std::int64_t offset, const void* data, std::size_t byte
     if (done == 0) fail_system("write", path_, ENOSPC);
     from += done;
     offset += done;
-    bytes -= static_cast<std::size_t>(done);
+    bytes -= done;
   }
 }
 
@@ -115,7 +115,7 @@ void PosixFile::read_at(std::int64_t offset, void* data, std::size_t bytes) cons
                       path_.string(), offset, bytes));
     to += done;
     offset += done;
-    bytes -= static_cast<std::size_t>(done);
+    bytes -= done;
   }
 }
 
@@ -145,7 +145,7 @@ std::string read_text(const std::filesystem::path& path) {
   struct stat status {};
   if (::stat(path.c_str(), &status) == 0 && S_ISDIR(status.st_mode))
     fail_system("read", path, EISDIR);
-  std::string text(static_cast<std::size_t>(file.size()), '\0');
+  std::string text(file.size(), '\0');
   file.read_at(0, text.data(), text.size());
   return text;
 }

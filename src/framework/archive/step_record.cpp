@@ -40,8 +40,8 @@ Level parse_level(const XmlElement& e, const std::string& context) {
   level.index = parse_int(e.need("id", context).text, context);
   const IntVec3 periodic = ints("periodic"), active = ints("active");
   for (int d = 0; d < 3; ++d) {
-    level.periodic[static_cast<std::size_t>(d)] = periodic[d] != 0;
-    level.active[static_cast<std::size_t>(d)] = active[d] != 0;
+    level.periodic[d] = periodic[d] != 0;
+    level.active[d] = active[d] != 0;
   }
   level.anchor = reals("anchor");
   level.spacing = reals("cellspacing");

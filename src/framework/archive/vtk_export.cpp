@@ -90,8 +90,7 @@ std::optional<BoxFinder> finer_boxes(const Grid& grid, std::size_t level) {
 std::vector<IndexBox> boxes_over(const std::optional<BoxFinder>& finer, const IndexBox& cells) {
   std::vector<IndexBox> found;
   if (!finer) return found;
-  for (const int n : finer->overlapping(cells))
-    found.push_back(finer->boxes()[static_cast<std::size_t>(n)]);
+  for (const int n : finer->overlapping(cells)) found.push_back(finer->boxes()[n]);
   return found;
 }
 
@@ -211,7 +210,7 @@ class StepExport {
     VtkArray a;
     a.name = "vtkGhostType";
     a.type = VtkType::byte;
-    a.values.reserve(static_cast<std::size_t>(cells.volume()));
+    a.values.reserve(cells.volume());
     for_each_cell(cells, [&](IntVec3 place) {
       const IntVec3 c = vtk.source(place);
       const bool hidden =
@@ -265,7 +264,7 @@ class StepExport {
     const double absent =
         a.type == VtkType::integer ? 0.0 : std::numeric_limits<double>::quiet_NaN();
     const IndexBox range{cells.lower, a.on_points ? cells.upper + IntVec3{1, 1, 1} : cells.upper};
-    a.values.reserve(static_cast<std::size_t>(range.volume() * a.components));
+    a.values.reserve(range.volume() * a.components);
     for_each_cell(range, [&](IntVec3 place) {
       IntVec3 c = vtk.source(place) + shift;
       if (a.on_points && f) c = on_one_layer(c, f->values.cells);

@@ -147,7 +147,7 @@ std::string to_text(const XmlElement& root) {
   xmlDocDumpFormatMemoryEnc(document.get(), &bytes, &count, "UTF-8", 1);
   const std::unique_ptr<xmlChar, FreeText> owner(bytes);
   if (!bytes) throw SystemError("cannot write <" + root.name + "> as XML: out of memory");
-  return std::string(reinterpret_cast<const char*>(bytes), static_cast<std::size_t>(count));
+  return std::string(reinterpret_cast<const char*>(bytes), count);
 }
 
 std::string seal(std::string xml) {

@@ -28,7 +28,7 @@ void check(int code, const char* call) {
   throw SystemError(fmt::format(
       "{} failed: {}\n  another rank may have died, or the ranks run different inputs; see the "
       "messages above, then try fewer ranks",
-      call, std::string(text, static_cast<std::size_t>(length))));
+      call, std::string(text, length)));
 }
 
 int to_count(std::size_t size, const char* what) {
@@ -45,7 +45,7 @@ int to_count(std::size_t size, const char* what) {
 void combine_records(void* from, void* into, int* count, MPI_Datatype* type) {
   int bytes = 0;
   MPI_Type_size(*type, &bytes);
-  const std::size_t words = static_cast<std::size_t>(bytes) / sizeof(std::int64_t);
+  const std::size_t words = bytes / sizeof(std::int64_t);
   for (int i = 0; i < *count; ++i) {
     Reduction::combine(static_cast<const std::int64_t*>(from) + words * i,
                        static_cast<std::int64_t*>(into) + words * i, words);
@@ -217,7 +217,7 @@ std::vector<std::string> Communicator::gather(const std::string& bytes) {
   std::size_t total = 0;
   for (std::size_t i = 0; i < sizes.size(); ++i) {
     starts[i] = to_count(total, "gathered texts");
-    total += static_cast<std::size_t>(sizes[i]);
+    total += sizes[i];
   }
   std::string all(total, '\0');
   check(MPI_Gatherv(bytes.data(), mine, MPI_BYTE, all.data(), sizes.data(), starts.data(), MPI_BYTE,
@@ -225,8 +225,7 @@ std::vector<std::string> Communicator::gather(const std::string& bytes) {
         "MPI_Gatherv");
   std::vector<std::string> result;
   for (std::size_t i = 0; i < sizes.size(); ++i) {
-    result.push_back(
-        all.substr(static_cast<std::size_t>(starts[i]), static_cast<std::size_t>(sizes[i])));
+    result.push_back(all.substr(starts[i], sizes[i]));
   }
   return result;
 }
@@ -242,7 +241,7 @@ std::vector<std::string> Communicator::gather_to_all(const std::string& bytes) {
   for (int i = 0; i < size_; ++i) {
     starts[i] = to_count(total, "gathered texts");
     sizes[i] = static_cast<int>(lengths[i]);
-    total += static_cast<std::size_t>(lengths[i]);
+    total += lengths[i];
   }
   std::string all(total, '\0');
   check(MPI_Allgatherv(bytes.data(), sizes[rank_], MPI_BYTE, all.data(), sizes.data(),
@@ -250,8 +249,7 @@ std::vector<std::string> Communicator::gather_to_all(const std::string& bytes) {
         "MPI_Allgatherv");
   std::vector<std::string> result;
   for (int i = 0; i < size_; ++i) {
-    result.push_back(
-        all.substr(static_cast<std::size_t>(starts[i]), static_cast<std::size_t>(sizes[i])));
+    result.push_back(all.substr(starts[i], sizes[i]));
   }
   return result;
 }

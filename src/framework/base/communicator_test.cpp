@@ -119,9 +119,9 @@ TEST(Communicator, gathers_texts_in_rank_order) {
   Communicator& ranks = world();
   std::vector<std::string> expected;
   for (int i = 0; i < ranks.size(); ++i) {
-    expected.push_back(std::string(static_cast<std::size_t>(i), 'x') + std::to_string(i));
+    expected.push_back(std::string(i, 'x') + std::to_string(i));
   }
-  const std::string mine = expected[static_cast<std::size_t>(ranks.rank())];
+  const std::string mine = expected[ranks.rank()];
   EXPECT_EQ(ranks.gather_to_all(mine), expected);
   const std::vector<std::string> gathered = ranks.gather(mine);
   if (ranks.is_root()) {

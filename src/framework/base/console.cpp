@@ -19,9 +19,8 @@ namespace {
 
 // Characters as a reader counts them: bytes that continue a UTF-8 character add none.
 std::size_t width_of(std::string_view text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
-    return (static_cast<unsigned char>(c) & 0xc0) != 0x80;
-  }));
+  return std::count_if(text.begin(), text.end(),
+                       [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; });
 }
 
 }  // namespace
@@ -102,7 +101,7 @@ std::string human_count(std::int64_t n) {
   std::string digits = std::to_string(n);
   const std::ptrdiff_t first = n < 0 ? 1 : 0;
   for (auto at = static_cast<std::ptrdiff_t>(digits.size()) - 3; at > first; at -= 3) {
-    digits.insert(static_cast<std::size_t>(at), ",");
+    digits.insert(at, ",");
   }
   return digits;
 }

@@ -26,7 +26,7 @@ class BitSum {
     std::vector<int> number(bits, 0);
     for (int i = 0; i < 53; ++i, mantissa >>= 1) {
       const int position = exponent - 53 + i + offset;
-      if ((mantissa & 1) != 0) number[static_cast<std::size_t>(position)] = 1;
+      if ((mantissa & 1) != 0) number[position] = 1;
     }
     for (std::size_t i = 0; i < bits; ++i) digits_[i] += x < 0 ? -number[i] : number[i];
   }
@@ -42,16 +42,16 @@ class BitSum {
       normalise(digits);
     }
     int top = static_cast<int>(bits) - 1;
-    while (top >= 0 && digits[static_cast<std::size_t>(top)] == 0) --top;
+    while (top >= 0 && digits[top] == 0) --top;
     if (top < 0) return 0.0;
     const int low = std::max(top - 52, offset - 1074);
     double result = 0.0;
     for (int i = top; i >= low; --i) {
-      result = 2.0 * result + static_cast<double>(digits[static_cast<std::size_t>(i)]);
+      result = 2.0 * result + static_cast<double>(digits[i]);
     }
-    bool half = low > 0 && digits[static_cast<std::size_t>(low - 1)] != 0;
+    bool half = low > 0 && digits[low - 1] != 0;
     bool below = false;
-    for (int i = 0; i < low - 1; ++i) below = below || digits[static_cast<std::size_t>(i)] != 0;
+    for (int i = 0; i < low - 1; ++i) below = below || digits[i] != 0;
     if (half && (below || std::fmod(result, 2.0) != 0.0)) result += 1.0;
     result = std::ldexp(result, low - offset);
     return negative ? -result : result;

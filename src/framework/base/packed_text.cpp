@@ -19,8 +19,7 @@ std::string unpacked_text(const std::string& file, const std::string& what) {
   std::string text;
   char buffer[1 << 16];
   int read = 0;
-  while ((read = gzread(in.get(), buffer, sizeof buffer)) > 0)
-    text.append(buffer, static_cast<std::size_t>(read));
+  while ((read = gzread(in.get(), buffer, sizeof buffer)) > 0) text.append(buffer, read);
   int state = Z_OK;
   const char* why = gzerror(in.get(), &state);
   if (state == Z_BUF_ERROR) fail("ends before it is unpacked completely");

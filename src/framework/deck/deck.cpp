@@ -47,7 +47,7 @@ void append_escaped(std::string& xml, std::string_view text, bool in_attribute) 
 }
 
 void append_xml(std::string& xml, const DeckNode& node, int depth) {
-  const std::string indent(static_cast<std::size_t>(2 * depth), ' ');
+  const std::string indent(2 * depth, ' ');
   xml += indent + '<' + node.name;
   for (const auto& [name, value] : node.attributes) {
     xml += ' ' + name + "=\"";

@@ -146,7 +146,7 @@ class Editor {
                                         step.number, parent.name, candidates.size()),
                             ""};
       }
-      return candidates[static_cast<std::size_t>(step.number - 1)];
+      return candidates[step.number - 1];
     }
     if (candidates.empty() && !step.attribute.empty()) {
       throw OverrideFault{fmt::format("no <{}> in <{}> has {}=\"{}\"", name, parent.name,

@@ -63,7 +63,7 @@ ParsedValue<Triple<T>> parse_triple(std::string_view text, ParseComponent parse_
   }
   Triple<T> triple;
   for (int d = 0; d < 3; ++d) {
-    const auto component = parse_component(pieces[static_cast<std::size_t>(d)]);
+    const auto component = parse_component(pieces[d]);
     if (!component) {
       return bad<Triple<T>>(
           fmt::format("component {} of {}: {}", d + 1, in_quotes(text), component.problem));

@@ -91,9 +91,9 @@ void on_start(void* user, const xmlChar* local, const xmlChar* prefix, const xml
   --state.budget->elements;
   for (int a = 0; a < attribute_count; ++a) {
     const xmlChar** fields = attributes + static_cast<std::ptrdiff_t>(5) * a;
-    node->attributes.emplace_back(qualified(fields[1], fields[0]),
-                                  std::string(reinterpret_cast<const char*>(fields[3]),
-                                              static_cast<std::size_t>(fields[4] - fields[3])));
+    node->attributes.emplace_back(
+        qualified(fields[1], fields[0]),
+        std::string(reinterpret_cast<const char*>(fields[3]), fields[4] - fields[3]));
   }
   DeckNode* const raw = node.get();
   if (state.open.empty()) {
@@ -122,8 +122,7 @@ void on_end(void* user, const xmlChar*, const xmlChar*, const xmlChar*) {
 void on_text(void* user, const xmlChar* text, int length) {
   auto& state = *static_cast<ReaderState*>(user);
   if (state.stopped || state.open.empty()) return;
-  const std::string_view piece(reinterpret_cast<const char*>(text),
-                               static_cast<std::size_t>(length));
+  const std::string_view piece(reinterpret_cast<const char*>(text), length);
   OpenElement& element = state.open.back();
   element.text += piece;
   if (piece.find_first_not_of(" \t\r\n") != std::string_view::npos && !element.in_piece) {

@@ -17,9 +17,9 @@ struct Field {
 
   explicit Field(IntVec3 cells) {
     Level level;
-    for (int d = 0; d < 3; ++d) level.active[static_cast<std::size_t>(d)] = cells[d] > 1;
+    for (int d = 0; d < 3; ++d) level.active[d] = cells[d] > 1;
     const IndexBox box{{-1, 2, 0}, IntVec3{-1, 2, 0} + cells};
-    numbers.assign(static_cast<std::size_t>(box.volume()), 0.0);
+    numbers.assign(box.volume(), 0.0);
     view = lay_out(numbers.data(), box, level);
   }
 };

@@ -20,7 +20,7 @@ class BlockLattice {
   // returns true; whether it did.
   template <class F>
   bool any_block(int b, const IndexBox& region, F&& f) const {
-    const Cut& cut = cuts_[static_cast<std::size_t>(b)];
+    const Cut& cut = cuts_[b];
     const IndexBox inside = intersection(region, cut.box);
     if (inside.empty()) return false;
     IntVec3 first, last;

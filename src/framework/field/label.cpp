@@ -16,7 +16,7 @@ struct Registry {
   std::deque<LabelInfo> infos;
   std::map<std::string, int, std::less<>> by_name;
 
-  const LabelInfo& info(int id) const { return infos[static_cast<std::size_t>(id)]; }
+  const LabelInfo& info(int id) const { return infos[id]; }
   int add(LabelInfo info) {
     const int id = static_cast<int>(infos.size());
     by_name[info.name] = id;
@@ -52,7 +52,7 @@ const LabelInfo& Label::info() const {
   const std::lock_guard lock(r.mutex);
   if (id_ < 0 || id_ >= static_cast<int>(r.infos.size()))
     throw std::logic_error("label used before it was declared");
-  return r.infos[static_cast<std::size_t>(id_)];
+  return r.infos[id_];
 }
 
 Label declare_label(LabelInfo info) {

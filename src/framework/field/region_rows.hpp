@@ -40,7 +40,7 @@ inline void copy_row(double* to, const double* from, int n) {
       std::memcpy(to, from, 4 * one);
       return;
     default:
-      std::memcpy(to, from, static_cast<std::size_t>(n) * one);
+      std::memcpy(to, from, n * one);
   }
 }
 

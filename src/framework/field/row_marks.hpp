@@ -17,11 +17,11 @@ class RowMarks {
   static constexpr int cells = 32;
 
   RowMarks(const IndexBox& box, const Level& level) : box_(box) {
-    while (along_ < 2 && !level.active[static_cast<std::size_t>(along_)]) ++along_;
+    while (along_ < 2 && !level.active[along_]) ++along_;
     of_row_ = (box.size()[along_] + cells - 1) / cells;
     IntVec3 rows = box.size();
     rows[along_] = of_row_;
-    marks_.assign(static_cast<std::size_t>(rows.x) * static_cast<std::size_t>(rows.y * rows.z), 0);
+    marks_.assign(static_cast<std::size_t>(rows.x) * (rows.y * rows.z), 0);
   }
 
   // Calls f(first, count, mark) for parts of the `n` cells of a row from `cell` on; they cover it.

@@ -13,7 +13,7 @@ namespace {
 Level level_of(const IndexBox& domain) {
   Level level;
   level.domain = domain;
-  for (int d = 0; d < 3; ++d) level.active[static_cast<std::size_t>(d)] = domain.size()[d] > 1;
+  for (int d = 0; d < 3; ++d) level.active[d] = domain.size()[d] > 1;
   return level;
 }
 
@@ -23,7 +23,7 @@ std::vector<int> marks_of(const RowMarks& marks, IntVec3 cell, int n) {
   marks.for_each(cell, n, [&](int first, int count, int mark) {
     EXPECT_EQ(first, static_cast<int>(found.size()));
     EXPECT_GT(count, 0);
-    found.insert(found.end(), static_cast<std::size_t>(count), mark);
+    found.insert(found.end(), count, mark);
   });
   EXPECT_EQ(static_cast<int>(found.size()), n);
   return found;
@@ -58,7 +58,7 @@ TEST(RowMarks, SayOfNoCellWhatIsNotSo) {
       cell[along] = box.lower[along] - 2;
       const std::vector<int> found = marks_of(marks, cell, size + 4);
       for (int i = 0; i < size + 4; ++i) {
-        const int here = found[static_cast<std::size_t>(i)];
+        const int here = found[i];
         IntVec3 c = cell;
         c[along] += i;
         if (here != 0) {

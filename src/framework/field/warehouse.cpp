@@ -69,8 +69,8 @@ RealView lay_out(double* data, const IndexBox& box, const Level& level) {
   v.box = box;
   std::ptrdiff_t stride = 1;
   for (int d = 0; d < 3; ++d) {
-    v.stride[d] = level.active[static_cast<std::size_t>(d)] ? stride : 0;
-    if (level.active[static_cast<std::size_t>(d)]) stride *= box.size()[d];
+    v.stride[d] = level.active[d] ? stride : 0;
+    if (level.active[d]) stride *= box.size()[d];
   }
   return v;
 }
@@ -110,7 +110,7 @@ const std::vector<BoxFrame>& Warehouse::frames(int ghosts) {
 
 int Warehouse::add(const SlotInfo& info, Contents contents) {
   if (const int old = find(info.label, info.material); old >= 0) {
-    const SlotInfo& have = slots_[static_cast<std::size_t>(old)].info;
+    const SlotInfo& have = slots_[old].info;
     if (have.ghosts < info.ghosts || have.components != info.components)
       throw std::logic_error("slot " + info.label.name() + " exists with another shape");
     return old;
@@ -119,9 +119,9 @@ int Warehouse::add(const SlotInfo& info, Contents contents) {
   slot.info = info;
   const IntVec3 ghosts = level_->ghosts(info.ghosts);
   const std::vector<BoxFrame>& frames = this->frames(info.ghosts);
-  const auto components = static_cast<std::size_t>(info.components);
+  const std::size_t components = info.components;
   const auto room = [&](std::size_t f) {  // of one component
-    return room_of(static_cast<std::size_t>(frames[f].hull.volume()));
+    return room_of(frames[f].hull.volume());
   };
   slot.views.resize(local_.size() * components);
   for (std::size_t first = 0, last = 0; first < frames.size(); first = last) {
@@ -135,12 +135,11 @@ int Warehouse::add(const SlotInfo& info, Contents contents) {
         const RealView whole = lay_out(data, frames[f].hull, *level_);
         slot.numbers += frames[f].hull.volume();
         for (const int b : frames[f].boxes) {
-          const auto box = static_cast<std::size_t>(b);
-          slot.views[box * components + c] = part_of(whole, local_[box].cells.grown(ghosts));
+          slot.views[b * components + c] = part_of(whole, local_[b].cells.grown(ghosts));
         }
       }
   }
-  slot.uniform.assign(static_cast<std::size_t>(blocks_.size()), unknown);
+  slot.uniform.assign(blocks_.size(), unknown);
   slots_.push_back(std::move(slot));
   return static_cast<int>(slots_.size()) - 1;
 }
@@ -154,7 +153,7 @@ bool Warehouse::any_nonzero(int slot, int c, int b, const IndexBox& region) cons
   });
   if (inside) return true;
   bool outside = false;
-  for_each_outside(region, local_[static_cast<std::size_t>(b)].cells,
+  for_each_outside(region, local_[b].cells,
                    [&](const IndexBox& side) { outside = outside || any_other(v, side, 0.0); });
   return outside;
 }
@@ -167,15 +166,15 @@ void Warehouse::cut(IntVec3 extents) {
 }
 
 void Warehouse::forget() {
-  for (Slot& s : slots_) s.uniform.assign(static_cast<std::size_t>(blocks_.size()), unknown);
+  for (Slot& s : slots_) s.uniform.assign(blocks_.size(), unknown);
   for (RowMarks& m : marks_) m.clear();
 }
 
 void Warehouse::forget(int b, const IndexBox& region) {
   if (blocks_.size() == 0) return;
   blocks_.any_block(b, region, [&](int block, const IndexBox& cells) {
-    for (Slot& s : slots_) s.uniform[static_cast<std::size_t>(block)] = unknown;
-    marks_[static_cast<std::size_t>(b)].clear(cells);
+    for (Slot& s : slots_) s.uniform[block] = unknown;
+    marks_[b].clear(cells);
     return false;
   });
 }
@@ -186,7 +185,7 @@ void Warehouse::clear(int slot, int b) {
   };
   const IndexBox all = view(slot, 0, b).box;
   if (blocks_.size() == 0) return zero(all);
-  const IndexBox& cells = local_[static_cast<std::size_t>(b)].cells;
+  const IndexBox& cells = local_[b].cells;
   for_each_outside(all, cells, zero);
   blocks_.any_block(b, cells, [&](int block, const IndexBox& part) {
     if (uniform(slot, block) != 0.0) zero(part);
@@ -197,7 +196,7 @@ void Warehouse::clear(int slot, int b) {
 
 std::size_t Warehouse::bytes() const {
   std::size_t n = 0;
-  for (const Slot& s : slots_) n += static_cast<std::size_t>(s.numbers) * sizeof(double);
+  for (const Slot& s : slots_) n += s.numbers * sizeof(double);
   return n;
 }
 

@@ -67,26 +67,22 @@ class Warehouse {
   // component count must then suffice) and allocates it.
   int add(const SlotInfo& info, Contents contents = Contents::zero);
   int find(Label label, int material) const;  // -1 when absent
-  const SlotInfo& info(int slot) const { return slots_[static_cast<std::size_t>(slot)].info; }
+  const SlotInfo& info(int slot) const { return slots_[slot].info; }
   int slot_count() const { return static_cast<int>(slots_.size()); }
 
   const Level& level() const { return *level_; }
   const std::vector<GridBox>& local_boxes() const { return local_; }
   // View of component `c` over the interior and ghosts of local box number `b`.
   RealView view(int slot, int c, int b) const {
-    const Slot& s = slots_[static_cast<std::size_t>(slot)];
-    return s.views[static_cast<std::size_t>(b * s.info.components + c)];
+    const Slot& s = slots_[slot];
+    return s.views[b * s.info.components + c];
   }
   // Cuts the boxes into blocks, of which nothing is known yet, nor of their rows.
   void cut(IntVec3 extents);
   const BlockLattice& blocks() const { return blocks_; }
   // What a block is known to hold throughout; NaN where it is not known to be uniform.
-  double uniform(int slot, int block) const {
-    return slots_[static_cast<std::size_t>(slot)].uniform[static_cast<std::size_t>(block)];
-  }
-  void set_uniform(int slot, int block, double value) {
-    slots_[static_cast<std::size_t>(slot)].uniform[static_cast<std::size_t>(block)] = value;
-  }
+  double uniform(int slot, int block) const { return slots_[slot].uniform[block]; }
+  void set_uniform(int slot, int block, double value) { slots_[slot].uniform[block] = value; }
   void forget(int slot, int block) { set_uniform(slot, block, unknown); }
   void forget();  // all slots and blocks, all marks
   // Of local box number `b`, all slots and marks of the blocks that a region meets.
@@ -95,17 +91,15 @@ class Warehouse {
   // zero is not written again.
   void clear(int slot, int b);
   // Of the rows of local box number `b`; null where no blocks were cut.
-  RowMarks* marks(int b) { return marks_.empty() ? nullptr : &marks_[static_cast<std::size_t>(b)]; }
-  const RowMarks* marks(int b) const {
-    return marks_.empty() ? nullptr : &marks_[static_cast<std::size_t>(b)];
-  }
+  RowMarks* marks(int b) { return marks_.empty() ? nullptr : &marks_[b]; }
+  const RowMarks* marks(int b) const { return marks_.empty() ? nullptr : &marks_[b]; }
   // Is any number (a NaN too) of a region of a view other than zero. Reads what is unknown, row by
   // row, and stops at the first that is.
   bool any_nonzero(int slot, int c, int b, const IndexBox& region) const;
   // act(cells) for the parts of local box number `b` not known to hold one value throughout.
   template <class F>
   void for_each_part_other(int slot, int b, double value, F&& act) const {
-    const IndexBox& cells = local_[static_cast<std::size_t>(b)].cells;
+    const IndexBox& cells = local_[b].cells;
     if (blocks_.size() == 0) return act(cells);
     blocks_.any_block(b, cells, [&](int block, const IndexBox& part) {
       if (uniform(slot, block) != value) act(part);

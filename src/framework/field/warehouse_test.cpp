@@ -19,7 +19,7 @@ Label label(int n) {
 Level level_of(IntVec3 cells, IntVec3 pieces) {
   Level level;
   level.domain = {{0, 0, 0}, cells};
-  for (int d = 0; d < 3; ++d) level.active[static_cast<std::size_t>(d)] = cells[d] > 1;
+  for (int d = 0; d < 3; ++d) level.active[d] = cells[d] > 1;
   for (const IndexBox& b : split(level.domain, pieces))
     level.boxes.push_back({b, 0, static_cast<int>(level.boxes.size())});
   return level;
@@ -33,7 +33,7 @@ TEST(Warehouse, HoldsInteriorAndGhostsZeroedAndAligned) {
   for (int b = 0; b < 2; ++b)
     for (int c = 0; c < 2; ++c) {
       const RealView v = w.view(slot, c, b);
-      EXPECT_EQ(v.box, w.local_boxes()[static_cast<std::size_t>(b)].cells.grown({3, 0, 3}));
+      EXPECT_EQ(v.box, w.local_boxes()[b].cells.grown({3, 0, 3}));
       EXPECT_EQ(reinterpret_cast<std::uintptr_t>(v.data) % 64, 0u);
       for_each_cell(v.box, [&](IntVec3 cell) { EXPECT_EQ(v(cell), 0); });
     }
@@ -146,13 +146,12 @@ TEST(BlockLattice, FindsTheBlocksOfARegionNumberedAsTheyAreSplit) {
     for (int box = 0; box < 2; ++box) {
       std::vector<int> found, expected;
       lattice.any_block(box, region, [&](int n, const IndexBox& cells) {
-        EXPECT_EQ(cells, blocks[static_cast<std::size_t>(n)]);
+        EXPECT_EQ(cells, blocks[n]);
         found.push_back(n);
         return false;
       });
       for (int n = box == 0 ? 0 : in_first; n < (box == 0 ? in_first : lattice.size()); ++n)
-        if (!intersection(blocks[static_cast<std::size_t>(n)], region).empty())
-          expected.push_back(n);
+        if (!intersection(blocks[n], region).empty()) expected.push_back(n);
       ASSERT_EQ(found, expected);
     }
   });

@@ -36,7 +36,7 @@ ParallelepipedPiece::ParallelepipedPiece(Vec3 p1, Vec3 p2, Vec3 p3, Vec3 p4) : o
   for (int n = 0; n < 8; ++n) {
     Vec3 corner = p1;
     for (int i = 0; i < 3; ++i)
-      if ((n >> i & 1) != 0) corner += edge[static_cast<std::size_t>(i)];
+      if ((n >> i & 1) != 0) corner += edge[i];
     bounds_ = bounding(bounds_, {corner, corner});
   }
   bounds_ = with_margin(bounds_);

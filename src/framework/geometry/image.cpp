@@ -44,10 +44,7 @@ int ImagePiece::voxel(int d, double x) const {
 }
 
 bool ImagePiece::in_range(int i, int j, int k) const {
-  const std::size_t n = static_cast<std::size_t>(i) +
-                        static_cast<std::size_t>(res_.x) *
-                            (static_cast<std::size_t>(j) +
-                             static_cast<std::size_t>(res_.y) * static_cast<std::size_t>(k));
+  const std::size_t n = i + res_.x * (j + static_cast<std::size_t>(res_.y) * k);
   const int value = static_cast<unsigned char>(voxels_[n]);
   return value >= least_ && value <= most_;
 }

@@ -76,9 +76,7 @@ class Counter {
  public:
   Counter(const CellLattice& lattice, IntVec3 lower, IntVec3 upper, IntVec3 res)
       : lattice_(lattice), lower_(lower), size_(upper - lower), res_(res) {
-    counts_.assign(static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y) *
-                       static_cast<std::size_t>(size_.z),
-                   0);
+    counts_.assign(static_cast<std::size_t>(size_.x) * size_.y * size_.z, 0);
   }
 
   void visit(const GeometryPiece& whole, IntVec3 lower, IntVec3 upper) {
@@ -102,10 +100,7 @@ class Counter {
  private:
   std::int32_t& at(IntVec3 c) {
     const IntVec3 o = c - lower_;
-    return counts_[static_cast<std::size_t>(o.x) +
-                   static_cast<std::size_t>(size_.x) *
-                       (static_cast<std::size_t>(o.y) +
-                        static_cast<std::size_t>(size_.y) * static_cast<std::size_t>(o.z))];
+    return counts_[o.x + size_.x * (o.y + static_cast<std::size_t>(size_.y) * o.z)];
   }
   void fill(IntVec3 lower, IntVec3 upper) {
     const std::int32_t full = res_.x * res_.y * res_.z;
@@ -141,16 +136,11 @@ std::vector<std::int32_t> count_inside(const GeometryPiece& piece, const CellLat
   const IntVec3 n = upper - lower;
   if (n.x <= 0 || n.y <= 0 || n.z <= 0) return {};
   if (const std::vector<Vec3>* points = piece.points()) {
-    std::vector<std::int32_t> counts(static_cast<std::size_t>(n.x) * static_cast<std::size_t>(n.y) *
-                                         static_cast<std::size_t>(n.z),
-                                     0);
+    std::vector<std::int32_t> counts(static_cast<std::size_t>(n.x) * n.y * n.z, 0);
     for (Vec3 p : *points) {
       const IntVec3 c = lattice.cell_of(p) - lower;
       if (c.x < 0 || c.y < 0 || c.z < 0 || c.x >= n.x || c.y >= n.y || c.z >= n.z) continue;
-      ++counts[static_cast<std::size_t>(c.x) +
-               static_cast<std::size_t>(n.x) *
-                   (static_cast<std::size_t>(c.y) +
-                    static_cast<std::size_t>(n.y) * static_cast<std::size_t>(c.z))];
+      ++counts[c.x + n.x * (c.y + static_cast<std::size_t>(n.y) * c.z)];
     }
     return counts;
   }

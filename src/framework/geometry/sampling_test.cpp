@@ -157,7 +157,7 @@ TEST(Sampling, LargeUnionsAreCountedInFull) {
     for (int i = 0; i < n * n * n; ++i) {
       const std::int32_t plain =
           count_inside(*piece, cube(n), {i % n, i / n % n, i / n / n}, {3, 3, 3});
-      ASSERT_EQ(counts[static_cast<std::size_t>(i)], plain);
+      ASSERT_EQ(counts[i], plain);
       total += plain;
     }
     EXPECT_GT(total, 500);

@@ -44,7 +44,7 @@ TriangulationPiece::TriangulationPiece(Triangulation surface)
   }
   for (const auto& [edge, uses] : edges) closed_ = closed_ && uses % 2 == 0;
   for (int d = 0; d < 3; ++d) {
-    Projection& projection = projections_[static_cast<std::size_t>(d)];
+    Projection& projection = projections_[d];
     projection.a = d;
     projection.b = (d + 1) % 3;
     projection.c = (d + 2) % 3;
@@ -55,7 +55,7 @@ TriangulationPiece::TriangulationPiece(Triangulation surface)
 Bounds TriangulationPiece::bounds_of(const std::array<int, 3>& triangle) const {
   Bounds b = Bounds::nothing();
   for (int i : triangle) {
-    const Vec3 p = surface_.points[static_cast<std::size_t>(i)];
+    const Vec3 p = surface_.points[i];
     b = bounding(b, {p, p});
   }
   return b;
@@ -77,15 +77,14 @@ void TriangulationPiece::sort(Projection& m) {
   m.lower_c = bounds_.lower[m.c];
   m.per_b = per(m.b);
   m.per_c = per(m.c);
-  std::vector<std::vector<int>> lists(static_cast<std::size_t>(m.bins) *
-                                      static_cast<std::size_t>(m.bins));
+  std::vector<std::vector<int>> lists(static_cast<std::size_t>(m.bins) * m.bins);
   for (std::size_t n = 0; n < surface_.triangles.size(); ++n) {
     const Bounds box = bounds_of(surface_.triangles[n]);
     for (int c = m.bin(box.lower[m.c], m.lower_c, m.per_c);
          c <= m.bin(box.upper[m.c], m.lower_c, m.per_c); ++c)
       for (int b = m.bin(box.lower[m.b], m.lower_b, m.per_b);
            b <= m.bin(box.upper[m.b], m.lower_b, m.per_b); ++b)
-        lists[static_cast<std::size_t>(b + m.bins * c)].push_back(static_cast<int>(n));
+        lists[b + m.bins * c].push_back(static_cast<int>(n));
   }
   m.start.assign(1, 0);
   for (const std::vector<int>& list : lists) {
@@ -101,7 +100,7 @@ bool TriangulationPiece::crosses(const Projection& m, const std::array<int, 3>& 
   for (std::size_t i = 0; i < 3; ++i) {
     const auto [low, high] = std::minmax(triangle[i], triangle[(i + 1) % 3]);
     const Vec3 u = surface_.points[static_cast<std::size_t>(low)];
-    const Vec3 v = surface_.points[static_cast<std::size_t>(high)];
+    const Vec3 v = surface_.points[high];
     if ((u[m.c] > p[m.c]) == (v[m.c] > p[m.c])) continue;
     const double at = u[m.b] + (v[m.b] - u[m.b]) * ((p[m.c] - u[m.c]) / (v[m.c] - u[m.c]));
     odd = odd != (at > p[m.b]);
@@ -112,9 +111,8 @@ bool TriangulationPiece::crosses(const Projection& m, const std::array<int, 3>& 
 // Where the line through p along the axis meets the triangle's plane, within the triangle's reach.
 double TriangulationPiece::height(const Projection& m, const std::array<int, 3>& triangle,
                                   Vec3 p) const {
-  const Vec3 o = surface_.points[static_cast<std::size_t>(triangle[0])];
-  const Vec3 n = cross(surface_.points[static_cast<std::size_t>(triangle[1])] - o,
-                       surface_.points[static_cast<std::size_t>(triangle[2])] - o);
+  const Vec3 o = surface_.points[triangle[0]];
+  const Vec3 n = cross(surface_.points[triangle[1]] - o, surface_.points[triangle[2]] - o);
   const Bounds box = bounds_of(triangle);
   if (n[m.a] == 0) return box.lower[m.a];
   const double h = o[m.a] - (n[m.b] * (p[m.b] - o[m.b]) + n[m.c] * (p[m.c] - o[m.c])) / n[m.a];
@@ -124,10 +122,8 @@ double TriangulationPiece::height(const Projection& m, const std::array<int, 3>&
 TriangulationPiece::Vote TriangulationPiece::vote(const Projection& m, Vec3 p) const {
   const int n = m.bin(p[m.b], m.lower_b, m.per_b) + m.bins * m.bin(p[m.c], m.lower_c, m.per_c);
   bool odd = false;
-  for (int i = m.start[static_cast<std::size_t>(n)]; i < m.start[static_cast<std::size_t>(n) + 1];
-       ++i) {
-    const std::array<int, 3>& t =
-        surface_.triangles[static_cast<std::size_t>(m.members[static_cast<std::size_t>(i)])];
+  for (int i = m.start[n]; i < m.start[n + 1]; ++i) {
+    const std::array<int, 3>& t = surface_.triangles[m.members[i]];
     if (!crosses(m, t, p)) continue;
     const double h = height(m, t, p);
     if (h == p[m.a]) return Vote::surface;
@@ -160,12 +156,9 @@ Cover TriangulationPiece::cover(const Bounds& box) const {
        c <= m.bin(near.upper[m.c], m.lower_c, m.per_c); ++c)
     for (int b = m.bin(near.lower[m.b], m.lower_b, m.per_b);
          b <= m.bin(near.upper[m.b], m.lower_b, m.per_b); ++b) {
-      const std::size_t n = static_cast<std::size_t>(b + m.bins * c);
+      const std::size_t n = b + m.bins * c;
       for (int i = m.start[n]; i < m.start[n + 1]; ++i)
-        if (bounds_of(surface_.triangles[static_cast<std::size_t>(
-                          m.members[static_cast<std::size_t>(i)])])
-                .meets(near))
-          return Cover::some;
+        if (bounds_of(surface_.triangles[m.members[i]]).meets(near)) return Cover::some;
     }
   return inside(box.lower) ? Cover::all : Cover::none;
 }

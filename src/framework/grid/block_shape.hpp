@@ -26,7 +26,7 @@ inline BlockShape block_shape(const std::array<bool, 3>& active) {
   const int shift = count == 3 ? 2 : count == 2 ? 3 : 6;
   BlockShape s;
   for (int d = 0; d < 3; ++d) {
-    s.shift[d] = active[static_cast<std::size_t>(d)] ? shift : 0;
+    s.shift[d] = active[d] ? shift : 0;
     s.edge[d] = 1 << s.shift[d];
   }
   return s;

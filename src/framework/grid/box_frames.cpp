@@ -30,13 +30,12 @@ class Framing {
   }
 
  private:
-  const IndexBox& cells(int n) const { return boxes_[static_cast<std::size_t>(n)].cells; }
+  const IndexBox& cells(int n) const { return boxes_[n].cells; }
 
   bool may_share(const IndexBox& box) const {
     if (level_.active_count() < 2 || box.size()[swept_] < ghosts_[swept_]) return false;
     for (int d = 0; d < 3; ++d) {
-      const auto direction = static_cast<std::size_t>(d);
-      if (d == swept_ || !level_.active[direction] || level_.periodic[direction]) continue;
+      if (d == swept_ || !level_.active[d] || level_.periodic[d]) continue;
       if (box.lower[d] - ghosts_[d] < level_.domain.lower[d] ||
           box.upper[d] + ghosts_[d] > level_.domain.upper[d])
         return false;
@@ -58,9 +57,9 @@ class Framing {
     std::erase_if(open_, [&](const Open& o) { return o.end < box.lower[swept_]; });
     for (const auto& [end, f] : open_) {
       if (end > box.lower[swept_]) continue;
-      const BoxFrame& frame = frames_[static_cast<std::size_t>(f)];
+      const BoxFrame& frame = frames_[f];
       const std::int64_t common = meeting(cells(frame.boxes.back()), box);
-      const std::int64_t apart = apart_[static_cast<std::size_t>(f)] + box.grown(ghosts_).volume();
+      const std::int64_t apart = apart_[f] + box.grown(ghosts_).volume();
       if (common <= most || bounding(frame.hull, box.grown(ghosts_)).volume() > apart) continue;
       most = common;
       best = f;
@@ -79,10 +78,10 @@ class Framing {
     } else {
       std::erase_if(open_, [&](const Open& o) { return o.frame == f; });
     }
-    BoxFrame& frame = frames_[static_cast<std::size_t>(f)];
+    BoxFrame& frame = frames_[f];
     frame.hull = bounding(frame.hull, box.grown(ghosts_));
     frame.boxes.push_back(n);
-    apart_[static_cast<std::size_t>(f)] += box.grown(ghosts_).volume();
+    apart_[f] += box.grown(ghosts_).volume();
     if (shares) open_.push_back({box.upper[swept_], f});
   }
 
@@ -115,12 +114,12 @@ std::vector<std::vector<IndexBox>> held_by_frames(const Level& level, int ghosts
   for (const auto& [owner, boxes] : by_owner)
     for (const BoxFrame& f : box_frames(boxes, level, ghosts))
       for (std::size_t n = 1; n < f.boxes.size(); ++n) {
-        const GridBox& box = boxes[static_cast<std::size_t>(f.boxes[n])];
+        const GridBox& box = boxes[f.boxes[n]];
         for (std::size_t m = n; m-- > 0;) {
-          const GridBox& before = boxes[static_cast<std::size_t>(f.boxes[m])];
+          const GridBox& before = boxes[f.boxes[m]];
           if (intersection(before.cells.grown(layers), box.cells.grown(layers)).empty()) break;
-          held[static_cast<std::size_t>(box.id)].push_back(before.cells.grown(layers));
-          held[static_cast<std::size_t>(before.id)].push_back(box.cells);
+          held[box.id].push_back(before.cells.grown(layers));
+          held[before.id].push_back(box.cells);
         }
       }
   return held;

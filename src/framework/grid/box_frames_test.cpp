@@ -48,8 +48,8 @@ TEST(BoxFrames, EveryBoxLiesInOneAndFramesTakeNoMoreMemory) {
   for (const IndexBox& b : boxes) apart += b.grown({3, 3, 0}).volume();
   for (const BoxFrame& f : box_frames(level.boxes, level, 3))
     for (const int b : f.boxes) {
-      ++times[static_cast<std::size_t>(b)];
-      EXPECT_TRUE(f.hull.contains(boxes[static_cast<std::size_t>(b)].grown({3, 3, 0})));
+      ++times[b];
+      EXPECT_TRUE(f.hull.contains(boxes[b].grown({3, 3, 0})));
     }
   EXPECT_THAT(times, testing::Each(1));
   EXPECT_LT(framed_cells(level, 0, 3), apart);

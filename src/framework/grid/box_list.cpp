@@ -100,11 +100,9 @@ BoxFinder::BoxFinder(std::vector<IndexBox> boxes) : boxes_(std::move(boxes)) {
   for (const IndexBox& b : boxes_)
     for_each_cell(bins_of(b), [&](IntVec3 bin) { ++begin_[number(bin)]; });
   std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
-  members_.resize(static_cast<std::size_t>(begin_.back()));
+  members_.resize(begin_.back());
   for (int m = n; m-- > 0;)  // from the end of every bin, so that members ascend
-    for_each_cell(bins_of(boxes_[static_cast<std::size_t>(m)]), [&](IntVec3 bin) {
-      members_[static_cast<std::size_t>(--begin_[number(bin)])] = m;
-    });
+    for_each_cell(bins_of(boxes_[m]), [&](IntVec3 bin) { members_[--begin_[number(bin)]] = m; });
 }
 
 // The bins that a region within the bounds overlaps.
@@ -119,9 +117,8 @@ IntVec3 BoxFinder::bin_of(IntVec3 cell) const {
 }
 
 std::size_t BoxFinder::number(IntVec3 bin) const {
-  const auto x = static_cast<std::size_t>(bin.x), y = static_cast<std::size_t>(bin.y),
-             z = static_cast<std::size_t>(bin.z);
-  return x + static_cast<std::size_t>(bins_.x) * (y + static_cast<std::size_t>(bins_.y) * z);
+  const std::size_t x = bin.x, y = bin.y, z = bin.z;
+  return x + bins_.x * (y + static_cast<std::size_t>(bins_.y) * z);
 }
 
 std::vector<int> BoxFinder::overlapping(const IndexBox& region) const {
@@ -138,8 +135,8 @@ void BoxFinder::find(const IndexBox& region, std::vector<int>& found) const {
   for_each_cell(bins, [&](IntVec3 bin) {
     const std::size_t at = number(bin);
     for (int n = begin_[at]; n < begin_[at + 1]; ++n) {
-      const int m = members_[static_cast<std::size_t>(n)];
-      const IndexBox common = intersection(boxes_[static_cast<std::size_t>(m)], seen);
+      const int m = members_[n];
+      const IndexBox common = intersection(boxes_[m], seen);
       if (!common.empty() && bin_of(common.lower) == bin) found.push_back(m);  // once
     }
   });
@@ -150,8 +147,7 @@ std::vector<IndexBox> BoxFinder::uncovered(const IndexBox& region) const {
   std::vector<IndexBox> pieces, left;
   if (region.empty()) return pieces;
   pieces.push_back(region);
-  for (const int m : overlapping(region))
-    take_out(boxes_[static_cast<std::size_t>(m)], pieces, left);
+  for (const int m : overlapping(region)) take_out(boxes_[m], pieces, left);
   return pieces;
 }
 

@@ -25,10 +25,7 @@ class CellMap {
  private:
   std::size_t place(IntVec3 c) const {
     const IntVec3 n = window_.size(), at = c - window_.lower;
-    return static_cast<std::size_t>(at.x) +
-           static_cast<std::size_t>(n.x) *
-               (static_cast<std::size_t>(at.y) +
-                static_cast<std::size_t>(n.y) * static_cast<std::size_t>(at.z));
+    return at.x + n.x * (at.y + static_cast<std::size_t>(n.y) * at.z);
   }
 
   IndexBox domain_, window_;

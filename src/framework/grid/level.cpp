@@ -91,10 +91,10 @@ void assign_owners(std::vector<GridBox>& boxes, const std::vector<double>& costs
 }
 
 double imbalance(const std::vector<GridBox>& boxes, const std::vector<double>& costs, int ranks) {
-  std::vector<double> load(static_cast<std::size_t>(ranks));
+  std::vector<double> load(ranks);
   double total = 0;
   for (std::size_t b = 0; b < boxes.size(); ++b) {
-    load[static_cast<std::size_t>(boxes[b].owner)] += costs[b];
+    load[boxes[b].owner] += costs[b];
     total += costs[b];
   }
   return total > 0 ? *std::max_element(load.begin(), load.end()) * ranks / total : 1;

@@ -61,8 +61,8 @@ std::vector<GridBox> boxes_of(const std::vector<IndexBox>& cells) {
 }
 
 std::vector<std::int64_t> loads(const std::vector<GridBox>& boxes, int ranks) {
-  std::vector<std::int64_t> load(static_cast<std::size_t>(ranks), 0);
-  for (const GridBox& b : boxes) load.at(static_cast<std::size_t>(b.owner)) += b.cells.volume();
+  std::vector<std::int64_t> load(ranks, 0);
+  for (const GridBox& b : boxes) load.at(b.owner) += b.cells.volume();
   return load;
 }
 

@@ -20,7 +20,7 @@ inline Vec3 node_position(const Level& level, IntVec3 node) {
 
 // Does the domain end at this side: neither periodic nor out of the run.
 inline bool ends_at(const Level& level, Side side) {
-  const auto d = static_cast<std::size_t>(direction_of(side));
+  const int d = direction_of(side);
   return level.active[d] && !level.periodic[d];
 }
 

@@ -12,15 +12,9 @@ namespace {
 struct BlockNumbers {
   IntVec3 low, size;
 
-  std::size_t count() const {
-    return static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
-           static_cast<std::size_t>(size.z);
-  }
+  std::size_t count() const { return static_cast<std::size_t>(size.x) * size.y * size.z; }
   std::size_t operator()(IntVec3 b) const {
-    return static_cast<std::size_t>(b.x - low.x) +
-           static_cast<std::size_t>(size.x) *
-               (static_cast<std::size_t>(b.y - low.y) +
-                static_cast<std::size_t>(size.y) * static_cast<std::size_t>(b.z - low.z));
+    return b.x - low.x + size.x * (b.y - low.y + static_cast<std::size_t>(size.y) * (b.z - low.z));
   }
 };
 

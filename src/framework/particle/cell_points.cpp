@@ -63,7 +63,7 @@ Vec3 CellPoints::point(IntVec3 cell, int n) const {
   const CellLattice cells{level_->anchor, level_->spacing};
   Vec3 p = level_->centre(cell);
   for (int d = 0; d < 3; ++d) {
-    if (!level_->active[static_cast<std::size_t>(d)]) continue;
+    if (!level_->active[d]) continue;
     p[d] = cells.sub_point(d, cell[d], n % lattice_, lattice_);
     n /= lattice_;
   }
@@ -74,11 +74,11 @@ Vec3 spread_point(const Level& level, IntVec3 cell, std::int64_t n) {
   static const std::array<std::array<double, 3>, 3> by_directions = {strides(1), strides(2),
                                                                      strides(3)};
   if (level.active_count() == 0) return level.centre(cell);
-  const auto& stride = by_directions[static_cast<std::size_t>(level.active_count()) - 1];
+  const auto& stride = by_directions[level.active_count() - 1];
   Vec3 p = level.centre(cell);
   std::size_t s = 0;
   for (int d = 0; d < 3; ++d) {
-    if (!level.active[static_cast<std::size_t>(d)]) continue;
+    if (!level.active[d]) continue;
     const double at = 0.5 + static_cast<double>(n + 1) * stride[s++];
     p[d] += (at - std::floor(at) - 0.5) * level.spacing[d];
   }

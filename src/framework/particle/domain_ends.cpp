@@ -17,7 +17,7 @@ double below(double upper, double lower, double x) {
 
 bool bring_inside(const Level& level, const Reflects& reflects, Vec3& point) {
   for (int d = 0; d < 3; ++d) {
-    if (!level.active[static_cast<std::size_t>(d)]) continue;
+    if (!level.active[d]) continue;
     const double low = level.anchor[d] + level.domain.lower[d] * level.spacing[d];
     const double high = level.anchor[d] + level.domain.upper[d] * level.spacing[d];
     double& x = point[d];
@@ -25,7 +25,7 @@ bool bring_inside(const Level& level, const Reflects& reflects, Vec3& point) {
       const int cell = cell_at(level, point)[d];
       const bool under = cell < level.domain.lower[d], over = cell >= level.domain.upper[d];
       if (!under && !over) break;
-      if (level.periodic[static_cast<std::size_t>(d)]) {
+      if (level.periodic[d]) {
         x = under ? below(high, low, x + (high - low)) : std::fmax(low, x - (high - low));
       } else if (reflects(side_of(d, over), cell_at(level, point))) {
         x = under ? std::fmax(low, 2 * low - x) : below(high, low, 2 * high - x);

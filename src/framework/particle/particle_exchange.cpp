@@ -18,9 +18,7 @@ std::vector<std::size_t> incoming_counts(const std::vector<ParticleSet>& leaving
   std::vector<std::size_t> counts;
   for (const std::string& of_rank : communicator.gather_to_all(text)) {
     std::uint64_t count = 0;
-    std::memcpy(&count,
-                of_rank.data() + static_cast<std::size_t>(communicator.rank()) * sizeof count,
-                sizeof count);
+    std::memcpy(&count, of_rank.data() + communicator.rank() * sizeof count, sizeof count);
     counts.push_back(count);
   }
   return counts;
@@ -30,7 +28,7 @@ std::vector<std::size_t> incoming_counts(const std::vector<ParticleSet>& leaving
 
 ParticleSet exchange_particles(const std::vector<ParticleSet>& leaving,
                                Communicator& communicator) {
-  const auto rank = static_cast<std::size_t>(communicator.rank());
+  const std::size_t rank = communicator.rank();
   ParticleSet arrived = leaving[rank];
   if (communicator.size() == 1) return arrived;
   const std::vector<std::size_t> counts = incoming_counts(leaving, communicator);

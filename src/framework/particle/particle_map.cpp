@@ -11,7 +11,7 @@ namespace sluice {
 IntVec3 cell_at(const Level& level, Vec3 point) {
   IntVec3 cell = level.domain.lower;
   for (int d = 0; d < 3; ++d)
-    if (level.active[static_cast<std::size_t>(d)])
+    if (level.active[d])
       cell[d] = static_cast<int>(std::floor((point[d] - level.anchor[d]) / level.spacing[d]));
   return cell;
 }
@@ -25,7 +25,7 @@ ParticleMap::ParticleMap(std::vector<Level> levels) : levels_(std::move(levels))
       if (l + 1 == levels_.size()) continue;
       const BoxFinder& finder = finders_[l + 1];
       for (const int n : finder.overlapping(refine(b.cells, levels_[l + 1].ratio)))
-        above.push_back(finder.boxes()[static_cast<std::size_t>(n)]);
+        above.push_back(finder.boxes()[n]);
     }
   }
 }
@@ -35,14 +35,14 @@ ParticleMap::Home ParticleMap::find(Vec3 point) const {
     const IntVec3 cell = cell_at(levels_[l], point);
     const std::vector<int> found = finders_[l].overlapping({cell, cell + IntVec3::all(1)});
     if (found.empty()) continue;
-    const GridBox& box = levels_[l].boxes[static_cast<std::size_t>(found.front())];
+    const GridBox& box = levels_[l].boxes[found.front()];
     return {static_cast<int>(l), box.id, box.owner};
   }
   return {};
 }
 
 bool ParticleMap::is_home(int level, int box, Vec3 point) const {
-  const auto l = static_cast<std::size_t>(level), b = static_cast<std::size_t>(box);
+  const std::size_t l = level, b = box;
   if (!levels_[l].boxes[b].cells.contains(cell_at(levels_[l], point))) return false;
   const std::vector<IndexBox>& finer = finer_[l][b];
   if (finer.empty()) return true;

@@ -29,7 +29,7 @@ void ParticleSet::shrink() {
 }
 
 void ParticleSet::add(Vec3 place, std::int64_t id) {
-  for (int d = 0; d < 3; ++d) positions_[static_cast<std::size_t>(d)].push_back(place[d]);
+  for (int d = 0; d < 3; ++d) positions_[d].push_back(place[d]);
   ids_.push_back(id);
   for (std::vector<double>& a : attributes_) a.push_back(0.0);
 }

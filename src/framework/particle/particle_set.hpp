@@ -28,25 +28,19 @@ class ParticleSet {
     return {positions_[0][n], positions_[1][n], positions_[2][n]};
   }
   void move_to(std::size_t n, Vec3 place) {
-    for (int d = 0; d < 3; ++d) positions_[static_cast<std::size_t>(d)][n] = place[d];
+    for (int d = 0; d < 3; ++d) positions_[d][n] = place[d];
   }
   std::int64_t id(std::size_t n) const { return ids_[n]; }
   double& attribute(std::size_t a, std::size_t n) { return attributes_[a][n]; }
 
-  const std::vector<double>& coordinates(int direction) const {
-    return positions_[static_cast<std::size_t>(direction)];
-  }
+  const std::vector<double>& coordinates(int direction) const { return positions_[direction]; }
   const std::vector<std::int64_t>& ids() const { return ids_; }
   const std::vector<double>& attribute_values(std::size_t a) const { return attributes_[a]; }
   // Columns of all particles, for loops over them.
   double* column(std::size_t a) { return attributes_[a].data(); }
   const double* column(std::size_t a) const { return attributes_[a].data(); }
-  double* coordinate(int direction) {
-    return positions_[static_cast<std::size_t>(direction)].data();
-  }
-  const double* coordinate(int direction) const {
-    return positions_[static_cast<std::size_t>(direction)].data();
-  }
+  double* coordinate(int direction) { return positions_[direction].data(); }
+  const double* coordinate(int direction) const { return positions_[direction].data(); }
   // Room for what a step makes of these attributes and of the positions of another set.
   void make_room(const ParticleSet& present, const std::vector<std::size_t>& attributes);
   // These attributes and the positions become those of the other, whose own are handed back.

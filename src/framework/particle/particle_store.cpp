@@ -37,8 +37,8 @@ void ParticleStore::clear() {
 }
 
 const GridBox& ParticleStore::box(int level, int local) const {
-  const int id = at(level)[static_cast<std::size_t>(local)].id;
-  return map_->levels()[static_cast<std::size_t>(level)].boxes[static_cast<std::size_t>(id)];
+  const int id = at(level)[local].id;
+  return map_->levels()[level].boxes[id];
 }
 
 ParticleMap::Home ParticleStore::find(Vec3 point, std::int64_t id) const {
@@ -51,8 +51,7 @@ ParticleMap::Home ParticleStore::find(Vec3 point, std::int64_t id) const {
 }
 
 ParticleSet& ParticleStore::home_of(const ParticleMap::Home& home) {
-  const int local =
-      locals_[static_cast<std::size_t>(home.level)][static_cast<std::size_t>(home.box)];
+  const int local = locals_[home.level][home.box];
   return set(home.level, local);
 }
 
@@ -62,11 +61,10 @@ void ParticleStore::adopt(const ParticleSet& from, std::size_t n) {
 }
 
 void ParticleStore::settle(Communicator& communicator) {
-  std::vector<ParticleSet> leaving(static_cast<std::size_t>(communicator.size()),
-                                   ParticleSet(attributes_));
+  std::vector<ParticleSet> leaving(communicator.size(), ParticleSet(attributes_));
   const auto send = [&](const ParticleSet& from, std::size_t n) {
     const ParticleMap::Home home = find(from.position(n), from.id(n));
-    leaving[static_cast<std::size_t>(home.owner)].add_from(from, n);
+    leaving[home.owner].add_from(from, n);
   };
   for (std::size_t n = 0; n < homeless_.size(); ++n) send(homeless_, n);
   homeless_.clear();
@@ -115,7 +113,7 @@ std::vector<std::uint32_t> order_of(const ParticleSet& set, const std::vector<st
 }  // namespace
 
 void ParticleStore::sort(int l, Box& box) const {
-  const Level& level = map_->levels()[static_cast<std::size_t>(l)];
+  const Level& level = map_->levels()[l];
   if (by_blocks_) {
     box.runs = sort_by_blocks(box.set, level);
     return;
@@ -125,7 +123,7 @@ void ParticleStore::sort(int l, Box& box) const {
 }
 
 std::vector<std::uint32_t> ParticleStore::order_by_cell(int level, int local) const {
-  const Box& box = at(level)[static_cast<std::size_t>(local)];
+  const Box& box = at(level)[local];
   std::vector<std::uint32_t> order = by_cell(level, box);
   if (order.empty()) {
     order.resize(box.set.size());
@@ -137,8 +135,8 @@ std::vector<std::uint32_t> ParticleStore::order_by_cell(int level, int local) co
 // Empty where the set is in that order.
 std::vector<std::uint32_t> ParticleStore::by_cell(int l, const Box& box) const {
   if (box.set.empty()) return {};
-  const Level& level = map_->levels()[static_cast<std::size_t>(l)];
-  const IndexBox& cells = level.boxes[static_cast<std::size_t>(box.id)].cells;
+  const Level& level = map_->levels()[l];
+  const IndexBox& cells = level.boxes[box.id].cells;
   const IntVec3 size = cells.size();
   std::vector<std::uint32_t> at;
   at.reserve(box.set.size());
@@ -151,7 +149,7 @@ std::vector<std::uint32_t> ParticleStore::by_cell(int l, const Box& box) const {
       sorted = at[n - 1] != at[n] ? at[n - 1] < at[n] : box.set.id(n - 1) < box.set.id(n);
   }
   if (sorted) return {};
-  return order_of(box.set, at, static_cast<std::size_t>(cells.volume()));
+  return order_of(box.set, at, cells.volume());
 }
 
 std::int64_t ParticleStore::count() const {

@@ -27,20 +27,12 @@ class ParticleStore {
   // Local boxes of a level, numbered as a Warehouse does.
   int box_count(int level) const { return static_cast<int>(at(level).size()); }
   const GridBox& box(int level, int local) const;
-  ParticleSet& set(int level, int local) { return at(level)[static_cast<std::size_t>(local)].set; }
-  const ParticleSet& set(int level, int local) const {
-    return at(level)[static_cast<std::size_t>(local)].set;
-  }
+  ParticleSet& set(int level, int local) { return at(level)[local].set; }
+  const ParticleSet& set(int level, int local) const { return at(level)[local].set; }
   // What a step makes of a set, until it is accepted; and the blocks of a set in blocks.
-  ParticleSet& next(int level, int local) {
-    return at(level)[static_cast<std::size_t>(local)].next;
-  }
-  const ParticleSet& next(int level, int local) const {
-    return at(level)[static_cast<std::size_t>(local)].next;
-  }
-  const std::vector<BlockRun>& runs(int level, int local) const {
-    return at(level)[static_cast<std::size_t>(local)].runs;
-  }
+  ParticleSet& next(int level, int local) { return at(level)[local].next; }
+  const ParticleSet& next(int level, int local) const { return at(level)[local].next; }
+  const std::vector<BlockRun>& runs(int level, int local) const { return at(level)[local].runs; }
   // The order of a set by cell and id.
   std::vector<std::uint32_t> order_by_cell(int level, int local) const;
   ParticleSet empty_set() const { return ParticleSet(attributes_); }
@@ -59,8 +51,8 @@ class ParticleStore {
     ParticleSet next;
     std::vector<BlockRun> runs;
   };
-  std::vector<Box>& at(int level) { return sets_[static_cast<std::size_t>(level)]; }
-  const std::vector<Box>& at(int level) const { return sets_[static_cast<std::size_t>(level)]; }
+  std::vector<Box>& at(int level) { return sets_[level]; }
+  const std::vector<Box>& at(int level) const { return sets_[level]; }
   ParticleSet& home_of(const ParticleMap::Home& home);
   ParticleMap::Home find(Vec3 point, std::int64_t id) const;
   void sort(int level, Box& box) const;

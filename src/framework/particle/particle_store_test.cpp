@@ -62,7 +62,7 @@ TEST(ParticleStore, SortsByCellAndIdWhateverTheOrderOfArrival) {
       all.add({0.01 * ((n * 37) % 100) + 0.003, 0.01 * ((n * 61) % 100) + 0.003, 0.5},
               n % 10 * 100 + n);
     for (int n = 0; n < 100; ++n) {
-      const auto at = static_cast<std::size_t>(backward ? 99 - n : n);
+      const std::size_t at = backward ? 99 - n : n;
       all.attribute(0, at) = static_cast<double>(all.id(at));
       store.adopt(all, at);
     }
@@ -102,10 +102,10 @@ TEST(ParticleStore, FollowsNewBoxes) {
 // Every rank sends to every rank, and more to those further on.
 TEST(ParticleExchange, BringsEachToItsRank) {
   Communicator& ranks = world();
-  std::vector<ParticleSet> leaving(static_cast<std::size_t>(ranks.size()), ParticleSet(1));
+  std::vector<ParticleSet> leaving(ranks.size(), ParticleSet(1));
   for (int to = 0; to < ranks.size(); ++to)
     for (int n = 0; n <= to; ++n) {
-      ParticleSet& set = leaving[static_cast<std::size_t>(to)];
+      ParticleSet& set = leaving[to];
       set.add({1.0 * ranks.rank(), 1.0 * to, 1.0 * n}, most_particle_id - 1 - n);
       set.attribute(0, set.size() - 1) = 0.25 * n;
     }

@@ -22,7 +22,7 @@ inline PointStencil stencil_at(const Level& level, Vec3 point) {
   s.cell = cell_at(level, point);
   const Vec3 centre = level.centre(s.cell);
   for (int d = 0; d < 3; ++d) {
-    if (!level.active[static_cast<std::size_t>(d)]) continue;
+    if (!level.active[d]) continue;
     const double offset = (point[d] - centre[d]) / level.spacing[d];
     s.aside[d] = offset < 0 ? -1 : 1;
     s.share[d] = std::fabs(offset);

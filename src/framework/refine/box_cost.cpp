@@ -26,9 +26,8 @@ std::vector<double> carried_costs(const std::vector<GridBox>& measured,
     double cost = 0;
     std::int64_t found = 0;
     for (const int m : finder.overlapping(box.cells)) {
-      const auto at = static_cast<std::size_t>(m);
-      const std::int64_t n = intersection(cells[at], box.cells).volume();
-      cost += a_cell[at] * static_cast<double>(n);
+      const std::int64_t n = intersection(cells[m], box.cells).volume();
+      cost += a_cell[m] * static_cast<double>(n);
       found += n;
     }
     carried.push_back(cost + average * static_cast<double>(box.cells.volume() - found));

@@ -22,7 +22,7 @@ class Cutter {
     }
     for (const IndexBox& h : holes)
       if (h.contains(region)) return;
-    const int d = order_[static_cast<std::size_t>(depth)];
+    const int d = order_[depth];
     std::sort(holes.begin(), holes.end(),
               [&](const IndexBox& a, const IndexBox& b) { return a.lower[d] < b.lower[d]; });
     if (depth == 2)
@@ -44,7 +44,7 @@ class Cutter {
   }
 
   void slabs(const IndexBox& region, std::vector<IndexBox>& holes, int depth) {
-    const int d = order_[static_cast<std::size_t>(depth)];
+    const int d = order_[depth];
     std::vector<int> ends;
     ends.reserve(2 * holes.size() + 2);
     for (const IndexBox& h : holes)
@@ -125,8 +125,7 @@ std::vector<IntVec3> image_shifts(const Level& level, const IndexBox& region, in
   IntVec3 first = coarsen(region.upper - IntVec3::all(1) - domain.lower, period);
   IntVec3 last = coarsen(domain.upper - IntVec3::all(1) - region.lower, period);
   for (int d = 0; d < 3; ++d) {
-    const auto n = static_cast<std::size_t>(d);
-    const bool wraps = level.periodic[n] && level.active[n];
+    const bool wraps = level.periodic[d] && level.active[d];
     first[d] = wraps ? -first[d] : 0;
     if (!wraps) last[d] = 0;
   }
@@ -141,8 +140,7 @@ std::vector<IndexBox> pieces_without_level(const IndexBox& region, const Level& 
   std::vector<int> found;
   for (const IntVec3 shift : image_shifts(level, region, 0)) {
     finder.find(region.shifted(shift), found);
-    for (const int box : found)
-      holes.push_back(finder.boxes()[static_cast<std::size_t>(box)].shifted(IntVec3{} - shift));
+    for (const int box : found) holes.push_back(finder.boxes()[box].shifted(IntVec3{} - shift));
   }
   return pieces_without(region, std::move(holes), row_direction(level.active));
 }

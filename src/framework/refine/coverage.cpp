@@ -17,8 +17,7 @@ class Covered {
   Covered(const Level& level, const BoxFinder& finder)
       : finder_(finder), layer_(level.ghosts(1)), period_(level.domain.size()) {
     for (int d = 0; d < 3; ++d) {
-      const auto n = static_cast<std::size_t>(d);
-      images_[d] = level.active[n] && level.periodic[n] ? 1 : 0;
+      images_[d] = level.active[d] && level.periodic[d] ? 1 : 0;
     }
   }
 
@@ -29,8 +28,7 @@ class Covered {
       const IntVec3 shift = image * period_;
       finder_.find(grown.shifted(shift), found_);
       for (const int n : found_) {
-        const IndexBox box =
-            finder_.boxes()[static_cast<std::size_t>(n)].shifted(IntVec3{} - shift);
+        const IndexBox box = finder_.boxes()[n].shifted(IntVec3{} - shift);
         if (image == IntVec3{} && !intersection(cells, box).empty()) inside.push_back(box);
         if (!cells.contains(box)) around.push_back(intersection(grown, box));
       }
@@ -74,7 +72,7 @@ std::size_t LevelCoverage::row_number(const Box& box, IntVec3 cell) const {
   IntVec3 place = cell - box.cells.lower, size = box.cells.size();
   place[along_] = 0;
   size[along_] = 1;
-  return static_cast<std::size_t>(place.x + size.x * (place.y + size.y * place.z));
+  return place.x + size.x * (place.y + size.y * place.z);
 }
 
 void LevelCoverage::list_rows(Box& box, std::vector<IndexBox>& pieces) const {
@@ -90,32 +88,31 @@ void LevelCoverage::list_rows(Box& box, std::vector<IndexBox>& pieces) const {
   box.begin.assign(row_number(box, box.cells.upper - IntVec3::all(1)) + 2, 0);
   for (const IndexBox& p : pieces) each_row(p, [&](std::size_t row) { ++box.begin[row]; });
   std::partial_sum(box.begin.begin(), box.begin.end(), box.begin.begin());
-  box.segments.resize(static_cast<std::size_t>(box.begin.back()));
+  box.segments.resize(box.begin.back());
   for (const IndexBox& p : pieces)  // descending, from the end of every row
     each_row(p, [&](std::size_t row) {
-      box.segments[static_cast<std::size_t>(--box.begin[row])] = {p.lower[along_],
-                                                                  p.size()[along_]};
+      box.segments[--box.begin[row]] = {p.lower[along_], p.size()[along_]};
     });
 }
 
 std::span<const LevelCoverage::Segment> LevelCoverage::uncovered_in_row(int box,
                                                                         IntVec3 cell) const {
-  const Box& b = boxes_[static_cast<std::size_t>(box)];
+  const Box& b = boxes_[box];
   if (b.begin.empty()) return {&b.whole_row, 1};
   const std::size_t row = row_number(b, cell);
-  const auto first = static_cast<std::size_t>(b.begin[row]);
-  return {b.segments.data() + first, static_cast<std::size_t>(b.begin[row + 1]) - first};
+  const std::size_t first = b.begin[row];
+  return {b.segments.data() + first, b.begin[row + 1] - first};
 }
 
 bool LevelCoverage::is_covered(int box, IntVec3 cell) const {
-  if (!boxes_[static_cast<std::size_t>(box)].cells.contains(cell)) return false;
+  if (!boxes_[box].cells.contains(cell)) return false;
   for (const Segment& s : uncovered_in_row(box, cell))
     if (cell[along_] >= s.first && cell[along_] < s.first + s.count) return false;
   return true;
 }
 
 bool LevelCoverage::is_covered_around(int box, IntVec3 cell) const {
-  const Box& b = boxes_[static_cast<std::size_t>(box)];
+  const Box& b = boxes_[box];
   if (b.cells.contains(cell)) return is_covered(box, cell);
   return std::any_of(b.around.begin(), b.around.end(),
                      [&](const IndexBox& part) { return part.contains(cell); });

@@ -21,9 +21,7 @@ class LevelCoverage {
   LevelCoverage(const Level& level, const Level* finer, int rank);
 
   // Disjoint parts of a local box that no finer level covers.
-  const std::vector<IndexBox>& uncovered(int box) const {
-    return boxes_[static_cast<std::size_t>(box)].uncovered;
-  }
+  const std::vector<IndexBox>& uncovered(int box) const { return boxes_[box].uncovered; }
   // The same of the row through `cell`, along the first active direction, ascending: no search.
   std::span<const Segment> uncovered_in_row(int box, IntVec3 cell) const;
   // Cells outside the box are not.

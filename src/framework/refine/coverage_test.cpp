@@ -13,7 +13,7 @@ using namespace transfer_test;
 
 IntVec3 layer_of(const Level& level) {
   IntVec3 layer{};
-  for (int d = 0; d < 3; ++d) layer[d] = level.active[static_cast<std::size_t>(d)] ? 1 : 0;
+  for (int d = 0; d < 3; ++d) layer[d] = level.active[d] ? 1 : 0;
   return layer;
 }
 
@@ -21,7 +21,7 @@ IntVec3 layer_of(const Level& level) {
 bool is_covered_anywhere(const Levels& levels, IntVec3 c) {
   const IndexBox& domain = levels.coarse.domain;
   for (int d = 0; d < 3; ++d) {
-    if (!levels.coarse.periodic[static_cast<std::size_t>(d)]) continue;
+    if (!levels.coarse.periodic[d]) continue;
     const int n = domain.size()[d];
     c[d] = domain.lower[d] + (c[d] - domain.lower[d] + n) % n;
   }

@@ -24,7 +24,7 @@ FaceFold::FaceFold(const IndexBox& fine_faces, IntVec3 faces_each) {
     const int each = faces_each[d];
     if (each != 1 && each != 2 && each != 4)
       throw std::logic_error("a level refines by 1, 2 or 4 per direction");
-    step_[static_cast<std::size_t>(d)] = stride_[static_cast<std::size_t>(d)] * each;
+    step_[d] = stride_[d] * each;
     coarse_size_[d] = n[d] / each;
   }
   if (faces_each.x > 1 && faces_each.y > 1 && faces_each.z > 1)
@@ -37,8 +37,7 @@ void FaceFold::split(IntVec3 low, IntVec3 size) {
   for (int other = 1; other < 3; ++other)
     if (size[other] > size[d]) d = other;
   if (size[d] == 1) {
-    offset_[static_cast<std::size_t>(count_++)] =
-        low.x * stride_[0] + low.y * stride_[1] + low.z * stride_[2];
+    offset_[count_++] = low.x * stride_[0] + low.y * stride_[1] + low.z * stride_[2];
     return;
   }
   IntVec3 half = size, along{}, other{};

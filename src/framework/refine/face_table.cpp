@@ -12,20 +12,18 @@ Axes active_axes(const Level& level) {
   Axes axes;
   axes.count = 0;
   for (int d = 0; d < 3; ++d)
-    if (level.active[static_cast<std::size_t>(d)]) axes.direction[axes.count++] = d;
+    if (level.active[d]) axes.direction[axes.count++] = d;
   return axes;
 }
 
 FaceTable::FaceTable(const std::vector<GridBox>& boxes, const Axes& axes, int quantities)
-    : rows_(boxes.size() * static_cast<std::size_t>(axes.count)),
-      quantities_(quantities),
-      axes_(axes) {
+    : rows_(boxes.size() * axes.count), quantities_(quantities), axes_(axes) {
   boxes_.reserve(boxes.size());
   for (const GridBox& b : boxes) boxes_.push_back(b.cells);
 }
 
 std::ptrdiff_t FaceTable::add(int box, int axis, bool high, const IndexBox& cells) {
-  const IndexBox& whole = boxes_[static_cast<std::size_t>(box)];
+  const IndexBox& whole = boxes_[box];
   if (cells.size()[axes_.direction[axis]] != 1 || !whole.contains(cells))
     throw std::logic_error("faces to record must be one layer of cells of their box");
   Rows& r = rows(box, axis);
@@ -39,21 +37,21 @@ std::ptrdiff_t FaceTable::add(int box, int axis, bool high, const IndexBox& cell
 // Calls f(row) for the rows of a layer in the order of its slots.
 template <class F>
 void FaceTable::for_each_row(const Layer& layer, F&& f) const {
-  const IndexBox& whole = boxes_[static_cast<std::size_t>(layer.box)];
+  const IndexBox& whole = boxes_[layer.box];
   const int n = cells_along(whole, 1), rows_along = cells_along(layer.cells, 1),
             planes = cells_along(layer.cells, 2);
   const std::ptrdiff_t first = rows(layer.box, layer.axis).first +
                                place(whole, 1, layer.cells.lower) +
                                n * static_cast<std::ptrdiff_t>(place(whole, 2, layer.cells.lower));
   for (std::ptrdiff_t k = 0; k < planes; ++k)
-    for (std::ptrdiff_t j = 0; j < rows_along; ++j) f(static_cast<std::size_t>(first + j + n * k));
+    for (std::ptrdiff_t j = 0; j < rows_along; ++j) f(first + j + n * k);
 }
 
 std::ptrdiff_t FaceTable::number_rows() {
   std::ptrdiff_t count = 0;
   for (std::size_t n = 0; n < rows_.size(); ++n) {
     if (rows_[n].cells.empty()) continue;
-    const IndexBox& box = boxes_[n / static_cast<std::size_t>(axes_.count)];
+    const IndexBox& box = boxes_[n / axes_.count];
     rows_[n].first = count;
     count += static_cast<std::ptrdiff_t>(cells_along(box, 1)) * cells_along(box, 2);
   }
@@ -61,15 +59,15 @@ std::ptrdiff_t FaceTable::number_rows() {
 }
 
 void FaceTable::seal() {
-  begin_.assign(static_cast<std::size_t>(number_rows()) + 1, 0);
+  begin_.assign(number_rows() + 1, 0);
   for (const Layer& l : layers_) for_each_row(l, [&](std::size_t row) { ++begin_[row]; });
   std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
-  segments_.resize(static_cast<std::size_t>(begin_.back()));
+  segments_.resize(begin_.back());
   const int along = axes_.direction[0];
   for (const Layer& l : layers_) {
     Segment s{l.cells.lower[along], l.cells.size()[along], l.high, l.slot};
     for_each_row(l, [&](std::size_t row) {  // from the end of every row
-      segments_[static_cast<std::size_t>(--begin_[row])] = s;
+      segments_[--begin_[row]] = s;
       s.slot += s.count;
     });
   }
@@ -80,7 +78,7 @@ void FaceTable::seal() {
                   return std::tuple(a.first, a.high, a.slot) < std::tuple(b.first, b.high, b.slot);
                 });
   layers_ = {};
-  values_.assign(static_cast<std::size_t>(quantities_ * faces_), 0.0);
+  values_.assign(quantities_ * faces_, 0.0);
 }
 
 IndexBox FaceTable::cells_with_faces(int box, int axis, const IndexBox& block) const {

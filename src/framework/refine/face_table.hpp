@@ -64,12 +64,8 @@ class FaceTable {
   template <class F>
   void for_each_row(const Layer& layer, F&& f) const;
   std::ptrdiff_t number_rows();
-  Rows& rows(int box, int axis) {
-    return rows_[static_cast<std::size_t>(box * axes_.count + axis)];
-  }
-  const Rows& rows(int box, int axis) const {
-    return rows_[static_cast<std::size_t>(box * axes_.count + axis)];
-  }
+  Rows& rows(int box, int axis) { return rows_[box * axes_.count + axis]; }
+  const Rows& rows(int box, int axis) const { return rows_[box * axes_.count + axis]; }
   // Rows of a box are numbered along the second axis first.
   int cells_along(const IndexBox& box, int axis) const {
     return axis < axes_.count ? box.size()[axes_.direction[axis]] : 1;
@@ -103,7 +99,7 @@ inline std::span<const FaceTable::Segment> FaceTable::segments(int box, int axis
                                                                IntVec3 cell) const {
   const Rows& r = rows(box, axis);
   if (r.first < 0) return {};
-  const IndexBox& cells = boxes_[static_cast<std::size_t>(box)];
+  const IndexBox& cells = boxes_[box];
   const int j = place(cells, 1, cell), k = place(cells, 2, cell);
   const int n = cells_along(cells, 1);
   if (j < 0 || j >= n || k < 0 || k >= cells_along(cells, 2)) return {};

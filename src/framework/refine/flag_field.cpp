@@ -21,13 +21,12 @@ Word mask(int low, int high) {
 template <class F>
 void for_each_word(int low, int high, F&& f) {
   for (int w = low / word_bits; w * word_bits < high; ++w)
-    f(static_cast<std::size_t>(w),
-      mask(std::max(low - w * word_bits, 0), std::min(high - w * word_bits, word_bits)));
+    f(w, mask(std::max(low - w * word_bits, 0), std::min(high - w * word_bits, word_bits)));
 }
 
 // to |= from moved towards lower bits (shift > 0), `count` words each; `from` may be `to`.
 void or_shifted_down(const Word* from, Word* to, int shift, std::size_t count) {
-  const auto whole = static_cast<std::size_t>(shift / word_bits);
+  const std::size_t whole = shift / word_bits;
   const int part = shift % word_bits;
   for (std::size_t w = 0; w + whole < count; ++w) {
     Word bits = from[w + whole] >> part;
@@ -74,7 +73,7 @@ class RowFilter {
 
  private:
   void widen_far(Word* row, std::size_t row_words) {
-    extended_.assign(static_cast<std::size_t>((cells_ + 2 * reach_) / word_bits + 1), Word{0});
+    extended_.assign((cells_ + 2 * reach_) / word_bits + 1, Word{0});
     extend(row, row_words);
     // Windows of growing width: or of 1, 2, 4, ... bits, then of 2 reach + 1.
     const int width = 2 * reach_ + 1;
@@ -88,7 +87,7 @@ class RowFilter {
   }
   // The row behind `reach_` bits that are empty, or the row's other end.
   void extend(const Word* row, std::size_t row_words) {
-    const auto whole = static_cast<std::size_t>(reach_ / word_bits);
+    const std::size_t whole = reach_ / word_bits;
     const int part = reach_ % word_bits;
     for (std::size_t w = 0; w < row_words; ++w) {
       if (row[w] == 0) continue;
@@ -104,7 +103,7 @@ class RowFilter {
   }
   void copy_bit(const Word* row, int from, int to) {
     const Word bit = row[from / word_bits] >> (from % word_bits) & 1u;
-    extended_[static_cast<std::size_t>(to / word_bits)] |= bit << (to % word_bits);
+    extended_[to / word_bits] |= bit << (to % word_bits);
   }
 
   int cells_, reach_;
@@ -124,8 +123,7 @@ bool empty_row(const Word* row, std::size_t count) {
 // up to `reach` <= n before and behind it. `extended`: room.
 void widen(Word* rows, std::size_t words, int n, int reach, bool periodic,
            std::vector<Word>& extended) {
-  const auto border = static_cast<std::size_t>(reach) * words,
-             inside = static_cast<std::size_t>(n) * words;
+  const std::size_t border = reach * words, inside = n * words;
   if (empty_row(rows, inside)) return;
   extended.assign(inside + 2 * border, Word{0});
   Word* const first = extended.data();
@@ -138,7 +136,7 @@ void widen(Word* rows, std::size_t words, int n, int reach, bool periodic,
   const int width = 2 * reach + 1;
   for (int done = 1, step = 0; done < width; done += step) {
     step = std::min(done, width - done);
-    const std::size_t ahead = static_cast<std::size_t>(step) * words, end = extended.size() - ahead;
+    const std::size_t ahead = step * words, end = extended.size() - ahead;
 #pragma GCC ivdep
     for (std::size_t w = 0; w < end; ++w) first[w] |= first[w + ahead];
   }
@@ -149,9 +147,8 @@ void widen(Word* rows, std::size_t words, int n, int reach, bool periodic,
 
 FlagField::FlagField(const IndexBox& domain)
     : domain_(domain), size_(domain.empty() ? IntVec3{} : domain.size()) {
-  row_words_ = static_cast<std::size_t>((size_.x + word_bits - 1) / word_bits);
-  words_.assign(row_words_ * static_cast<std::size_t>(size_.y) * static_cast<std::size_t>(size_.z),
-                Word{0});
+  row_words_ = (size_.x + word_bits - 1) / word_bits;
+  words_.assign(row_words_ * size_.y * size_.z, Word{0});
 }
 
 void FlagField::fill(const IndexBox& cells) {
@@ -194,8 +191,7 @@ FlagField FlagField::dilated(IntVec3 reach, const std::array<bool, 3>& periodic)
         filter.apply(wide.words_.data() + start, row_words_);
   }
   std::vector<Word> room;
-  const auto planes = static_cast<std::size_t>(size_.z),
-             plane = row_words_ * static_cast<std::size_t>(size_.y);
+  const std::size_t planes = size_.z, plane = row_words_ * size_.y;
   if (const int y = std::min(reach.y, size_.y); y > 0)
     for (std::size_t z = 0; z < planes; ++z)
       widen(wide.words_.data() + z * plane, row_words_, size_.y, y, periodic[1], room);

@@ -48,8 +48,7 @@ class FlagField {
 
  private:
   std::size_t row_start(int y, int z) const {
-    return row_words_ * (static_cast<std::size_t>(y) +
-                         static_cast<std::size_t>(size_.y) * static_cast<std::size_t>(z));
+    return row_words_ * (y + static_cast<std::size_t>(size_.y) * z);
   }
   IndexBox domain_;
   IntVec3 size_{};

@@ -35,8 +35,7 @@ FlagField slowly_dilated(const FlagField& flags, IntVec3 reach, const Periodic& 
     for_each_cell(flags.domain(), [&](IntVec3 f) {
       if (near || !flags.get(f)) return;
       near = true;
-      for (int d = 0; d < 3; ++d)
-        near = near && apart(c[d], f[d], n[d], periodic[static_cast<std::size_t>(d)]) <= reach[d];
+      for (int d = 0; d < 3; ++d) near = near && apart(c[d], f[d], n[d], periodic[d]) <= reach[d];
     });
     if (near) wide.set(c);
   });

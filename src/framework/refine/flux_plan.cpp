@@ -18,7 +18,7 @@ void append(const CellFace& face, CellFaces& list) {
     list.cells.push_back(face.cell);
     list.slots.push_back(no_faces);
   }
-  list.slots.back()[static_cast<std::size_t>(face.side)] = face.slot;
+  list.slots.back()[face.side] = face.slot;
 }
 
 }  // namespace
@@ -45,7 +45,7 @@ struct FluxPlan::LocalBoxes {
   LocalBoxes(const Level& level, int rank) : number(level.boxes.size(), -1) {
     for (const GridBox& b : level.boxes) {
       if (b.owner != rank) continue;
-      number[static_cast<std::size_t>(b.id)] = static_cast<int>(boxes.size());
+      number[b.id] = static_cast<int>(boxes.size());
       boxes.push_back(b);
     }
   }
@@ -55,7 +55,7 @@ struct FluxPlan::LocalBoxes {
 
 FluxPlan::FluxPlan(const Level& coarse, const Level& fine, int quantity_count, int rank)
     : nothing(fine.boxes.empty() || quantity_count == 0),
-      quantities(static_cast<std::size_t>(quantity_count)),
+      quantities(quantity_count),
       domain(coarse.domain),
       volume_ratio(1.0 / (static_cast<double>(fine.ratio.x) * fine.ratio.y * fine.ratio.z)) {
   const LocalBoxes coarse_here(coarse, rank), fine_here(fine, rank);
@@ -64,7 +64,7 @@ FluxPlan::FluxPlan(const Level& coarse, const Level& fine, int quantity_count, i
   fine_faces = FaceTable(fine_here.boxes, axes, quantity_count);
   fine_boxes = fine_here.boxes.size();
   for (int side = 0; side < 2 * axes.count; ++side)
-    back[static_cast<std::size_t>(side)] = fine.ratio[axes.direction[side / 2]];
+    back[side] = fine.ratio[axes.direction[side / 2]];
   const std::vector<InterfacePatch> found = interface_patches(coarse, fine, rank);
   patches.reserve(found.size());
   for (const InterfacePatch& f : found) {
@@ -89,8 +89,8 @@ void FluxPlan::add_patch(const InterfacePatch& found, const LocalBoxes& coarse,
   p.side = 2 * found.axis + (found.high ? 1 : 0);
   p.coarse_cells = found.coarse_cells;
   p.fine_cells = found.fine_cells;
-  p.fine_box = fine.number[static_cast<std::size_t>(found.fine_box)];
-  p.coarse_box = coarse.number[static_cast<std::size_t>(found.coarse_box)];
+  p.fine_box = fine.number[found.fine_box];
+  p.coarse_box = coarse.number[found.coarse_box];
   if (p.fine_box >= 0) {
     p.fine_slot = fine_faces.add(p.fine_box, found.axis, !found.high, p.fine_cells);
     p.fold = FaceFold(p.fine_cells, faces_each);
@@ -105,16 +105,15 @@ class FluxPlan::RowFaces {
   RowFaces(const IndexBox& box, int along)
       : along_(along),
         low_(box.lower[along]),
-        slots_(static_cast<std::size_t>(box.size()[along]), no_faces),
+        slots_(box.size()[along], no_faces),
         any_(slots_.size(), 0) {}
 
   void add(const FaceTable::Segment& s, int side) {
-    const auto low = static_cast<std::size_t>(s.first - low_),
-               count = static_cast<std::size_t>(s.count);
+    const std::size_t low = s.first - low_, count = s.count;
     first_ = std::min(first_, low);
     last_ = std::max(last_, low + count);
     for (std::size_t n = 0; n < count; ++n) {
-      slots_[low + n][static_cast<std::size_t>(side)] = s.slot + static_cast<std::ptrdiff_t>(n);
+      slots_[low + n][side] = s.slot + static_cast<std::ptrdiff_t>(n);
       any_[low + n] = 1;
     }
   }
@@ -145,7 +144,7 @@ class FluxPlan::RowFaces {
 void FluxPlan::list_cells(const std::vector<GridBox>& boxes, const Axes& axes) {
   std::vector<std::size_t> faces(boxes.size(), 0);
   for (const FluxPatch& p : patches)
-    if (p.coarse_box >= 0) faces[static_cast<std::size_t>(p.coarse_box)] += p.faces();
+    if (p.coarse_box >= 0) faces[p.coarse_box] += p.faces();
   coarse_cells.resize(boxes.size());
   const int along = axes.direction[0];
   for (std::size_t b = 0; b < boxes.size(); ++b) {
@@ -170,8 +169,8 @@ void FluxPlan::add_peers(const Level& coarse, const Level& fine, int rank,
                          const std::vector<InterfacePatch>& found) {
   std::map<int, FluxPeer> by_rank;
   for (std::size_t n = 0; n < found.size(); ++n) {
-    const int fine_rank = fine.boxes[static_cast<std::size_t>(found[n].fine_box)].owner;
-    const int coarse_rank = coarse.boxes[static_cast<std::size_t>(found[n].coarse_box)].owner;
+    const int fine_rank = fine.boxes[found[n].fine_box].owner;
+    const int coarse_rank = coarse.boxes[found[n].coarse_box].owner;
     if (fine_rank == coarse_rank) continue;
     FluxPeer& peer = by_rank[fine_rank == rank ? coarse_rank : fine_rank];
     (fine_rank == rank ? peer.fine_here : peer.coarse_here).push_back(n);

@@ -21,7 +21,7 @@ struct FluxPatch {
   std::ptrdiff_t coarse_slot = -1;  // in the table of coarse faces, and of the changes
   FaceFold fold;
 
-  std::size_t faces() const { return static_cast<std::size_t>(coarse_cells.volume()); }
+  std::size_t faces() const { return coarse_cells.volume(); }
 };
 
 // A face of a cell, and where its values are.

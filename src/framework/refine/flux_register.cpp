@@ -77,7 +77,7 @@ struct FluxRegister::Work : FluxPlan {
 FluxRegister::Work::Work(const Level& coarse, const Level& fine, int quantity_count, int rank)
     : FluxPlan(coarse, fine, quantity_count, rank),
       sums(quantities, sum_count),
-      changes(quantities, static_cast<std::size_t>(coarse_faces.faces())),
+      changes(quantities, coarse_faces.faces()),
       coarse_shares(coarse_cells.size()) {
   change.amount.resize(quantities);
 }
@@ -247,7 +247,7 @@ bool FluxRegister::Work::correct_fine(Warehouse& fine, const std::vector<int>& s
           p.sum_slot + at.x / each.x + wide.x * (at.y / each.y + wide.y * (at.z / each.z));
       bool some = false;
       for (std::size_t q = 0; q < quantities; ++q) some = some || sums[q][slot] != 0.0;
-      if (some) faces[static_cast<std::size_t>(p.fine_box)].push_back({cell, p.side ^ 1, slot});
+      if (some) faces[p.fine_box].push_back({cell, p.side ^ 1, slot});
     });
   }
   bool failed = false;

@@ -30,10 +30,10 @@ void expect_image(const Scene& scene, const Image& image, const Start& start) {
   Scene turned = scene;
   turned.refined.clear();
   for (int d = 0; d < 3; ++d) {
-    const auto from = static_cast<std::size_t>(image.direction(d));
+    const std::size_t from = image.direction(d);
     turned.cells[d] = scene.cells[image.direction(d)];
     turned.ratio[d] = scene.ratio[image.direction(d)];
-    turned.periodic[static_cast<std::size_t>(d)] = scene.periodic[from];
+    turned.periodic[d] = scene.periodic[from];
   }
   for (const IndexBox& r : scene.refined) {
     const IntVec3 a = image.cell(r.lower, scene.cells);

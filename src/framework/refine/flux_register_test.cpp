@@ -72,10 +72,10 @@ class Reference {
  private:
   void add_face(TwoLevels& t, const Flux& flux, int substeps, IntVec3 c, int d, bool high) {
     const Level &coarse = t.levels().coarse, &fine = t.levels().fine;
-    if (!coarse.active[static_cast<std::size_t>(d)]) return;
+    if (!coarse.active[d]) return;
     IntVec3 neighbour = c;
     neighbour[d] += high ? 1 : -1;
-    if (!coarse.domain.contains(neighbour) && !coarse.periodic[static_cast<std::size_t>(d)]) return;
+    if (!coarse.domain.contains(neighbour) && !coarse.periodic[d]) return;
     neighbour = wrapped(neighbour, coarse);
     if (!t.covered(neighbour)) return;
     Face face{d, high, {}, {}};

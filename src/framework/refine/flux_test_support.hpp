@@ -36,7 +36,7 @@ inline Levels levels_of(const Scene& scene, const Cut& cut, const Communicator& 
   Levels l;
   l.coarse.domain = {scene.low, scene.low + scene.cells};
   l.coarse.periodic = scene.periodic;
-  for (int d = 0; d < 3; ++d) l.coarse.active[static_cast<std::size_t>(d)] = scene.cells[d] > 1;
+  for (int d = 0; d < 3; ++d) l.coarse.active[d] = scene.cells[d] > 1;
   l.fine = l.coarse;
   l.fine.index = 1;
   l.fine.ratio = scene.ratio;
@@ -148,7 +148,7 @@ class TwoLevels {
   void each(Warehouse& w, const std::function<void(int, IntVec3, double&)>& f) {
     for (std::size_t b = 0; b < w.local_boxes().size(); ++b)
       for (int q = 0; q < quantities; ++q) {
-        const RealView v = w.view(slots_[static_cast<std::size_t>(q)], 0, static_cast<int>(b));
+        const RealView v = w.view(slots_[q], 0, static_cast<int>(b));
         for_each_cell(w.local_boxes()[b].cells, [&](IntVec3 c) { f(q, c, v(c)); });
       }
   }
@@ -170,7 +170,7 @@ class TwoLevels {
   // Through the ends of a domain that is not periodic nothing passes.
   double through(const Flux& flux, int q, int d, IntVec3 cell, const Level& level, int step) const {
     const bool end = cell[d] == level.domain.lower[d] || cell[d] == level.domain.upper[d];
-    if (end && !level.periodic[static_cast<std::size_t>(d)]) return 0.0;
+    if (end && !level.periodic[d]) return 0.0;
     return flux(q, d, wrapped(cell, level), level.index, step);
   }
 
@@ -198,7 +198,7 @@ class TwoLevels {
   static std::vector<IndexBox> blocks(const IndexBox& box, const Level& level) {
     IntVec3 pieces{1, 1, 1};
     for (int d = 0; d < 3; ++d)
-      if (level.active[static_cast<std::size_t>(d)]) pieces[d] = (box.size()[d] + 4) / 5;
+      if (level.active[d]) pieces[d] = (box.size()[d] + 4) / 5;
     return split(box, pieces);
   }
 

@@ -14,7 +14,7 @@ BoxFinder with_images(const Level& level, IntVec3 reach) {
   IndexBox seen = level.domain;
   IntVec3 images;
   for (int d = 0; d < 3; ++d) {
-    images[d] = level.periodic[static_cast<std::size_t>(d)] ? 1 : 0;
+    images[d] = level.periodic[d] ? 1 : 0;
     seen.lower[d] -= reach[d];
     seen.upper[d] += reach[d];
   }
@@ -31,7 +31,7 @@ BoxFinder with_images(const Level& level, IntVec3 reach) {
 // The domain, without end where it is periodic.
 IndexBox inside_walls(const Level& level, IndexBox region) {
   for (int d = 0; d < 3; ++d) {
-    if (level.periodic[static_cast<std::size_t>(d)]) continue;
+    if (level.periodic[d]) continue;
     region.lower[d] = std::max(region.lower[d], level.domain.lower[d]);
     region.upper[d] = std::min(region.upper[d], level.domain.upper[d]);
   }
@@ -69,7 +69,7 @@ void InterfaceDistance::add_box(const Level& level, const BoxFinder& all, IndexB
 void InterfaceDistance::add_side(const std::vector<IndexBox>& lacking, const IndexBox& cells,
                                  int axis, bool high, int depth) {
   const int d = axes_.direction[axis], along = axes_.direction[0];
-  const auto width = static_cast<std::size_t>(cells.size()[along]);
+  const std::size_t width = cells.size()[along];
   Rows& r = rows_.back();
   r.begin.assign(row_count(cells), -1);
   for (const IndexBox& l : lacking) {
@@ -87,8 +87,7 @@ void InterfaceDistance::add_side(const std::vector<IndexBox>& lacking, const Ind
       }
       for (; c[along] < near.upper[along]; ++c[along]) {
         const int far = std::max(0, high ? l.lower[d] - c[d] : c[d] - l.upper[d] + 1);
-        std::uint8_t& kept =
-            bytes_[static_cast<std::size_t>(begin + c[along] - cells.lower[along])];
+        std::uint8_t& kept = bytes_[begin + c[along] - cells.lower[along]];
         kept = std::min(kept, static_cast<std::uint8_t>(far));
       }
     });
@@ -97,8 +96,7 @@ void InterfaceDistance::add_side(const std::vector<IndexBox>& lacking, const Ind
 
 std::size_t InterfaceDistance::row_count(const IndexBox& cells) const {
   std::size_t rows = 1;
-  for (int a = 1; a < axes_.count; ++a)
-    rows *= static_cast<std::size_t>(cells.size()[axes_.direction[a]]);
+  for (int a = 1; a < axes_.count; ++a) rows *= cells.size()[axes_.direction[a]];
   return rows;
 }
 

@@ -48,8 +48,7 @@ inline std::size_t InterfaceDistance::row_of(const IndexBox& cells, IntVec3 cell
   std::size_t row = 0;
   for (int a = axes_.count - 1; a > 0; --a) {
     const int d = axes_.direction[a];
-    row = row * static_cast<std::size_t>(cells.size()[d]) +
-          static_cast<std::size_t>(cell[d] - cells.lower[d]);
+    row = row * cells.size()[d] + (cell[d] - cells.lower[d]);
   }
   return row;
 }
@@ -57,9 +56,9 @@ inline std::size_t InterfaceDistance::row_of(const IndexBox& cells, IntVec3 cell
 inline const std::uint8_t* InterfaceDistance::ahead(int box, int axis, bool high,
                                                     IntVec3 cell) const {
   if (empty()) return nullptr;
-  const Rows& r = rows_[static_cast<std::size_t>((box * axes_.count + axis) * 2 + (high ? 1 : 0))];
+  const Rows& r = rows_[(box * axes_.count + axis) * 2 + (high ? 1 : 0)];
   if (r.begin.empty()) return nullptr;
-  const IndexBox& cells = boxes_[static_cast<std::size_t>(box)];
+  const IndexBox& cells = boxes_[box];
   const std::int32_t begin = r.begin[row_of(cells, cell)];
   const int along = axes_.direction[0];
   return begin < 0 ? nullptr : bytes_.data() + begin + (cell[along] - cells.lower[along]);

@@ -95,7 +95,7 @@ TEST(InterfaceDistance, DoesNotDependOnBoxes) {
                                       box(26, 12, 28, 16)};
   const InterfaceDistance four(flat_level(cuts), 0, depths, ghosts);
   for (int b = 0; b < 4; ++b)
-    for_each_cell(cuts[static_cast<std::size_t>(b)], [&](IntVec3 c) {
+    for_each_cell(cuts[b], [&](IntVec3 c) {
       for (int axis = 0; axis < 2; ++axis)
         for (const bool high : {false, true})
           EXPECT_EQ(distance(four, b, axis, high, c), distance(one, 0, axis, high, c));

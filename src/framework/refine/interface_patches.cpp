@@ -45,14 +45,14 @@ class PatchFinder {
 
   void search_side(const GridBox& box, int axis, bool plus) {
     const int d = axes_.direction[axis];
-    IndexBox outside = covered_.boxes()[static_cast<std::size_t>(box.id)];
+    IndexBox outside = covered_.boxes()[box.id];
     (plus ? outside.lower : outside.upper)[d] = plus ? outside.upper[d] : outside.lower[d];
     (plus ? outside.upper : outside.lower)[d] += plus ? 1 : -1;
     IntVec3 back{};  // from the outside cells, taken into the domain, to the inside ones
     back[d] = plus ? -1 : 1;
     const IndexBox& domain = coarse_.domain;
     if (outside.lower[d] < domain.lower[d] || outside.upper[d] > domain.upper[d]) {
-      if (!coarse_.periodic[static_cast<std::size_t>(d)]) return;
+      if (!coarse_.periodic[d]) return;
       IntVec3 wrap{};
       wrap[d] = plus ? -domain.size()[d] : domain.size()[d];
       outside = outside.shifted(wrap);
@@ -66,9 +66,8 @@ class PatchFinder {
   // Is any of these cells of the coarse level on this rank.
   bool any_here(const IndexBox& cells) {
     held_.find(cells, holders_);
-    return std::any_of(holders_.begin(), holders_.end(), [&](int c) {
-      return coarse_.boxes[static_cast<std::size_t>(c)].owner == rank_;
-    });
+    return std::any_of(holders_.begin(), holders_.end(),
+                       [&](int c) { return coarse_.boxes[c].owner == rank_; });
   }
 
   void add_piece(const GridBox& box, int axis, bool plus, const IndexBox& piece, IntVec3 back) {
@@ -76,7 +75,7 @@ class PatchFinder {
     std::int64_t held = 0;
     held_.find(piece, holders_);
     for (const int c : holders_) {
-      const GridBox& other = coarse_.boxes[static_cast<std::size_t>(c)];
+      const GridBox& other = coarse_.boxes[c];
       InterfacePatch p{box.id, other.id, axis, !plus, intersection(piece, other.cells), {}};
       held += p.coarse_cells.volume();
       if (box.owner != rank_ && other.owner != rank_) continue;

@@ -31,14 +31,11 @@ class CoarseState {
   bool blends() const { return share_ > 0 && share_ < 1; }
   double share() const { return share_; }
   // The state that is read first: the only one where nothing is to be blended.
-  const StateViews& of(int box) const {
-    return (share_ < 1 ? before_ : after_)[static_cast<std::size_t>(box)];
-  }
-  const StateViews& later(int box) const { return after_[static_cast<std::size_t>(box)]; }
+  const StateViews& of(int box) const { return (share_ < 1 ? before_ : after_)[box]; }
+  const StateViews& later(int box) const { return after_[box]; }
   void write(const StateViews& to, const IndexBox& region, int box, IntVec3 shift) const {
-    const auto b = static_cast<std::size_t>(box);
     if (blends())
-      blend_state(to, region, before_[b], after_[b], share_, shift);
+      blend_state(to, region, before_[box], after_[box], share_, shift);
     else
       copy_state(to, region, of(box), shift);
   }
@@ -90,7 +87,7 @@ void Interpolation::Plan::prepare(int threads) {
   gathers.resize(std::max(gathers.size(), static_cast<std::size_t>(threads)));
   const std::int64_t cells =
       std::max(most_coarse_cells, std::min(coarse_cells_of_all, group_cells));
-  const auto count = static_cast<std::size_t>(cells * components);
+  const std::size_t count = cells * components;
   for (Gather& g : gathers)
     if (g.memory.size() < count) g.memory = AlignedArray(count, Contents::undefined);
 }
@@ -110,7 +107,7 @@ Prolongation Interpolation::Plan::coarse_cells(const Target& target, Gather& gat
   StateViews& views = gather.views[gather.regions.size()];
   StateViews& later = gather.later[gather.regions.size()];
   Prolongation region;
-  region.fine = &fine_views[static_cast<std::size_t>(target.box)];
+  region.fine = &fine_views[target.box];
   region.cells = target.cells;
   if (target.direct >= 0 && (blends || !state.blends())) {
     region.coarse = &in_indices_of(target, state.of(target.direct), views);
@@ -157,10 +154,9 @@ void Interpolation::Plan::interpolate(std::size_t first, std::size_t last,
                                       const TransferOperators& operators, int order,
                                       const ThreadTeam* team) {
   const auto some = [&](std::size_t from, std::size_t to, int thread) {
-    prolong(std::span(targets).subspan(from, to - from), gathers[static_cast<std::size_t>(thread)],
-            operators, order);
+    prolong(std::span(targets).subspan(from, to - from), gathers[thread], operators, order);
   };
-  const auto wanted = static_cast<std::size_t>(fine_cells / cells_per_chunk);
+  const std::size_t wanted = fine_cells / cells_per_chunk;
   const std::size_t chunks = std::min(wanted, last - first);
   if (team == nullptr || team->size() == 1 || chunks < 2) return some(first, last, 0);
   team->for_each(chunks, [&](std::size_t n, int thread) {
@@ -204,8 +200,7 @@ std::int64_t Interpolation::cells() const {
 }
 
 std::size_t Interpolation::message_bytes(int components) const {
-  return static_cast<std::size_t>(plan_->messages.send_cells()) *
-         static_cast<std::size_t>(components) * sizeof(double);
+  return static_cast<std::size_t>(plan_->messages.send_cells()) * components * sizeof(double);
 }
 
 }  // namespace sluice

@@ -30,10 +30,9 @@ class CoarseLevel {
     for (const IntVec3 shift : shifts) {
       finder_.find(region.shifted(shift), found_);
       for (const int n : found_) {
-        const GridBox& box = level_.boxes[static_cast<std::size_t>(n)];
+        const GridBox& box = level_.boxes[n];
         const IntVec3 back = IntVec3{} - shift;
-        holders_.push_back({n, numbers_[static_cast<std::size_t>(n)], box.owner, shift,
-                            box.cells.shifted(back),
+        holders_.push_back({n, numbers_[n], box.owner, shift, box.cells.shifted(back),
                             box.cells.grown(level_.ghosts(ghosts_)).shifted(back),
                             trusted(box.cells).shifted(back)});
       }
@@ -54,10 +53,10 @@ class CoarseLevel {
   IndexBox trusted(const IndexBox& cells) const {
     const IndexBox filled = cells.grown(level_.ghosts(ghosts_)), &domain = level_.domain;
     const auto below = [&](int d) {
-      return !level_.periodic[static_cast<std::size_t>(d)] && filled.lower[d] < domain.lower[d];
+      return !level_.periodic[d] && filled.lower[d] < domain.lower[d];
     };
     const auto above = [&](int d) {
-      return !level_.periodic[static_cast<std::size_t>(d)] && filled.upper[d] > domain.upper[d];
+      return !level_.periodic[d] && filled.upper[d] > domain.upper[d];
     };
     IndexBox trusted = filled;
     for (int d = 0; d < 3; ++d)
@@ -130,15 +129,14 @@ FineRegions interface_ghosts(const Level& fine, int width, Arrays arrays) {
   const BoxFinder finder(cells_of(fine.boxes));
   IndexBox inside = fine.domain;
   for (int d = 0; d < 3; ++d)
-    if (fine.periodic[static_cast<std::size_t>(d)])
-      inside = inside.grown(d, fine.ghosts(width)[d], fine.ghosts(width)[d]);
+    if (fine.periodic[d]) inside = inside.grown(d, fine.ghosts(width)[d], fine.ghosts(width)[d]);
   const std::vector<std::vector<IndexBox>> held = held_by_frames(fine, width, arrays);
   FineRegions regions;
   regions.reserve(fine.boxes.size());
   for (const GridBox& b : fine.boxes)
     regions.push_back(subtract(
         pieces_without_level(intersection(b.cells.grown(fine.ghosts(width)), inside), fine, finder),
-        held[static_cast<std::size_t>(b.id)]));
+        held[b.id]));
   return regions;
 }
 
@@ -151,7 +149,7 @@ FineRegions new_cells(const Level& fine, const std::vector<GridBox>& earlier) {
     finder.find(b.cells, found);
     std::vector<IndexBox> holes;
     holes.reserve(found.size());
-    for (const int n : found) holes.push_back(finder.boxes()[static_cast<std::size_t>(n)]);
+    for (const int n : found) holes.push_back(finder.boxes()[n]);
     regions.push_back(pieces_without(b.cells, std::move(holes), row_direction(fine.active)));
   }
   return regions;

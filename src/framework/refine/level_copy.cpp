@@ -28,9 +28,8 @@ LevelCopy::Plan::Plan(const Level& from, const Level& to, int rank) : frame(with
   for (std::size_t t = 0; t < to.boxes.size(); ++t) {
     finder.find(to.boxes[t].cells, found);
     for (const int n : found) {
-      const auto f = static_cast<std::size_t>(n);
       const Part part{
-          from_number[f], to_number[t], intersection(from.boxes[f].cells, to.boxes[t].cells), {}};
+          from_number[n], to_number[t], intersection(from.boxes[n].cells, to.boxes[t].cells), {}};
       if (part.from >= 0 && part.to >= 0) {
         locals.push_back(part);
       } else if (part.from >= 0) {
@@ -38,7 +37,7 @@ LevelCopy::Plan::Plan(const Level& from, const Level& to, int rank) : frame(with
         sends.back().piece = messages.add_send(to.boxes[t].owner, part.cells.volume());
       } else if (part.to >= 0) {
         receives.push_back(part);
-        receives.back().piece = messages.add_receive(from.boxes[f].owner, part.cells.volume());
+        receives.back().piece = messages.add_receive(from.boxes[n].owner, part.cells.volume());
       }
     }
   }
@@ -58,16 +57,15 @@ void LevelCopy::run(const Warehouse& from, Warehouse& to, const std::vector<int>
   p.messages.start(components);
   for (const Plan::Part& s : p.sends) {
     view_array(p.messages.outgoing(s.piece), s.cells, p.frame, components, p.packed);
-    copy_state(p.packed, s.cells, p.from_views[static_cast<std::size_t>(s.from)], {});
+    copy_state(p.packed, s.cells, p.from_views[s.from], {});
   }
   p.messages.send();
   for (const Plan::Part& l : p.locals)
-    copy_state(p.to_views[static_cast<std::size_t>(l.to)], l.cells,
-               p.from_views[static_cast<std::size_t>(l.from)], {});
+    copy_state(p.to_views[l.to], l.cells, p.from_views[l.from], {});
   p.messages.wait();
   for (const Plan::Part& r : p.receives) {
     view_array(p.messages.incoming(r.piece), r.cells, p.frame, components, p.packed);
-    copy_state(p.to_views[static_cast<std::size_t>(r.to)], r.cells, p.packed, {});
+    copy_state(p.to_views[r.to], r.cells, p.packed, {});
   }
 }
 

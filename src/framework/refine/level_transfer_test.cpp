@@ -80,7 +80,7 @@ void Transfers::fill_new_cells() {
   Level earlier = levels.fine;
   IntVec3 shift;
   for (int d = 0; d < 3; ++d)
-    if (levels.fine.active[static_cast<std::size_t>(d)]) shift[d] = 2 * levels.fine.ratio[d];
+    if (levels.fine.active[d]) shift[d] = 2 * levels.fine.ratio[d];
   for (GridBox& b : earlier.boxes) b.cells = b.cells.shifted(shift);
   for (const bool first : {true, false}) {
     fine.fill([](IntVec3, int, const IndexBox&) { return untouched; });
@@ -159,15 +159,14 @@ INSTANTIATE_TEST_SUITE_P(Levels, Transfer, testing::ValuesIn(whole_shapes()));
 class TransferBesideSides : public testing::TestWithParam<Shape> {};
 
 bool beyond(const Level& level, IntVec3 c, int d) {
-  return !level.periodic[static_cast<std::size_t>(d)] &&
-         (c[d] < level.domain.lower[d] || c[d] >= level.domain.upper[d]);
+  return !level.periodic[d] && (c[d] < level.domain.lower[d] || c[d] >= level.domain.upper[d]);
 }
 
 bool lacks_a_neighbour(const Level& level, IntVec3 c, const IndexBox& interior) {
   const IndexBox filled = interior.grown(level.ghosts(coarse_ghosts));
   for (int d = 0; d < 3; ++d)
     for (int e = 0; e < 3 && beyond(level, c, d); ++e)
-      if (e != d && level.active[static_cast<std::size_t>(e)] && !beyond(level, c, e) &&
+      if (e != d && level.active[e] && !beyond(level, c, e) &&
           (c[e] == filled.lower[e] || c[e] == filled.upper[e] - 1))
         return true;
   return false;

@@ -89,21 +89,19 @@ std::int64_t PackedMessages::send_cells() const {
 void PackedMessages::start(int components) {
   components_ = components;
   for (Peer& p : peers_) {
-    p.send_buffer.resize(static_cast<std::size_t>(p.send_cells * components));
-    p.receive_buffer.resize(static_cast<std::size_t>(p.receive_cells * components));
+    p.send_buffer.resize(p.send_cells * components);
+    p.receive_buffer.resize(p.receive_cells * components);
     if (p.receive_cells > 0)
       messages_.post_receive(p.receive_buffer.data(), p.receive_buffer.size(), p.rank, message_tag);
   }
 }
 
 double* PackedMessages::outgoing(const Piece& piece) {
-  return peers_[static_cast<std::size_t>(piece.peer)].send_buffer.data() +
-         piece.first * components_;
+  return peers_[piece.peer].send_buffer.data() + piece.first * components_;
 }
 
 double* PackedMessages::incoming(const Piece& piece) {
-  return peers_[static_cast<std::size_t>(piece.peer)].receive_buffer.data() +
-         piece.first * components_;
+  return peers_[piece.peer].receive_buffer.data() + piece.first * components_;
 }
 
 void PackedMessages::send() {

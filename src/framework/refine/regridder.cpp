@@ -92,8 +92,7 @@ IntVec3 Regridder::stability_reach(std::size_t level) const {
   for (std::size_t l = 1; l <= level; ++l)
     steps *= std::max({levels_[l].ratio.x, levels_[l].ratio.y, levels_[l].ratio.z});
   for (int d = 0; d < 3; ++d)
-    if (levels_[level].active[static_cast<std::size_t>(d)])
-      reach[d] = std::max(reach[d], static_cast<int>(courant_ * steps));
+    if (levels_[level].active[d]) reach[d] = std::max(reach[d], static_cast<int>(courant_ * steps));
   return reach;
 }
 
@@ -114,7 +113,7 @@ FlagField Regridder::asked_by_margin(std::size_t level, const FlagField& tiles) 
   FlagField cells(levels_[level - 2].domain);
   const IntVec3 n = around.domain.size();
   IntVec3 images{};
-  for (int d = 0; d < 3; ++d) images[d] = around.periodic[static_cast<std::size_t>(d)] ? 1 : 0;
+  for (int d = 0; d < 3; ++d) images[d] = around.periodic[d] ? 1 : 0;
   for (const IndexBox& block : merged_tiles(tiles)) {
     const IndexBox margin = coarsen(layouts_[level].cells(block), levels_[level].ratio)
                                 .grown(settings_.min_boundary_cells);
@@ -200,7 +199,7 @@ bool Regridder::take(Fields tiles) {
     const auto before = [](IntVec3 a, IntVec3 b) {
       return a.z != b.z ? a.z < b.z : a.y != b.y ? a.y < b.y : a.x < b.x;
     };
-    const auto count = static_cast<std::size_t>(tiles[l].count());
+    const std::size_t count = tiles[l].count();
     state_.tiles[l].tiles.reserve(count);
     state_.idle[l].reserve(count);
     for_each_tile(tiles[l], [&](IntVec3 tile) {
@@ -242,18 +241,16 @@ bool Regridder::regrid_at_start(const Flags& flags) {
 }
 
 std::vector<GridBox> Regridder::boxes(int level) const {
-  const auto l = static_cast<std::size_t>(level);
-  if (level == 0 || !adaptive()) return levels_[l].boxes;
-  return boxes_of_tiles(layouts_[l], present_[l], ranks_, threads_, most_cells_);
+  if (level == 0 || !adaptive()) return levels_[level].boxes;
+  return boxes_of_tiles(layouts_[level], present_[level], ranks_, threads_, most_cells_);
 }
 
 std::int64_t Regridder::cells(int level) const {
-  const auto l = static_cast<std::size_t>(level);
-  return level == 0 || !adaptive() ? levels_[l].cell_count() : cells_[l];
+  return level == 0 || !adaptive() ? levels_[level].cell_count() : cells_[level];
 }
 
 IndexBox Regridder::tile_cells(int level, IntVec3 tile) const {
-  return layouts_[static_cast<std::size_t>(level)].cells(tile);
+  return layouts_[level].cells(tile);
 }
 
 }  // namespace sluice

@@ -62,7 +62,7 @@ class Regridder {
   // Cells of all tiles of a level.
   std::int64_t cells(int level) const;
   IndexBox tile_cells(int level, IntVec3 tile) const;
-  const TileLayout& layout(int level) const { return layouts_[static_cast<std::size_t>(level)]; }
+  const TileLayout& layout(int level) const { return layouts_[level]; }
 
  private:
   using Flags = std::vector<FlagField>;   // by level, of its cells

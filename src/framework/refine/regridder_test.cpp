@@ -19,7 +19,7 @@ struct Case {
   Regridder regridder() const { return {settings, levels, 1, 1}; }
   std::vector<FlagField> flags(int count) const {
     std::vector<FlagField> f;
-    for (int l = 0; l < count; ++l) f.emplace_back(levels[static_cast<std::size_t>(l)].domain);
+    for (int l = 0; l < count; ++l) f.emplace_back(levels[l].domain);
     return f;
   }
 };
@@ -34,7 +34,7 @@ Case make_case(IntVec3 coarse, int levels, IntVec3 ratio, IntVec3 tile,
   for (int d = 0; d < 3; ++d) mask[d] = coarse[d] > 1 ? 1 : 0;
   c.settings.stability_dilation = c.settings.min_boundary_cells = mask;
   c.settings.deletion_dilation = mask;
-  c.settings.tile.assign(static_cast<std::size_t>(levels), tile);
+  c.settings.tile.assign(levels, tile);
   IndexBox domain{{0, 0, 0}, coarse};
   for (int l = 0; l < levels; ++l) {
     Level level;
@@ -60,7 +60,7 @@ void expect_nested(const Case& c, const Regridder& r) {
       const IndexBox margin = coarsen(b, c.levels[l].ratio).grown(c.settings.min_boundary_cells);
       for_each_cell({IntVec3::all(-1), IntVec3::all(2)}, [&](IntVec3 image) {
         for (int d = 0; d < 3; ++d)
-          if (image[d] != 0 && !around.periodic[static_cast<std::size_t>(d)]) return;
+          if (image[d] != 0 && !around.periodic[d]) return;
         const IndexBox part =
             intersection(margin.shifted(image * around.domain.size()), around.domain);
         EXPECT_TRUE(part.empty() || below.covers(part)) << "level " << l;
@@ -139,8 +139,7 @@ TEST(Regridder, ThreeDimensionsAndEverywhere) {
   for (FlagField& f : flags) f.fill(f.domain());
   EXPECT_TRUE(r.regrid(2, flags));
   for (int l = 1; l < 3; ++l)
-    EXPECT_EQ(cells_of(r.boxes(l)),
-              (std::vector<IndexBox>{c.levels[static_cast<std::size_t>(l)].domain}));
+    EXPECT_EQ(cells_of(r.boxes(l)), (std::vector<IndexBox>{c.levels[l].domain}));
 }
 
 TEST(Regridder, BoxesCanBeLimited) {
@@ -312,7 +311,7 @@ TEST(Regridder, MirroredFlagsGiveMirroredTiles) {
   ASSERT_TRUE(r.regrid(1, flags));
   ASSERT_TRUE(m.regrid(1, mirrored));
   for (int l = 1; l < 3; ++l) {
-    const int end = c.levels[static_cast<std::size_t>(l)].domain.upper.x;
+    const int end = c.levels[l].domain.upper.x;
     const BoxFinder there(cells_of(m.boxes(l)));
     EXPECT_EQ(m.cells(l), r.cells(l));
     for (const IndexBox& b : cells_of(r.boxes(l)))

@@ -55,9 +55,8 @@ Restriction::Plan::Plan(const Level& coarse, const Level& fine, int rank)
     std::int64_t held = 0;
     finder.find(covered, found);
     for (const int n : found) {
-      const auto c = static_cast<std::size_t>(n);
       const Part part{
-          fine_number[f], coarse_number[c], intersection(covered, coarse.boxes[c].cells), {}};
+          fine_number[f], coarse_number[n], intersection(covered, coarse.boxes[n].cells), {}};
       held += part.cells.volume();
       if (part.fine >= 0 && part.coarse >= 0) {
         local_cells += part.cells.volume();
@@ -65,7 +64,7 @@ Restriction::Plan::Plan(const Level& coarse, const Level& fine, int rank)
           locals.push_back({part.fine, part.coarse, slab, {}});
       } else if (part.fine >= 0) {
         sends.push_back(part);
-        sends.back().piece = messages.add_send(coarse.boxes[c].owner, part.cells.volume());
+        sends.back().piece = messages.add_send(coarse.boxes[n].owner, part.cells.volume());
       } else if (part.coarse >= 0) {
         receives.push_back(part);
         receives.back().piece = messages.add_receive(box.owner, part.cells.volume());
@@ -95,14 +94,12 @@ void Restriction::run(const Warehouse& fine, Warehouse& coarse, const std::vecto
   p.messages.start(components);
   for (const Plan::Part& s : p.sends) {
     view_array(p.messages.outgoing(s.piece), s.cells, p.frame, components, p.packed);
-    operators.restrict_to(p.fine_views[static_cast<std::size_t>(s.fine)], p.packed, s.cells,
-                          p.geometry);
+    operators.restrict_to(p.fine_views[s.fine], p.packed, s.cells, p.geometry);
   }
   p.messages.send();
   const auto restrict_local = [&](std::size_t n, int) {
     const Plan::Part& l = p.locals[n];
-    operators.restrict_to(p.fine_views[static_cast<std::size_t>(l.fine)],
-                          p.coarse_views[static_cast<std::size_t>(l.coarse)], l.cells, p.geometry);
+    operators.restrict_to(p.fine_views[l.fine], p.coarse_views[l.coarse], l.cells, p.geometry);
   };
   if (team != nullptr && team->size() > 1 && p.local_cells >= 2 * most_cells)
     team->for_each(p.locals.size(), restrict_local);
@@ -111,7 +108,7 @@ void Restriction::run(const Warehouse& fine, Warehouse& coarse, const std::vecto
   p.messages.wait();
   for (const Plan::Part& r : p.receives) {
     view_array(p.messages.incoming(r.piece), r.cells, p.frame, components, p.packed);
-    copy_state(p.coarse_views[static_cast<std::size_t>(r.coarse)], r.cells, p.packed, {});
+    copy_state(p.coarse_views[r.coarse], r.cells, p.packed, {});
   }
 }
 

@@ -14,9 +14,8 @@ std::vector<int> divide(int coarse_cells, int tile_cells, int ratio) {
   const auto edge = [&](int t) {
     return static_cast<int>(static_cast<std::int64_t>(coarse_cells) * t / n);
   };
-  std::vector<int> edges(static_cast<std::size_t>(n) + 1);
-  for (int t = 0; t <= n; ++t)
-    edges[static_cast<std::size_t>(t)] = 2 * t <= n ? edge(t) : coarse_cells - edge(n - t);
+  std::vector<int> edges(n + 1);
+  for (int t = 0; t <= n; ++t) edges[t] = 2 * t <= n ? edge(t) : coarse_cells - edge(n - t);
   return edges;
 }
 
@@ -26,25 +25,24 @@ TileLayout::TileLayout(const Level& level, IntVec3 tile)
     : ratio_(level.ratio), lower_(level.domain.lower) {
   for (int d = 0; d < 3; ++d) {
     const int coarse = level.domain.size()[d] / ratio_[d];
-    auto& edges = edges_[static_cast<std::size_t>(d)];
+    auto& edges = edges_[d];
     edges = divide(coarse, tile[d], ratio_[d]);
     count_[d] = static_cast<int>(edges.size()) - 1;
   }
   const int width = edges_[0][1];
   if (width * count_.x == edges_[0].back() && (width & (width - 1)) == 0 && width <= 64)
     width_along_x_ = width;
-  tile_along_x_.resize(static_cast<std::size_t>(edges_[0].back()));
+  tile_along_x_.resize(edges_[0].back());
   for (int t = 0; t < count_.x; ++t)
-    std::fill(tile_along_x_.begin() + edges_[0][static_cast<std::size_t>(t)],
-              tile_along_x_.begin() + edges_[0][static_cast<std::size_t>(t) + 1], t);
+    std::fill(tile_along_x_.begin() + edges_[0][t], tile_along_x_.begin() + edges_[0][t + 1], t);
 }
 
 IndexBox TileLayout::cells(const IndexBox& tiles) const {
   IndexBox box;
   for (int d = 0; d < 3; ++d) {
-    const auto& edges = edges_[static_cast<std::size_t>(d)];
-    box.lower[d] = lower_[d] + edges[static_cast<std::size_t>(tiles.lower[d])] * ratio_[d];
-    box.upper[d] = lower_[d] + edges[static_cast<std::size_t>(tiles.upper[d])] * ratio_[d];
+    const auto& edges = edges_[d];
+    box.lower[d] = lower_[d] + edges[tiles.lower[d]] * ratio_[d];
+    box.upper[d] = lower_[d] + edges[tiles.upper[d]] * ratio_[d];
   }
   return box;
 }
@@ -69,7 +67,7 @@ void halve(const std::vector<Word>& cells, int width, Word* tiles, std::size_t t
   for (std::size_t w = 0; w < cells.size(); ++w) {
     Word v = cells[w];
     for (int done = 1; done < width; done *= 2) v = even_bits(v | v >> 1);
-    const std::size_t bit = w * static_cast<std::size_t>(a_word);
+    const std::size_t bit = w * a_word;
     if (bit / 64 < tile_words) tiles[bit / 64] |= v << (bit % 64);
   }
 }
@@ -84,9 +82,9 @@ void TileLayout::hold_row(const std::vector<Word>& cells, Word* tiles,
   }
   const int n = edges_[0].back();
   for (int x = next_flag(cells.data(), 0, n); x < n;) {
-    const int tile = tile_along_x_[static_cast<std::size_t>(x)];
+    const int tile = tile_along_x_[x];
     tiles[tile / 64] |= Word{1} << (tile % 64);
-    x = next_flag(cells.data(), edges_[0][static_cast<std::size_t>(tile) + 1], n);
+    x = next_flag(cells.data(), edges_[0][tile + 1], n);
   }
 }
 
@@ -101,10 +99,8 @@ FlagField TileLayout::holding(const FlagField& coarse_flags) const {
   for (int tz = 0; tz < count_.z; ++tz)
     for (int ty = 0; ty < count_.y; ++ty) {
       std::fill(joined.begin(), joined.end(), Word{0});
-      for (int z = edges_[2][static_cast<std::size_t>(tz)];
-           z < edges_[2][static_cast<std::size_t>(tz) + 1]; ++z)
-        for (int y = edges_[1][static_cast<std::size_t>(ty)];
-             y < edges_[1][static_cast<std::size_t>(ty) + 1]; ++y) {
+      for (int z = edges_[2][tz]; z < edges_[2][tz + 1]; ++z)
+        for (int y = edges_[1][ty]; y < edges_[1][ty + 1]; ++y) {
           const Word* row = coarse_flags.row(y, z);
           for (std::size_t w = 0; w < joined.size(); ++w) joined[w] |= row[w];
         }

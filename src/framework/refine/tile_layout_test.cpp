@@ -122,13 +122,13 @@ TEST(BoxesOfTiles, GiveEveryRankSome) {
       FlagField covered(IndexBox{{0, 0, 0}, {128, 128, 1}});
       std::set<int> owners;
       std::int64_t total = 0, most = 0;
-      std::vector<std::int64_t> load(static_cast<std::size_t>(ranks));
+      std::vector<std::int64_t> load(ranks);
       for (const GridBox& b : boxes_of_tiles(layout, tiles, ranks, threads)) {
         EXPECT_FALSE(covered.any(b.cells));
         covered.fill(b.cells);
         owners.insert(b.owner);
         total += b.cells.volume();
-        most = std::max(most, load[static_cast<std::size_t>(b.owner)] += b.cells.volume());
+        most = std::max(most, load[b.owner] += b.cells.volume());
       }
       EXPECT_EQ(total, cells);
       EXPECT_EQ(static_cast<std::int64_t>(owners.size()),

@@ -36,7 +36,7 @@ inline double number_of(IntVec3 c, int salt) {
 
 inline IntVec3 wrapped(const Level& level, IntVec3 c) {
   for (int d = 0; d < 3; ++d) {
-    if (!level.periodic[static_cast<std::size_t>(d)]) continue;
+    if (!level.periodic[d]) continue;
     const int n = level.domain.size()[d], low = level.domain.lower[d];
     c[d] = low + ((c[d] - low) % n + n) % n;
   }
@@ -75,7 +75,7 @@ struct Levels {
     coarse.domain = s.domain;
     fine.domain = refine(s.domain, s.ratio);
     coarse.periodic = fine.periodic = s.periodic;
-    for (int d = 0; d < 3; ++d) coarse.active[static_cast<std::size_t>(d)] = s.domain.size()[d] > 1;
+    for (int d = 0; d < 3; ++d) coarse.active[d] = s.domain.size()[d] > 1;
     fine.active = coarse.active;
     fine.ratio = s.ratio;
     set_boxes(coarse, s.coarse.empty() ? std::vector<IndexBox>{s.domain} : s.coarse,
@@ -104,8 +104,7 @@ class State {
       int component = 0;
       for (const int s : slots)
         for (int c = 0; c < warehouse.info(s).components; ++c)
-          f(warehouse.view(s, c, b), component++,
-            warehouse.local_boxes()[static_cast<std::size_t>(b)].cells);
+          f(warehouse.view(s, c, b), component++, warehouse.local_boxes()[b].cells);
     }
   }
   template <class F>
@@ -142,7 +141,7 @@ double prolonged(IntVec3 cell, const TransferGeometry& g, int order, F&& coarse)
   const IntVec3 below = coarsen(cell, g.ratio);
   double value = coarse(below);
   for (int d = 0; d < 3 && order > 0; ++d) {
-    if (!g.active[static_cast<std::size_t>(d)]) continue;
+    if (!g.active[d]) continue;
     const double slope = 0.5 * (coarse(below + unit(d)) - coarse(below - unit(d)));
     value += slope * ((cell[d] - below[d] * g.ratio[d] + 0.5) / g.ratio[d] - 0.5);
   }

@@ -20,7 +20,7 @@ int nearest_face(double x, const Level& level, int d, bool& clipped) {
 IndexBox cells_between(Vec3 low, Vec3 high, const Level& level, bool& clipped) {
   IndexBox cells = level.domain;
   for (int d = 0; d < 3; ++d) {
-    if (!level.active[static_cast<std::size_t>(d)]) continue;
+    if (!level.active[d]) continue;
     const bool outside = high[d] <= level.anchor[d] + level.domain.lower[d] * level.spacing[d] ||
                          low[d] >= level.anchor[d] + level.domain.upper[d] * level.spacing[d];
     if (outside) return {};
@@ -56,11 +56,11 @@ VolumeCells cells_at(const ControlVolume& rectangle, const Level& level) {
   VolumeCells v;
   v.cells = cells_between(low, high, level, v.clipped);
   if (outside) v.cells = {};
-  if (v.cells.empty() || !level.active[static_cast<std::size_t>(d)]) return v;
+  if (v.cells.empty() || !level.active[d]) return v;
   const bool last = face == level.domain.upper[d];
   v.cells.lower[d] = last ? face - 1 : face;
   v.cells.upper[d] = v.cells.lower[d] + 1;
-  v.sides[static_cast<std::size_t>(2 * d + (last ? 1 : 0))] = v.cells;
+  v.sides[2 * d + (last ? 1 : 0)] = v.cells;
   return v;
 }
 
@@ -74,7 +74,7 @@ VolumeCells cells_of(const ControlVolume& volume, const Level& coarsest) {
   for (std::size_t s = 0; s < 6 && !v.cells.empty(); ++s) {
     const int d = static_cast<int>(s) / 2;
     const VolumeSide& side = volume.sides[s];
-    if (!side.counts || !coarsest.active[static_cast<std::size_t>(d)]) continue;
+    if (!side.counts || !coarsest.active[d]) continue;
     v.sides[s] = layer(v.cells, d, s % 2 == 1);
     if (side.whole) continue;
     Vec3 low = side.start, high = side.end;
@@ -104,8 +104,7 @@ struct VolumeFaces::Builder {
 
   std::vector<int> images(int d) const {
     const int n = level.domain.size()[d];
-    return level.periodic[static_cast<std::size_t>(d)] ? std::vector<int>{0, n, -n}
-                                                       : std::vector<int>{0};
+    return level.periodic[d] ? std::vector<int>{0, n, -n} : std::vector<int>{0};
   }
   // Takes from `cells` those whose neighbour `by` cells further along d is among `others`.
   std::vector<IndexBox> without(const std::vector<IndexBox>& cells,
@@ -126,7 +125,7 @@ struct VolumeFaces::Builder {
            int image) const {
     for (const IndexBox& c : cells) {
       const std::ptrdiff_t begin = to.table_.add(box, axis, high, moved(c, d, -image));
-      to.side_of_.resize(static_cast<std::size_t>(begin + c.volume()), side);
+      to.side_of_.resize(begin + c.volume(), side);
     }
   }
   // Faces of a local box on the surface: `above`, the cells that have them as low faces.
@@ -164,7 +163,7 @@ VolumeFaces::VolumeFaces(const std::vector<VolumeCells>& volumes, const Level& c
   for (std::size_t v = 0; v < volumes.size(); ++v) {
     inside_.push_back(refine(volumes[v].cells, ratio));
     for (int s = 0; s < 6; ++s) {
-      const IndexBox side = refine(volumes[v].sides[static_cast<std::size_t>(s)], ratio);
+      const IndexBox side = refine(volumes[v].sides[s], ratio);
       if (side.empty()) continue;
       const int d = s / 2;
       int axis = 0;

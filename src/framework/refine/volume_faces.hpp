@@ -66,10 +66,10 @@ class VolumeFaces {
     return table_.cells_with_faces(box, axis, block);
   }
   int side_of(const FaceTable::Segment& s) const {  // 6 * volume + side
-    return side_of_[static_cast<std::size_t>(s.slot)];
+    return side_of_[s.slot];
   }
   // The cells of a volume on this level, also where there are none.
-  const IndexBox& inside(int volume) const { return inside_[static_cast<std::size_t>(volume)]; }
+  const IndexBox& inside(int volume) const { return inside_[volume]; }
   std::ptrdiff_t faces() const { return table_.faces(); }
 
  private:

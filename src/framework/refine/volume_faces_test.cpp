@@ -115,7 +115,7 @@ TEST(VolumeCells, ARectangleIsOneSideOfTheCellsNextToIt) {
     const VolumeCells found = cells_of(v, level);
     for (std::size_t other = 0; other < 6; ++other)
       EXPECT_EQ(found.sides[other].empty(), static_cast<int>(other) != s) << other;
-    return found.sides[static_cast<std::size_t>(s)];
+    return found.sides[s];
   };
   EXPECT_EQ(side(0, rectangle(0, {-1, -9, 0}, {-1, 9, 1})), (IndexBox{{0, 0, 0}, {1, 6, 1}}));
   EXPECT_EQ(side(0, rectangle(0, {0.1, 1, 0}, {0.1, 2, 1})), (IndexBox{{4, 2, 0}, {5, 4, 1}}));

@@ -27,7 +27,7 @@ bool check_ratio(IntVec3& ratio, std::size_t fine, const std::array<bool, 3>& ac
                  const Location& where, std::vector<Fault>& faults) {
   bool refines = false;
   for (int d = 0; d < 3; ++d) {
-    if (!active[static_cast<std::size_t>(d)]) {
+    if (!active[d]) {
       if (ratio[d] != 1)
         add_warning(
             faults, where,
@@ -64,7 +64,7 @@ std::vector<IndexBox> wrapped(const IndexBox& region, const IndexBox& domain,
   const IntVec3 n = domain.size();
   for_each_cell({IntVec3::all(-1), IntVec3::all(2)}, [&](IntVec3 image) {
     for (int d = 0; d < 3; ++d)
-      if (image[d] != 0 && !periodic[static_cast<std::size_t>(d)]) return;
+      if (image[d] != 0 && !periodic[d]) return;
     const IndexBox part = intersection(region.shifted(image * n), domain);
     if (!part.empty()) parts.push_back(part);
   });
@@ -101,7 +101,7 @@ bool check_tile(IntVec3& tile, IntVec3 ratio, IntVec3 cells, std::size_t level,
                 const std::array<bool, 3>& active, const Location& where,
                 std::vector<Fault>& faults) {
   for (int d = 0; d < 3; ++d) {
-    if (!active[static_cast<std::size_t>(d)]) {
+    if (!active[d]) {
       tile[d] = 1;
       continue;
     }

@@ -74,8 +74,8 @@ RegionMap::RegionMap(const BoundarySide& conditions, Side side, const Level& lev
   uniform_ = false;
   lower_a_ = level.domain.lower[a];
   lower_b_ = level.domain.lower[b];
-  size_a_ = static_cast<std::size_t>(size[a]);
-  regions_.assign(static_cast<std::size_t>(faces), 0);
+  size_a_ = size[a];
+  regions_.assign(faces, 0);
   for (int y = 0; y < size[b]; ++y)
     for (int x = 0; x < size[a]; ++x) {
       IntVec3 cell{};
@@ -84,8 +84,7 @@ RegionMap::RegionMap(const BoundarySide& conditions, Side side, const Level& lev
       const Vec3 p = level.centre(cell);
       for (std::size_t r = 1; r < conditions.regions.size(); ++r)
         if (conditions.regions[r].shape.contains(d, p)) {
-          regions_[static_cast<std::size_t>(x) + size_a_ * static_cast<std::size_t>(y)] =
-              static_cast<std::uint8_t>(r);
+          regions_[x + size_a_ * y] = static_cast<std::uint8_t>(r);
           ++counts_[r];
           --counts_[0];
           break;

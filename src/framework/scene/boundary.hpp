@@ -77,7 +77,7 @@ struct BoundarySide {
 struct BoundaryConditions {
   std::array<BoundarySide, 6> sides;
 
-  const BoundarySide& side(Side s) const { return sides[static_cast<std::size_t>(s)]; }
+  const BoundarySide& side(Side s) const { return sides[index_of(s)]; }
 };
 
 // A variable that needs a condition on every boundary face, for each of these materials.
@@ -98,9 +98,7 @@ class RegionMap {
 
   // Transverse cell indices in rising order of direction: (j,k), (i,k) or (i,j).
   int region(int a, int b) const {
-    return uniform_ ? 0
-                    : regions_[static_cast<std::size_t>(a - lower_a_) +
-                               static_cast<std::size_t>(b - lower_b_) * size_a_];
+    return uniform_ ? 0 : regions_[a - lower_a_ + (b - lower_b_) * size_a_];
   }
   bool uniform() const { return uniform_; }  // region 0 everywhere
   // How many boundary cells of the domain belong to each region.

@@ -29,7 +29,7 @@ IntVec3 factorise(IntVec3 size, int count, const std::array<bool, 3>& flatten) {
   for (int f : prime_factors(count)) {
     int best = -1;
     for (const int d : order) {
-      if (flatten[static_cast<std::size_t>(d)] || size[d] / pieces[d] < f) continue;
+      if (flatten[d] || size[d] / pieces[d] < f) continue;
       if (best < 0 || size[d] / pieces[d] > size[best] / pieces[best]) best = d;
     }
     if (best < 0) return {0, 0, 0};
@@ -46,7 +46,7 @@ IntVec3 pieces_for(IntVec3 size, int count, const std::array<bool, 3>& flatten) 
   }
   IntVec3 all{1, 1, 1};
   for (int d = 0; d < 3; ++d)
-    if (!flatten[static_cast<std::size_t>(d)]) all[d] = std::min(size[d], count);
+    if (!flatten[d]) all[d] = std::min(size[d], count);
   return all;
 }
 

@@ -47,7 +47,6 @@ ActiveDirection judge(int d, const GridSettings& grid, const BoundaryConditions&
                       const DirectionFacts& facts) {
   const LevelSettings& level = grid.levels.front();
   const Location& box = level.boxes.front().where;
-  const auto i = static_cast<std::size_t>(d);
   const int cells = cells_in(grid, d);
   if (cells > 1) return stays(fmt::format("{} cells", cells), box);
   for (const LevelSettings& l : grid.levels)
@@ -73,12 +72,12 @@ ActiveDirection judge(int d, const GridSettings& grid, const BoundaryConditions&
   if (facts.gravity[d] != 0)
     return stays(fmt::format("one cell between {} faces, but gravity acts along it", between),
                  where);
-  if (facts.moving[i] && symmetric)
+  if (facts.moving[d] && symmetric)
     return stays("one cell between symmetric faces, but a velocity along it is not zero",
-                 facts.moving_where[i]);
+                 facts.moving_where[d]);
   if (facts.force_all)
     return stays(fmt::format("one cell between {} faces; forced", between), where);
-  return {false, facts.moving[i] ? VelocityComponent::carried : VelocityComponent::dropped,
+  return {false, facts.moving[d] ? VelocityComponent::carried : VelocityComponent::dropped,
           fmt::format("one cell between {} faces", between), where};
 }
 

@@ -42,8 +42,8 @@ std::array<ActiveDirection, 3> judge(const std::string& cells, const std::string
 
 DirectionFacts moving(int d) {
   DirectionFacts facts;
-  facts.moving[static_cast<std::size_t>(d)] = true;
-  facts.moving_where[static_cast<std::size_t>(d)] = {"deck.ups", 99, 1};
+  facts.moving[d] = true;
+  facts.moving_where[d] = {"deck.ups", 99, 1};
   return facts;
 }
 

@@ -22,8 +22,7 @@ namespace {
 [[noreturn]] void fail(const std::string& text, int at, const std::string& what) {
   std::string message = fmt::format("formula: {}", what);
   if (at < 0) throw InputError(fmt::format("{}: '{}'", message, text));
-  message += fmt::format(" at character {}\n  {}\n  {}^", at + 1, text,
-                         std::string(static_cast<std::size_t>(at), ' '));
+  message += fmt::format(" at character {}\n  {}\n  {}^", at + 1, text, std::string(at, ' '));
   throw InputError(message);
 }
 

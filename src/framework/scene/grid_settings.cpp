@@ -116,7 +116,7 @@ void read_patches(const DeckNode& node, BoxSettings& box, std::vector<Fault>& fa
     if (box.auto_patch < 1)
       add_error(faults, automatic->where, "autoPatch: patches per rank must be at least 1");
     if (const std::optional<Vec3> flatten = vector_attribute(*automatic, "flatten"))
-      for (int d = 0; d < 3; ++d) box.flatten[static_cast<std::size_t>(d)] = (*flatten)[d] != 0;
+      for (int d = 0; d < 3; ++d) box.flatten[d] = (*flatten)[d] != 0;
   }
   for (int d = 0; d < 3; ++d)
     if (box.patches[d] < 1)

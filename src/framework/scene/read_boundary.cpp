@@ -210,7 +210,7 @@ class BoundaryReader {
       : level_(level), materials_(materials), strict_(strict), faults_(faults) {
     for (Side s : all_sides) {
       BoundarySide& side = at(s);
-      side.periodic = level.periodic[static_cast<std::size_t>(direction_of(s))];
+      side.periodic = level.periodic[direction_of(s)];
       if (side.periodic) continue;
       side.regions.emplace_back();
       side.regions.front().name = fmt::format("side {}", name_of(s));
@@ -229,7 +229,7 @@ class BoundaryReader {
   BoundaryConditions take() { return std::move(result_); }
 
  private:
-  BoundarySide& at(Side s) { return result_.sides[static_cast<std::size_t>(s)]; }
+  BoundarySide& at(Side s) { return result_.sides[index_of(s)]; }
 
   void read_face(const DeckNode& face, std::string_view shape_name, Side side) {
     if (at(side).periodic)

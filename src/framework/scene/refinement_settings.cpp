@@ -26,7 +26,7 @@ const Location& place_of(const DeckNode& parent, std::string_view child) {
 // Only dimensions of the run are widened.
 IntVec3 masked(IntVec3 cells, const Active& active) {
   for (int d = 0; d < 3; ++d)
-    if (!active[static_cast<std::size_t>(d)]) cells[d] = 0;
+    if (!active[d]) cells[d] = 0;
   return cells;
 }
 
@@ -46,7 +46,7 @@ void check_dilation(const DeckNode& node, const Active& active, RefinementSettin
                     std::vector<Fault>& faults) {
   int least = -1;
   for (int d = 0; d < 3; ++d) {
-    if (!active[static_cast<std::size_t>(d)]) continue;
+    if (!active[d]) continue;
     if (least < 0 || s.stability_dilation[d] < least) least = s.stability_dilation[d];
     if (s.stability_dilation[d] == 0)
       add_warning(faults, place_of(node, "cell_stability_dilation"),
@@ -104,7 +104,7 @@ bool read_lists(const DeckNode& node, const Active& active, bool tiled, Adaptive
   } else if (const DeckNode* one = node.child("simple_refinement_ratio")) {
     IntVec3 ratio{1, 1, 1};
     for (int d = 0; d < 3; ++d)
-      if (active[static_cast<std::size_t>(d)]) ratio[d] = one->as_integer();
+      if (active[d]) ratio[d] = one->as_integer();
     levels.ratios = {ratio};
     levels.ratio_where = one->where;
   }

@@ -45,10 +45,9 @@ bool is_zero(const std::string& formula) {
 
 void note_velocity(Vec3 velocity, const Location& where, DirectionFacts& facts) {
   for (int d = 0; d < 3; ++d) {
-    const auto i = static_cast<std::size_t>(d);
-    if (velocity[d] == 0 || facts.moving[i]) continue;
-    facts.moving[i] = true;
-    facts.moving_where[i] = where;
+    if (velocity[d] == 0 || facts.moving[d]) continue;
+    facts.moving[d] = true;
+    facts.moving_where[d] = where;
   }
 }
 

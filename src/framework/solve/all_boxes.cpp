@@ -37,9 +37,8 @@ AllBoxes::AllBoxes(const Level& level, const ConstBoxViews& own) {
   received_ = world().gather_to_all(bytes);
   std::vector<std::size_t> read(received_.size(), 0);
   for (const GridBox& b : level.boxes) {
-    const auto owner = static_cast<std::size_t>(b.owner);
-    std::vector<double>& numbers =
-        numbers_.emplace_back(static_cast<std::size_t>(b.cells.volume()));
+    const std::size_t owner = b.owner;
+    std::vector<double>& numbers = numbers_.emplace_back(b.cells.volume());
     const std::size_t size = numbers.size() * sizeof(double);
     std::memcpy(numbers.data(), received_.at(owner).data() + read[owner], size);
     read[owner] += size;

@@ -31,7 +31,7 @@ RealView view_of(double* numbers, const IndexBox& box) {
 
 BoxArrays::BoxArrays(const std::vector<IndexBox>& boxes) {
   for (const IndexBox& box : boxes) {
-    memory_.emplace_back(static_cast<std::size_t>(box.volume()), 0.0);
+    memory_.emplace_back(box.volume(), 0.0);
     views_.push_back(packed(memory_.back().data(), box));
   }
 }

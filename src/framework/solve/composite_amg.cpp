@@ -70,12 +70,12 @@ void CompositeAmg::number_unknowns(const CompositeSystem& system) {
     std::vector<HYPRE_BigInt>& number = number_.emplace_back(shape.size(), no_unknown);
     std::vector<std::ptrdiff_t>& places = places_.emplace_back();
     for_cells(shape, [&](std::ptrdiff_t c, const std::array<int, 3>&) {
-      if (is_unknown[static_cast<std::size_t>(c)] == 0) return;
-      number[static_cast<std::size_t>(c)] = next++;
+      if (is_unknown[c] == 0) return;
+      number[c] = next++;
       places.push_back(c);
     });
   }
-  numbers_.resize(static_cast<std::size_t>(next));
+  numbers_.resize(next);
   std::iota(numbers_.begin(), numbers_.end(), HYPRE_BigInt{0});
   values_.resize(numbers_.size());
 }
@@ -89,23 +89,23 @@ void CompositeAmg::add(HYPRE_BigInt row, HYPRE_Int n, const HYPRE_BigInt* column
 // A cell with its neighbours on its own level.
 void CompositeAmg::add_row(const DenseSystem& rows, const std::vector<HYPRE_BigInt>& number,
                            std::ptrdiff_t c, const std::array<int, 3>& cell) {
-  const HYPRE_BigInt row = number[static_cast<std::size_t>(c)];
+  const HYPRE_BigInt row = number[c];
   if (row == no_unknown) return;
   const DenseShape& shape = rows.shape();
   std::array<HYPRE_BigInt, 7> columns{row};
-  std::array<double, 7> values{rows.diagonal()[static_cast<std::size_t>(c)]};
+  std::array<double, 7> values{rows.diagonal()[c]};
   HYPRE_Int n = 1;
   for (int d = 0; d < 3; ++d) {
-    const int count = shape.count[static_cast<std::size_t>(d)];
+    const int count = shape.count[d];
     for (int side = 0; side < 2 && count > 1; ++side) {
-      const double low = rows.low(d)[static_cast<std::size_t>(c + side * shape.stride(d))];
+      const double low = rows.low(d)[c + side * shape.stride(d)];
       if (low == 0) continue;
       std::array<int, 3> other = cell;
-      int& along = other[static_cast<std::size_t>(d)];
+      int& along = other[d];
       along = (along + (side == 0 ? -1 : 1) + count) % count;
-      const auto place = static_cast<std::size_t>(shape.at(other[0], other[1], other[2]));
-      columns[static_cast<std::size_t>(n)] = number[place];
-      values[static_cast<std::size_t>(n++)] = low;
+      const std::size_t place = shape.at(other[0], other[1], other[2]);
+      columns[n] = number[place];
+      values[n++] = low;
     }
   }
   add(row, n, columns.data(), values.data());
@@ -125,8 +125,8 @@ void CompositeAmg::fill(const CompositeSystem& system) {
     });
   system.for_interfaces(
       [&](std::size_t level, std::ptrdiff_t fine, std::ptrdiff_t coarse, double weight) {
-        const HYPRE_BigInt f = number_[level][static_cast<std::size_t>(fine)];
-        const HYPRE_BigInt c = number_[level - 1][static_cast<std::size_t>(coarse)];
+        const HYPRE_BigInt f = number_[level][fine];
+        const HYPRE_BigInt c = number_[level - 1][coarse];
         const std::array<HYPRE_BigInt, 2> columns{c, f};
         const std::array<double, 2> values{weight, -weight};
         if (f != no_unknown) add(f, 1, &c, &values[1]);
@@ -138,7 +138,7 @@ void CompositeAmg::fill(const CompositeSystem& system) {
 void CompositeAmg::apply(const CompositeVector& r, CompositeVector& z) {
   std::size_t n = 0;
   for (std::size_t l = 0; l < places_.size(); ++l)
-    for (const std::ptrdiff_t c : places_[l]) values_[n++] = r[l][static_cast<std::size_t>(c)];
+    for (const std::ptrdiff_t c : places_[l]) values_[n++] = r[l][c];
   put(b_);
   std::fill(values_.begin(), values_.end(), 0.0);
   put(x_);
@@ -151,7 +151,7 @@ void CompositeAmg::apply(const CompositeVector& r, CompositeVector& z) {
   n = 0;
   for (std::size_t l = 0; l < places_.size(); ++l) {
     std::fill(z[l].begin(), z[l].end(), 0.0);
-    for (const std::ptrdiff_t c : places_[l]) z[l][static_cast<std::size_t>(c)] = values_[n++];
+    for (const std::ptrdiff_t c : places_[l]) z[l][c] = values_[n++];
   }
 }
 

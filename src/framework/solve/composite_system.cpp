@@ -32,13 +32,10 @@ struct WholeLevel {
   }
   // Of cell `c`, which the level has: across its low (side 0) or high face.
   double& across(int side, int d, IntVec3 c) const {
-    const auto box = static_cast<std::size_t>(map.box_of(c));
-    return face[static_cast<std::size_t>(side)][static_cast<std::size_t>(d)].views()[box](
-        map.image(c));
+    const std::size_t box = map.box_of(c);
+    return face[side][d].views()[box](map.image(c));
   }
-  double& of_itself(IntVec3 c) const {
-    return own.views()[static_cast<std::size_t>(map.box_of(c))](map.image(c));
-  }
+  double& of_itself(IntVec3 c) const { return own.views()[map.box_of(c)](map.image(c)); }
 
   const Level& level;
   CellMap map;
@@ -125,18 +122,17 @@ class LevelRows {
     all = from_.own.views()[b](cell);
     own = under ? 1.0 : all;
     for (int d = 0; d < 3; ++d) {
-      const auto n = static_cast<std::size_t>(d);
-      if (!level.active[n]) continue;
+      if (!level.active[d]) continue;
       for (const int side : {0, 1}) {
-        const double w = from_.face[side][n].views()[b](cell);
+        const double w = from_.face[side][d].views()[b](cell);
         IntVec3 next = cell;
         next[d] += side == 0 ? -1 : 1;
         if (from_.map.has(next)) {
           all += w;
-          if (side == 0) whole.low[n].views()[b](cell) = -w;
+          if (side == 0) whole.low[d].views()[b](cell) = -w;
           if (under || covered(next)) continue;
           own += w;
-          if (side == 0) rows.low[n].views()[b](cell) = -w;
+          if (side == 0) rows.low[d].views()[b](cell) = -w;
         } else if (!from_.map.in_domain(next)) {
           all += w;
           if (!under) own += w;
@@ -212,7 +208,7 @@ std::int64_t CompositeSystem::unknowns() const {
 
 DenseVector CompositeSystem::unknowns_of(std::size_t level) const {
   DenseVector found = levels_[level].rows.ones();
-  for (const std::ptrdiff_t c : levels_[level].covered) found[static_cast<std::size_t>(c)] = 0;
+  for (const std::ptrdiff_t c : levels_[level].covered) found[c] = 0;
   return found;
 }
 
@@ -225,7 +221,7 @@ CompositeVector CompositeSystem::vector() const {
 void CompositeSystem::load(std::size_t level, const ConstBoxViews& boxes,
                            CompositeVector& v) const {
   levels_[level].rows.load(boxes, v[level]);
-  for (const std::ptrdiff_t c : levels_[level].covered) v[level][static_cast<std::size_t>(c)] = 0.0;
+  for (const std::ptrdiff_t c : levels_[level].covered) v[level][c] = 0.0;
 }
 
 void CompositeSystem::store(const CompositeVector& v, std::size_t level,
@@ -235,7 +231,7 @@ void CompositeSystem::store(const CompositeVector& v, std::size_t level,
 
 void CompositeSystem::clear_covered(CompositeVector& v) const {
   for (std::size_t l = 0; l < levels_.size(); ++l)
-    for (const std::ptrdiff_t c : levels_[l].covered) v[l][static_cast<std::size_t>(c)] = 0.0;
+    for (const std::ptrdiff_t c : levels_[l].covered) v[l][c] = 0.0;
 }
 
 void CompositeSystem::gather(const CompositeVector& v, std::size_t level,
@@ -244,8 +240,7 @@ void CompositeSystem::gather(const CompositeVector& v, std::size_t level,
   for (std::size_t l = levels_.size() - 1; l > level; --l) {
     const LevelPart& fine = levels_[l];
     for (std::size_t n = 0; n < fine.cells.size(); ++n)
-      sums[l - 1][static_cast<std::size_t>(fine.parents[n])] +=
-          sums[l][static_cast<std::size_t>(fine.cells[n])];
+      sums[l - 1][fine.parents[n]] += sums[l][fine.cells[n]];
   }
 }
 
@@ -253,8 +248,7 @@ void CompositeSystem::spread(CompositeVector& v, std::size_t level) const {
   for (std::size_t l = level + 1; l < levels_.size(); ++l) {
     const LevelPart& fine = levels_[l];
     for (std::size_t n = 0; n < fine.cells.size(); ++n)
-      v[l][static_cast<std::size_t>(fine.cells[n])] =
-          v[l - 1][static_cast<std::size_t>(fine.parents[n])];
+      v[l][fine.cells[n]] = v[l - 1][fine.parents[n]];
   }
 }
 
@@ -263,8 +257,7 @@ void CompositeSystem::cover(CompositeVector& v) const {
   for (std::size_t l = levels_.size() - 1; l > 0; --l) {
     const LevelPart& fine = levels_[l];
     for (std::size_t n = 0; n < fine.cells.size(); ++n)
-      v[l - 1][static_cast<std::size_t>(fine.parents[n])] +=
-          v[l][static_cast<std::size_t>(fine.cells[n])] / fine.children;
+      v[l - 1][fine.parents[n]] += v[l][fine.cells[n]] / fine.children;
   }
 }
 
@@ -272,8 +265,7 @@ void CompositeSystem::apply(CompositeVector& x, CompositeVector& y) const {
   for (std::size_t l = 0; l < levels_.size(); ++l) levels_[l].rows.apply(x[l], y[l]);
   for (std::size_t l = 1; l < levels_.size(); ++l)
     for (const Interface& f : levels_[l].interfaces) {
-      const auto fine = static_cast<std::size_t>(f.fine),
-                 coarse = static_cast<std::size_t>(f.coarse);
+      const std::size_t fine = f.fine, coarse = f.coarse;
       y[l][fine] -= f.weight * x[l - 1][coarse];
       y[l - 1][coarse] += f.weight * (x[l - 1][coarse] - x[l][fine]);
     }

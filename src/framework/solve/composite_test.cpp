@@ -53,23 +53,22 @@ std::vector<LevelCoefficients> coefficients(const std::vector<Level>& levels, do
       x[d] += 0.5 * side * l.spacing[d];
       double r2 = 0;
       for (int e = 0; e < 3; ++e)
-        if (l.active[static_cast<std::size_t>(e)]) r2 += (x[e] - 0.4) * (x[e] - 0.4);
+        if (l.active[e]) r2 += (x[e] - 0.4) * (x[e] - 0.4);
       return r2 < 0.09 ? jump : 1.0;
     };
     for (std::size_t b = 0; b < l.boxes.size(); ++b)
       for_each_cell(l.boxes[b].cells, [&](IntVec3 cell) {
         c.own.views()[b](cell) = own * l.cell_volume();
         for (int d = 0; d < 3; ++d) {
-          if (!l.active[static_cast<std::size_t>(d)]) continue;
+          if (!l.active[d]) continue;
           const double per_dx2 = l.cell_volume() / (l.spacing[d] * l.spacing[d]);
-          const auto n = static_cast<std::size_t>(d);
           // Dirichlet on the sides: half a cell away.
           const auto at_side = [&](int side) {
             const int end = side < 0 ? l.domain.lower[d] : l.domain.upper[d] - 1;
             return cell[d] == end ? 2.0 : 1.0;
           };
-          c.low[n].views()[b](cell) = beta(cell, d, -1) * per_dx2 * at_side(-1);
-          c.high[n].views()[b](cell) = beta(cell, d, 1) * per_dx2 * at_side(1);
+          c.low[d].views()[b](cell) = beta(cell, d, -1) * per_dx2 * at_side(-1);
+          c.high[d].views()[b](cell) = beta(cell, d, 1) * per_dx2 * at_side(1);
         }
       });
   }

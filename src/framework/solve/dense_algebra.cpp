@@ -33,7 +33,7 @@ class Collected {
 
  private:
   void flush() {
-    sum_.add(numbers_, static_cast<std::size_t>(held_));
+    sum_.add(numbers_, held_);
     held_ = 0;
   }
   static constexpr int block = 1024;
@@ -114,7 +114,7 @@ double DenseSystem::norm(const DenseVector& v, Norm kind) const {
   double largest = 0;
   for_rows([&](std::ptrdiff_t row) {
     for (std::ptrdiff_t c = row; c < row + shape_.count[0]; ++c) {
-      const double size = std::fabs(v[static_cast<std::size_t>(c)]);
+      const double size = std::fabs(v[c]);
       if (size > largest || std::isnan(size)) largest = size;  // a NaN wins and stays
     }
   });

@@ -16,13 +16,8 @@ struct DenseShape {
   std::ptrdiff_t row() const { return count[0] + 2; }
   std::ptrdiff_t slice() const { return row() * (count[1] + 2); }
   std::ptrdiff_t stride(int d) const { return d == 0 ? 1 : d == 1 ? row() : deep() ? slice() : 0; }
-  std::size_t size() const {
-    return static_cast<std::size_t>(slice() * (deep() ? count[2] + 2 : 1));
-  }
-  std::size_t cells() const {
-    return static_cast<std::size_t>(count[0]) * static_cast<std::size_t>(count[1]) *
-           static_cast<std::size_t>(count[2]);
-  }
+  std::size_t size() const { return slice() * (deep() ? count[2] + 2 : 1); }
+  std::size_t cells() const { return static_cast<std::size_t>(count[0]) * count[1] * count[2]; }
   std::ptrdiff_t at(int i, int j, int k) const {
     return i + 1 + row() * (j + 1) + (deep() ? slice() * (k + 1) : 0);
   }

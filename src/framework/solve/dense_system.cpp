@@ -63,7 +63,7 @@ DenseSystem::DenseSystem(const CellMatrix& matrix)
   slabs_ = Slabs::of_ranks(shape_);
   clear_rows();
   load(constant(matrix.diagonal()), diagonal_);
-  for (int d = 0; d < 3; ++d) load(low[static_cast<std::size_t>(axis_[d])], low_[d]);
+  for (int d = 0; d < 3; ++d) load(low[axis_[d]], low_[d]);
   finish();
 }
 
@@ -79,7 +79,7 @@ DenseSystem::DenseSystem(const Level& level, const ConstBoxViews& diagonal,
   clear_rows();
   for (const ConstRealView& part : diagonal) put(part, diagonal_);
   for (int d = 0; d < 3; ++d)
-    for (const ConstRealView& part : low[static_cast<std::size_t>(axis_[d])]) put(part, low_[d]);
+    for (const ConstRealView& part : low[axis_[d]]) put(part, low_[d]);
   finish();
 }
 
@@ -96,8 +96,7 @@ void DenseSystem::finish() {
   present_.assign(shape_.size(), 0);
   for (const GridBox& box : level_->boxes)
     for_part(box.cells, [&](IntVec3, std::ptrdiff_t place, std::ptrdiff_t stride) {
-      for (int i = 0; i < box.cells.size().x; ++i)
-        present_[static_cast<std::size_t>(place + stride * i)] = 1;
+      for (int i = 0; i < box.cells.size().x; ++i) present_[place + stride * i] = 1;
     });
   wrap(shape_, present_.data());
   for_cells([&](std::size_t c) {
@@ -120,13 +119,12 @@ void DenseSystem::choose_directions(const std::array<double, 3>& couplings) {
   std::stable_sort(axis_.begin(), axis_.end(),
                    [&](int a, int b) { return (size[a] > 1) > (size[b] > 1); });
   const int active = (size.x > 1) + (size.y > 1) + (size.z > 1);
-  const auto strongest = std::max_element(axis_.begin(), axis_.end(), [&](int a, int b) {
-    return couplings[static_cast<std::size_t>(a)] < couplings[static_cast<std::size_t>(b)];
-  });
-  const double most = couplings[static_cast<std::size_t>(*strongest)];
+  const auto strongest = std::max_element(
+      axis_.begin(), axis_.end(), [&](int a, int b) { return couplings[a] < couplings[b]; });
+  const double most = couplings[*strongest];
   double next = 0;
   for (const int a : axis_)
-    if (a != *strongest) next = std::max(next, couplings[static_cast<std::size_t>(a)]);
+    if (a != *strongest) next = std::max(next, couplings[a]);
   if (active == 1) {
     std::swap(axis_[0], axis_[1]);
   } else if (most > reorder_ratio * next && strongest != axis_.begin() + 1) {
@@ -139,8 +137,7 @@ void DenseSystem::take_shape() {
   for (int d = 0; d < 3; ++d) {
     const int a = axis_[d];
     shape_.count[d] = size[a];
-    shape_.periodic[d] = level_->periodic[static_cast<std::size_t>(a)] && size[a] > 1 &&
-                         size[a] == level_->domain.size()[a];
+    shape_.periodic[d] = level_->periodic[a] && size[a] > 1 && size[a] == level_->domain.size()[a];
   }
 }
 
@@ -170,7 +167,7 @@ std::string DenseSystem::cell_name(std::ptrdiff_t c) const {
 }
 
 std::string DenseSystem::fault_of_row(std::ptrdiff_t c) const {
-  const auto n = static_cast<std::size_t>(c);
+  const std::size_t n = c;
   for (int d = 0; d < 3; ++d) {
     if (std::isfinite(low_[d][n])) continue;
     return fmt::format(
@@ -199,7 +196,7 @@ void DenseSystem::need_none(const std::string& own) const {
 // A periodic direction of one cell: both neighbours are the cell itself.
 void DenseSystem::fold_own_neighbours() {
   for (int d = 0; d < 3; ++d) {
-    if (shape_.count[d] > 1 || !level_->periodic[static_cast<std::size_t>(axis_[d])]) continue;
+    if (shape_.count[d] > 1 || !level_->periodic[axis_[d]]) continue;
     if (level_->domain.size()[axis_[d]] != 1) continue;
     for (std::size_t c = 0; c < diagonal_.size(); ++c)
       diagonal_[c] += 2 * std::exchange(low_[d][c], 0.0);
@@ -210,7 +207,7 @@ std::string DenseSystem::fault_of_neighbours() const {
   std::string fault;
   for_cells([&](std::size_t c) {
     for (int d = 0; d < 3 && fault.empty(); ++d) {
-      const std::size_t below = c - static_cast<std::size_t>(shape_.stride(d));
+      const std::size_t below = c - shape_.stride(d);
       const bool there = below != c && present_[below] != 0;
       if (there || low_[d][c] == 0) continue;
       fault = fmt::format(
@@ -225,15 +222,14 @@ std::string DenseSystem::fault_of_neighbours() const {
 DenseEquations DenseSystem::equations() const {
   DenseEquations e(shape_, slabs_);
   for (int d = 0; d < 3; ++d)
-    for_places(shape_, slabs_,
-               [&](std::size_t c) { e.low[static_cast<std::size_t>(d)][c] = 0.0 - low_[d][c]; });
+    for_places(shape_, slabs_, [&](std::size_t c) { e.low[d][c] = 0.0 - low_[d][c]; });
   if (singular_) return e;
   for_cells([&](std::size_t c) {
     if (present_[c] == 0) return;
     double sum = diagonal_[c];
     for (int d = 0; d < 3; ++d) {
       if (shape_.count[d] == 1) continue;
-      sum += low_[d][c] + low_[d][c + static_cast<std::size_t>(shape_.stride(d))];
+      sum += low_[d][c] + low_[d][c + shape_.stride(d)];
     }
     e.sum[c] = sum;
   });

@@ -77,8 +77,7 @@ class DenseSystem {
   template <class F>
   void for_cells(F&& cell) const {
     for_rows([&](std::ptrdiff_t row) {
-      for (std::ptrdiff_t c = row; c < row + shape_.count[0]; ++c)
-        cell(static_cast<std::size_t>(c));
+      for (std::ptrdiff_t c = row; c < row + shape_.count[0]; ++c) cell(c);
     });
   }
 

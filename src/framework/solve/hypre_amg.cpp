@@ -120,19 +120,19 @@ void HypreAmgSolver::fill_matrix(const DenseSystem& system) {
   for (int k = from[2]; k <= to[2]; ++k)
     for (int j = from[1]; j <= to[1]; ++j)
       for (int i = from[0]; i <= to[0]; ++i) {
-        const auto c = static_cast<std::size_t>(shape.at(i, j, k));
+        const std::size_t c = shape.at(i, j, k);
         const HYPRE_BigInt row = number({i, j, k});
         std::array<HYPRE_BigInt, 7> columns{row};
         std::array<double, 7> values{system.diagonal()[c]};
         HYPRE_Int n = 1;
         for (int d = 0; d < slab_.dimensions(); ++d) {
           for (const int side : {0, 1}) {
-            const std::size_t at = c + static_cast<std::size_t>(side * shape.stride(d));
+            const std::size_t at = c + side * shape.stride(d);
             if (system.low(d)[at] == 0) continue;
             std::array<int, 3> other{i, j, k};
-            other[static_cast<std::size_t>(d)] += side == 0 ? -1 : 1;
-            columns[static_cast<std::size_t>(n)] = number(other);
-            values[static_cast<std::size_t>(n++)] = system.low(d)[at];
+            other[d] += side == 0 ? -1 : 1;
+            columns[n] = number(other);
+            values[n++] = system.low(d)[at];
           }
         }
         check_hypre(
@@ -167,7 +167,7 @@ void HypreAmgSolver::make_solvers() {
 
 void HypreAmgSolver::put(HYPRE_IJVector to, const DenseVector& v) {
   double* next = numbers_.data();
-  slab_.for_cells([&](std::ptrdiff_t c) { *next++ = v[static_cast<std::size_t>(c)]; });
+  slab_.for_cells([&](std::ptrdiff_t c) { *next++ = v[c]; });
   check_hypre(HYPRE_IJVectorInitialize(to), "IJVectorInitialize");
   check_hypre(HYPRE_IJVectorSetValues(to, static_cast<HYPRE_Int>(rows_.size()), rows_.data(),
                                       numbers_.data()),

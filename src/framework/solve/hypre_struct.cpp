@@ -63,7 +63,7 @@ void HypreStructSolver::prepare(const DenseSystem& system) {
               "StructStencilCreate");
   for (int entry = 0; entry <= dimensions; ++entry) {
     std::array<int, 3> offset{};
-    if (entry > 0) offset[static_cast<std::size_t>(entry - 1)] = -1;
+    if (entry > 0) offset[entry - 1] = -1;
     check_hypre(HYPRE_StructStencilSetElement(stencil_.get(), entry, offset.data()),
                 "StructStencilSetElement");
   }
@@ -116,7 +116,7 @@ void HypreStructSolver::fill_matrix(const DenseSystem& system) {
   for (int entry = 0; entry <= slab_.dimensions() && !slab_.empty(); ++entry) {
     const DenseVector& from = entry == 0 ? system.diagonal() : system.low(entry - 1);
     double* next = numbers_.data();
-    slab_.for_cells([&](std::ptrdiff_t c) { *next++ = from[static_cast<std::size_t>(c)]; });
+    slab_.for_cells([&](std::ptrdiff_t c) { *next++ = from[c]; });
     check_hypre(HYPRE_StructMatrixSetBoxValues(matrix_.get(), lower.data(), upper.data(), 1, &entry,
                                                numbers_.data()),
                 "StructMatrixSetBoxValues");
@@ -126,7 +126,7 @@ void HypreStructSolver::fill_matrix(const DenseSystem& system) {
 
 void HypreStructSolver::put(HYPRE_StructVector to, const DenseVector& v) {
   double* next = numbers_.data();
-  slab_.for_cells([&](std::ptrdiff_t c) { *next++ = v[static_cast<std::size_t>(c)]; });
+  slab_.for_cells([&](std::ptrdiff_t c) { *next++ = v[c]; });
   std::array<int, 3> lower = slab_.lower(), upper = slab_.upper();
   if (!slab_.empty())
     check_hypre(HYPRE_StructVectorSetBoxValues(to, lower.data(), upper.data(), numbers_.data()),

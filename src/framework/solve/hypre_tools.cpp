@@ -13,7 +13,7 @@ namespace {
 
 Slab slab_of_rank(const DenseShape& shape, int rank) {
   const int direction = shape.deep() ? 2 : 1;
-  const std::int64_t n = shape.count[static_cast<std::size_t>(direction)];
+  const std::int64_t n = shape.count[direction];
   const int ranks = world().size();
   return {direction, static_cast<int>(n * rank / ranks), static_cast<int>(n * (rank + 1) / ranks),
           shape};
@@ -54,24 +54,24 @@ std::string take_hypre_failure() {
 
 std::array<int, 3> Slab::lower() const {
   std::array<int, 3> cell{};
-  cell[static_cast<std::size_t>(direction)] = begin;
+  cell[direction] = begin;
   return cell;
 }
 
 std::array<int, 3> Slab::upper() const {
   std::array<int, 3> cell{shape.count[0] - 1, shape.count[1] - 1, shape.count[2] - 1};
-  cell[static_cast<std::size_t>(direction)] = end - 1;
+  cell[direction] = end - 1;
   return cell;
 }
 
 std::size_t Slab::cells() const {
   const std::size_t all = shape.cells();
-  const int slices = shape.count[static_cast<std::size_t>(direction)];
-  return all / static_cast<std::size_t>(slices) * static_cast<std::size_t>(end - begin);
+  const int slices = shape.count[direction];
+  return all / slices * (end - begin);
 }
 
 std::int64_t Slab::first_row() const {
-  const int slices = shape.count[static_cast<std::size_t>(direction)];
+  const int slices = shape.count[direction];
   return static_cast<std::int64_t>(shape.cells()) / slices * begin;
 }
 
@@ -88,7 +88,7 @@ void take_solution(const DenseSystem& system, const Slab& slab, const std::vecto
                    DenseVector& v) {
   const auto put = [&v](const Slab& from, const char* bytes) {
     from.for_cells([&](std::ptrdiff_t c) {
-      std::memcpy(&v[static_cast<std::size_t>(c)], bytes, sizeof(double));
+      std::memcpy(&v[c], bytes, sizeof(double));
       bytes += sizeof(double);
     });
   };
@@ -96,7 +96,7 @@ void take_solution(const DenseSystem& system, const Slab& slab, const std::vecto
   if (world().size() == 1 || system.slabs().shared()) return put(slab, raw);
   const auto all = world().gather_to_all(std::string(raw, own.size() * sizeof(double)));
   for (int rank = 0; rank < world().size(); ++rank)
-    put(slab_of_rank(slab.shape, rank), all[static_cast<std::size_t>(rank)].data());
+    put(slab_of_rank(slab.shape, rank), all[rank].data());
 }
 
 }  // namespace sluice::solve

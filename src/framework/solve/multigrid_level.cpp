@@ -51,11 +51,10 @@ template <class Real>
 }  // namespace
 
 double DenseEquations::diagonal(std::ptrdiff_t c) const {
-  double d = sum[static_cast<std::size_t>(c)];
+  double d = sum[c];
   for (int a = 0; a < 3; ++a) {
     if (a == 2 && !shape.deep()) continue;
-    d +=
-        low[a][static_cast<std::size_t>(c)] + low[a][static_cast<std::size_t>(c + shape.stride(a))];
+    d += low[a][c] + low[a][c + shape.stride(a)];
   }
   return d;
 }
@@ -77,7 +76,7 @@ double DenseEquations::largest_diagonal() const {
 // By slices, so that who has which does not show in the sums.
 std::array<double, 3> DenseEquations::mean_couplings() const {
   std::array<double, 3> mean{};
-  std::vector<double> of_slices(static_cast<std::size_t>(shape.count[2]));
+  std::vector<double> of_slices(shape.count[2]);
   for (int d = 0; d < 3; ++d) {
     if (shape.count[d] == 1) continue;
     for (int k = slabs.begin(); k < slabs.end(); ++k) {
@@ -86,7 +85,7 @@ std::array<double, 3> DenseEquations::mean_couplings() const {
         const double* row = low[d].data() + shape.at(0, j, k);
         for (int i = 0; i < shape.count[0]; ++i) total += row[i];
       }
-      of_slices[static_cast<std::size_t>(k)] = total;
+      of_slices[k] = total;
     }
     slabs.gather_numbers(of_slices.data());
     for (const double total : of_slices) mean[d] += total;
@@ -99,9 +98,8 @@ void DenseEquations::sum_into(DenseEquations& coarse, std::array<int, 3> ratio) 
   for (int k = slabs.begin(); k < slabs.end(); ++k)
     for (int j = 0; j < shape.count[1]; ++j)
       for (int i = 0; i < shape.count[0]; ++i) {
-        const auto f = static_cast<std::size_t>(shape.at(i, j, k));
-        const auto c =
-            static_cast<std::size_t>(coarse.shape.at(i / ratio[0], j / ratio[1], k / ratio[2]));
+        const std::size_t f = shape.at(i, j, k);
+        const std::size_t c = coarse.shape.at(i / ratio[0], j / ratio[1], k / ratio[2]);
         coarse.sum[c] += sum[f];
         if (i % ratio[0] == 0) coarse.low[0][c] += low[0][f] / ratio[0];
         if (j % ratio[1] == 0) coarse.low[1][c] += low[1][f] / ratio[1];
@@ -137,7 +135,7 @@ MultigridLevel<Real>::MultigridLevel(const DenseEquations& e, double scale, bool
       diagonal_(shape_.size()),
       x_(zeros<Real>(shape_, slabs_)),
       b_(zeros<Real>(shape_, slabs_)),
-      values_(static_cast<std::size_t>(shape_.row()) + 1) {
+      values_(shape_.row() + 1) {
   if (lines) pivot_ = zeros<Real>(shape_, slabs_);
   for (int d = 0; d < 3; ++d) {
     low_[d] = RawVector<Real>(shape_.size());
@@ -151,13 +149,13 @@ MultigridLevel<Real>::MultigridLevel(const DenseEquations& e, double scale, bool
       for (int j = 0; j < shape_.count[1]; ++j) {
         const std::ptrdiff_t c = shape_.at(i, j, k);
         const double diagonal = scale * e.diagonal(c);
-        const double low = scale * e.low[1][static_cast<std::size_t>(c)];
-        sum_ += scale * e.sum[static_cast<std::size_t>(c)];
-        if (diagonal > 0) diagonal_[static_cast<std::size_t>(c)] = static_cast<Real>(diagonal);
+        const double low = scale * e.low[1][c];
+        sum_ += scale * e.sum[c];
+        if (diagonal > 0) diagonal_[c] = static_cast<Real>(diagonal);
         if (!lines) continue;
         const double rest = (diagonal > 0 ? diagonal : 1.0) - (j > 0 ? low * low * before : 0.0);
         before = rest > 1e-13 * diagonal ? 1 / rest : 0.0;
-        pivot_[static_cast<std::size_t>(c)] = static_cast<Real>(before);
+        pivot_[c] = static_cast<Real>(before);
       }
     }
 }
@@ -300,7 +298,7 @@ void MultigridLevel<Real>::add_correction(int k, const MultigridLevel& coarse,
 
 template <class Real>
 void MultigridLevel<Real>::solve_one_cell() {
-  const auto c = static_cast<std::size_t>(shape_.at(0, 0, 0));
+  const std::size_t c = shape_.at(0, 0, 0);
   x_[c] = sum_ > 0 ? b_[c] / static_cast<Real>(sum_) : Real{0};
 }
 

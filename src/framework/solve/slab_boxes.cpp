@@ -42,25 +42,21 @@ void SlabBoxes::for_parts(int owner, int slab_rank, F&& region) const {
 
 std::size_t SlabBoxes::cells_between(int owner, int slab_rank) const {
   std::size_t count = 0;
-  for_parts(owner, slab_rank, [&](const IndexBox& part, std::size_t) {
-    count += static_cast<std::size_t>(part.volume());
-  });
+  for_parts(owner, slab_rank, [&](const IndexBox& part, std::size_t) { count += part.volume(); });
   return count;
 }
 
 SlabBoxes::Buffers SlabBoxes::of_owners() const {
-  Buffers buffers(static_cast<std::size_t>(world().size()));
+  Buffers buffers(world().size());
   for (int r = 0; r < world().size(); ++r)
-    if (r != world().rank())
-      buffers[static_cast<std::size_t>(r)].resize(cells_between(r, world().rank()));
+    if (r != world().rank()) buffers[r].resize(cells_between(r, world().rank()));
   return buffers;
 }
 
 SlabBoxes::Buffers SlabBoxes::of_slabs() const {
-  Buffers buffers(static_cast<std::size_t>(world().size()));
+  Buffers buffers(world().size());
   for (int r = 0; r < world().size(); ++r)
-    if (r != world().rank())
-      buffers[static_cast<std::size_t>(r)].resize(cells_between(world().rank(), r));
+    if (r != world().rank()) buffers[r].resize(cells_between(world().rank(), r));
   return buffers;
 }
 
@@ -68,7 +64,7 @@ void SlabBoxes::load(const ConstBoxViews& own, const Put& put) const {
   Buffers in = of_owners(), out = of_slabs();
   const int rank = world().rank();
   for (int r = 0; r < world().size(); ++r) {
-    double* next = out[static_cast<std::size_t>(r)].data();
+    double* next = out[r].data();
     if (r == rank) continue;
     for_parts(rank, r, [&](const IndexBox& part, std::size_t n) {
       for_each_cell(part, [&](IntVec3 c) { *next++ = own[n](c); });
@@ -76,7 +72,7 @@ void SlabBoxes::load(const ConstBoxViews& own, const Put& put) const {
   }
   swap_buffers(in, out, load_tag);
   for (int r = 0; r < world().size(); ++r) {
-    const double* next = in[static_cast<std::size_t>(r)].data();
+    const double* next = in[r].data();
     for_parts(r, rank, [&](const IndexBox& part, std::size_t n) {
       if (r == rank) return put(part_of(own[n], part));
       put(view_of(next, part));
@@ -89,7 +85,7 @@ void SlabBoxes::store(const Take& take, const BoxViews& own) const {
   Buffers in = of_slabs(), out = of_owners();
   const int rank = world().rank();
   for (int r = 0; r < world().size(); ++r) {
-    double* next = out[static_cast<std::size_t>(r)].data();
+    double* next = out[r].data();
     for_parts(r, rank, [&](const IndexBox& part, std::size_t n) {
       if (r == rank) return take(part_of(own[n], part));
       take(view_of(next, part));
@@ -98,7 +94,7 @@ void SlabBoxes::store(const Take& take, const BoxViews& own) const {
   }
   swap_buffers(in, out, store_tag);
   for (int r = 0; r < world().size(); ++r) {
-    const double* next = in[static_cast<std::size_t>(r)].data();
+    const double* next = in[r].data();
     if (r == rank) continue;
     for_parts(rank, r, [&](const IndexBox& part, std::size_t n) {
       for_each_cell(part, [&](IntVec3 c) { own[n](c) = *next++; });

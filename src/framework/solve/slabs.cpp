@@ -28,7 +28,7 @@ int even_unit(int slices, int ranks) {
 
 template <class T>
 std::string bytes_of(const T* from, std::ptrdiff_t count) {
-  return {reinterpret_cast<const char*>(from), static_cast<std::size_t>(count) * sizeof(T)};
+  return {reinterpret_cast<const char*>(from), count * sizeof(T)};
 }
 
 }  // namespace
@@ -78,7 +78,7 @@ void Slabs::exchange(const DenseShape& shape, T* x) const {
   const bool round = shape.periodic[2];
   const int below = rank > 0 ? rank - 1 : round ? last : -1;
   const int above = rank < last ? rank + 1 : round ? 0 : -1;
-  const std::size_t bytes = static_cast<std::size_t>(shape.slice()) * sizeof(T);
+  const std::size_t bytes = shape.slice() * sizeof(T);
   const std::size_t count = (bytes + sizeof(double) - 1) / sizeof(double);
   const auto slice = [&](int k) { return x + shape.at(-1, -1, k); };
   std::vector<double> from_below(count), from_above(count), to_below(count), to_above(count);
@@ -106,7 +106,7 @@ void Slabs::gather_blocks(T* first, std::ptrdiff_t block) const {
   const auto all =
       world().gather_to_all(bytes_of(first + block * begin(), block * (end() - begin())));
   for (int rank = 0; rank < world().size(); ++rank) {
-    const std::string& bytes = all[static_cast<std::size_t>(rank)];
+    const std::string& bytes = all[rank];
     if (rank != own) std::memcpy(first + block * begin_of(rank), bytes.data(), bytes.size());
   }
 }

@@ -29,7 +29,7 @@ class Slabs {
   bool shared() const { return bounds_.size() > 2; }
   int begin() const;
   int end() const;
-  int begin_of(int rank) const { return bounds_[static_cast<std::size_t>(rank)]; }  // if shared
+  int begin_of(int rank) const { return bounds_[rank]; }  // if shared
 
   // Collective, all below; without effect or communication where the window is whole.
   // The slices beside the own ones; in a periodic window that is whole, its ghosts.
@@ -61,7 +61,7 @@ void for_places(const DenseShape& shape, const Slabs& slabs, F&& place) {
   const std::ptrdiff_t from = shape.deep() ? shape.at(-1, -1, slabs.begin() - 1) : 0;
   const std::ptrdiff_t to = shape.deep() ? shape.at(-1, -1, slabs.end() + 1) : shape.slice();
 #pragma GCC ivdep
-  for (std::ptrdiff_t c = from; c < to; ++c) place(static_cast<std::size_t>(c));
+  for (std::ptrdiff_t c = from; c < to; ++c) place(c);
 }
 
 // Zero in these places; the others are not read.

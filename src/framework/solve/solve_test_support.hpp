@@ -18,8 +18,8 @@ inline std::unique_ptr<Level> level_of(IntVec3 cells, IntVec3 pieces = {1, 1, 1}
   auto level = std::make_unique<Level>();
   level->domain = {{0, 0, 0}, cells};
   for (int d = 0; d < 3; ++d) {
-    level->active[static_cast<std::size_t>(d)] = cells[d] > 1;
-    level->periodic[static_cast<std::size_t>(d)] = sides == Sides::periodic && cells[d] > 1;
+    level->active[d] = cells[d] > 1;
+    level->periodic[d] = sides == Sides::periodic && cells[d] > 1;
     level->spacing[d] = 1.0 / cells[d];
   }
   for (const IndexBox& b : split(level->domain, pieces))
@@ -86,9 +86,7 @@ inline double noisy(IntVec3 c) {
 inline CellFunction table_of(IntVec3 cells, const CellFunction& value) {
   auto table = std::make_shared<std::vector<double>>();
   for_each_cell({{0, 0, 0}, cells}, [&](IntVec3 c) { table->push_back(value(c)); });
-  return [cells, table](IntVec3 c) {
-    return (*table)[static_cast<std::size_t>(c.x + cells.x * (c.y + cells.y * c.z))];
-  };
+  return [cells, table](IntVec3 c) { return (*table)[c.x + cells.x * (c.y + cells.y * c.z)]; };
 }
 
 // The same without its mean: what is left of it can be brought to 1e-10 where rows nearly sum to 0.

@@ -64,13 +64,12 @@ BlockSweep::BlockSweep(const TaskList& list, const SweepPlan& plan, const Level&
   for (const PlannedBuffer& b : plan.buffers) {
     total += buffer_size(b, largest_block, plan.axes, list[b.variable].components);
     steps += BoundArray::count_of_steps(b.planes);
-    number[static_cast<std::size_t>(b.variable.index)] = arrays_.size();
+    number[b.variable.index] = arrays_.size();
     arrays_.emplace_back();
   }
   buffer_steps_.resize(steps);
   total += 2 * vector;  // what is read beyond the last row
-  if (scratch_->size() < static_cast<std::size_t>(total))
-    *scratch_ = AlignedArray(static_cast<std::size_t>(total));
+  if (scratch_->size() < static_cast<std::size_t>(total)) *scratch_ = AlignedArray(total);
   for (std::size_t v = 0; v < number.size(); ++v) {
     if (list.variables()[v].storage == Storage::temporary || !plan.used[v]) continue;
     number[v] = arrays_.size() + state_variables_.size();
@@ -82,7 +81,7 @@ BlockSweep::BlockSweep(const TaskList& list, const SweepPlan& plan, const Level&
 // `number`: of each variable in arrays_, for the first piece.
 BlockSweep::BoundTask BlockSweep::bind_task(const PlannedTask& planned,
                                             const std::vector<std::size_t>& number) const {
-  const Task& t = list_->tasks()[static_cast<std::size_t>(planned.task)];
+  const Task& t = list_->tasks()[planned.task];
   const auto stored = [&](VariableId v) { return (*list_)[v].storage != Storage::temporary; };
   const std::size_t reads = t.reads.size(), all = reads + t.writes.size();
   BoundTask task{&t.kernel,
@@ -93,7 +92,7 @@ BlockSweep::BoundTask BlockSweep::bind_task(const PlannedTask& planned,
                  RowArrays(all, plan_->axes.count)};
   for (std::size_t n = 0; n < all; ++n) {
     const VariableId v = n < reads ? t.reads[n].variable : t.writes[n - reads];
-    const std::size_t array = number[static_cast<std::size_t>(v.index)];
+    const std::size_t array = number[v.index];
     if (array == unbound)
       throw std::logic_error("task '" + t.name + "' has no memory for '" + (*list_)[v].name + "'");
     (stored(v) ? task.states : task.buffers).emplace_back(n, array);
@@ -107,7 +106,7 @@ BlockSweep::Sharing BlockSweep::sharing_of(const PlannedTask& planned) const {
   const Axes& axes = plan_->axes;
   if (axes.count < 2) return Sharing::none;
   const int swept = axes.direction[axes.count - 1];
-  const Task& task = list_->tasks()[static_cast<std::size_t>(planned.task)];
+  const Task& task = list_->tasks()[planned.task];
   if (task.always || (planned.window.low[swept] == 0 && planned.window.high[swept] == 0))
     return Sharing::none;
   for (const VariableId v : task.writes)
@@ -279,7 +278,7 @@ void BlockSweep::run_parts(std::size_t task, std::size_t first, std::size_t last
 BlockSweep::Window BlockSweep::window_in(const PlannedTask& planned,
                                          const SweepPiece& piece) const {
   const Window whole = window_of(piece.cells, planned.window, plan_->axes);
-  const BlockPart& part = list_->tasks()[static_cast<std::size_t>(planned.task)].part;
+  const BlockPart& part = list_->tasks()[planned.task].part;
   if (!part) return whole;
   const IndexBox cells = intersection(part(piece.box, piece.cells), piece.cells);
   if (!cells.empty()) return window_of(cells, {}, plan_->axes);

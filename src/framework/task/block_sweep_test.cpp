@@ -40,8 +40,8 @@ void expect_reference(RandomGraph& graph, const Warehouse& now, const std::strin
     for (int b = 0; b < static_cast<int>(now.local_boxes().size()); ++b)
       for (int c = 0; c < (s == 0 ? 2 : 1); ++c) {
         const RealView v = now.view(s, c, b);
-        for_each_cell(now.local_boxes()[static_cast<std::size_t>(b)].cells, [&](IntVec3 cell) {
-          ASSERT_EQ(v(cell), graph.reference(graph.news[static_cast<std::size_t>(s)], c, cell))
+        for_each_cell(now.local_boxes()[b].cells, [&](IntVec3 cell) {
+          ASSERT_EQ(v(cell), graph.reference(graph.news[s], c, cell))
               << what << ", state " << s << '.' << c << " at " << cell.x << ' ' << cell.y << ' '
               << cell.z;
         });
@@ -247,7 +247,7 @@ TEST(BlockSweep, RowsOfATaskThatAsksForTheBoxStayInIt) {
     slopes.write(slope);
     if (by_box) slopes.by_box();
     slopes.kernel([&](const Row& row) {
-      const IndexBox box = level.boxes[static_cast<std::size_t>(row.box())].cells.grown({1, 1, 0});
+      const IndexBox box = level.boxes[row.box()].cells.grown({1, 1, 0});
       for (int i = 0; i < row.count(); ++i) {
         const IntVec3 cell = row.cell() + IntVec3{i, 0, 0};
         (box.contains(cell) ? seen : beyond).emplace_back(cell, row.box());
@@ -280,14 +280,14 @@ TEST(BlockSweep, ATaskForPartsOfBlocksIsRunThere) {
     TaskList list;
     const VariableId old = list.old_state(test_label(1), 0, 1),
                      now = list.new_state(test_label(1), 0, 1);
-    std::vector<int> seen(static_cast<std::size_t>(level.domain.volume()), 0);
+    std::vector<int> seen(level.domain.volume(), 0);
     TaskBuilder counts = list.task("counts", 0);
     counts.read(old);
     counts.always().only_in([=](int, const IndexBox& block) { return intersection(part, block); });
     counts.kernel([&](const Row& row) {
       for (int i = 0; i < row.count(); ++i) {
         const IntVec3 c = row.cell() + IntVec3{i, 0, 0};
-        ++seen[static_cast<std::size_t>(c.x + size.x * (c.y + size.y * c.z))];
+        ++seen[c.x + size.x * (c.y + size.y * c.z)];
       }
     });
     TaskBuilder update = list.task("update", 0);

@@ -21,7 +21,7 @@ class EffectList {
     effects_.push_back(std::move(effect));
     return static_cast<int>(effects_.size()) - 1;
   }
-  const Effect& operator[](int id) const { return effects_[static_cast<std::size_t>(id)]; }
+  const Effect& operator[](int id) const { return effects_[id]; }
   int size() const { return static_cast<int>(effects_.size()); }
   bool on(int id) const { return (*this)[id].on; }
 

@@ -19,8 +19,7 @@ std::string describe(const TaskList& list, const EffectList& effects, std::size_
 std::vector<int> writers(const TaskList& list) {
   std::vector<int> writer(list.variables().size(), -1);
   for (std::size_t t = 0; t < list.tasks().size(); ++t)
-    for (VariableId v : list.tasks()[t].writes)
-      writer[static_cast<std::size_t>(v.index)] = static_cast<int>(t);
+    for (VariableId v : list.tasks()[t].writes) writer[v.index] = static_cast<int>(t);
   return writer;
 }
 
@@ -35,11 +34,10 @@ void check(const TaskList& list, const EffectList& effects) {
       throw std::logic_error(describe(list, effects, t) +
                              " is for parts of blocks only, yet writes: the rest would be missing");
     for (VariableId v : list.tasks()[t].writes) {
-      int& w = writer[static_cast<std::size_t>(v.index)];
+      int& w = writer[v.index];
       if (w >= 0)
         throw std::logic_error(describe(list, effects, t) + " writes '" + list[v].name +
-                               "', which " + describe(list, effects, static_cast<std::size_t>(w)) +
-                               " writes already");
+                               "', which " + describe(list, effects, w) + " writes already");
       if (list[v].storage == Storage::old_state)
         throw std::logic_error(describe(list, effects, t) + " writes '" + list[v].name +
                                "', which is the old state and read only");
@@ -49,7 +47,7 @@ void check(const TaskList& list, const EffectList& effects) {
   for (std::size_t t = 0; t < list.tasks().size(); ++t)
     for (const Access& a : list.tasks()[t].reads) {
       if (list[a.variable].storage == Storage::old_state) continue;
-      if (writer[static_cast<std::size_t>(a.variable.index)] < 0)
+      if (writer[a.variable.index] < 0)
         throw std::logic_error(describe(list, effects, t) + " reads '" + list[a.variable].name +
                                "', which no task writes");
       if (list[a.variable].storage == Storage::output)
@@ -65,18 +63,18 @@ std::vector<bool> prune(const TaskList& list, const std::vector<VariableId>& wan
   std::vector<bool> keep(list.tasks().size(), false);
   std::vector<int> todo;
   auto want = [&](int task) {
-    if (task >= 0 && !keep[static_cast<std::size_t>(task)]) {
-      keep[static_cast<std::size_t>(task)] = true;
+    if (task >= 0 && !keep[task]) {
+      keep[task] = true;
       todo.push_back(task);
     }
   };
-  for (VariableId v : wanted) want(writer[static_cast<std::size_t>(v.index)]);
+  for (VariableId v : wanted) want(writer[v.index]);
   for (std::size_t t = 0; t < list.tasks().size(); ++t)
     if (reduces && list.tasks()[t].always) want(static_cast<int>(t));
   while (!todo.empty()) {
-    const Task& t = list.tasks()[static_cast<std::size_t>(todo.back())];
+    const Task& t = list.tasks()[todo.back()];
     todo.pop_back();
-    for (const Access& a : t.reads) want(writer[static_cast<std::size_t>(a.variable.index)]);
+    for (const Access& a : t.reads) want(writer[a.variable.index]);
   }
   return keep;
 }
@@ -88,11 +86,11 @@ std::vector<int> order(const TaskList& list, const std::vector<bool>& keep) {
   auto ready = [&](std::size_t t) {
     return std::all_of(list.tasks()[t].reads.begin(), list.tasks()[t].reads.end(),
                        [&](const Access& a) {
-                         const int w = writer[static_cast<std::size_t>(a.variable.index)];
-                         return w < 0 || done[static_cast<std::size_t>(w)];
+                         const int w = writer[a.variable.index];
+                         return w < 0 || done[w];
                        });
   };
-  const auto wanted = static_cast<std::size_t>(std::count(keep.begin(), keep.end(), true));
+  const std::size_t wanted = std::count(keep.begin(), keep.end(), true);
   while (result.size() < wanted) {
     bool progressed = false;
     for (std::size_t t = 0; t < list.tasks().size(); ++t) {

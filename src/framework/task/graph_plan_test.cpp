@@ -136,7 +136,7 @@ TEST(GraphPlan, PrunedTasksLeaveNoTrace) {
   const SweepPlan plan = compile(chain.list, effects, {chain.now}, axes_of({0, 1, 2}));
   EXPECT_EQ(plan.tasks.size(), 3u);
   EXPECT_EQ(plan.halo, (IntVec3{1, 2, 1}));
-  EXPECT_FALSE(plan.used[static_cast<std::size_t>(unwanted.index)]);
+  EXPECT_FALSE(plan.used[unwanted.index]);
 }
 
 TEST(GraphPlan, RefusesStencilsThatReachTooFar) {

@@ -18,8 +18,7 @@ std::vector<IntVec3> periodic_shifts(const Level& level, IntVec3 ghosts) {
   std::vector<IntVec3> shifts;
   const IntVec3 n = level.domain.size();
   auto reach = [&](int d) {
-    const auto direction = static_cast<std::size_t>(d);
-    const bool wraps = level.periodic[direction] && level.active[direction];
+    const bool wraps = level.periodic[d] && level.active[d];
     return wraps ? (ghosts[d] + n[d] - 1) / n[d] : 0;
   };
   for (int k = -reach(2); k <= reach(2); ++k)
@@ -58,7 +57,7 @@ std::vector<HaloCopy> halo_copies(const Level& level, int width) {
     for (const IntVec3 shift : shifts) {
       finder.find(grown.shifted(shift), found);
       for (const int n : found) {
-        const GridBox& from = level.boxes[static_cast<std::size_t>(n)];
+        const GridBox& from = level.boxes[n];
         if (from.id == to.id && shift == IntVec3{}) continue;
         copies.push_back(
             {from.id, to.id, intersection(grown, from.cells.shifted(IntVec3{} - shift)), shift});
@@ -76,7 +75,7 @@ HaloExchange::HaloExchange(const Level& level, int width, int rank, Arrays array
   std::vector<int> local_number(level.boxes.size(), -1);
   int count = 0;
   for (const GridBox& b : level.boxes)
-    if (b.owner == rank) local_number[static_cast<std::size_t>(b.id)] = count++;
+    if (b.owner == rank) local_number[b.id] = count++;
   std::map<int, Peer> peers;
   const std::vector<std::vector<IndexBox>> held = held_by_frames(level, width, arrays);
   const auto add_local = [&](const Local& copy) {
@@ -84,12 +83,11 @@ HaloExchange::HaloExchange(const Level& level, int width, int rank, Arrays array
     local_cells_ += copy.region.volume();
   };
   for (const HaloCopy& c : halo_copies(level, width)) {
-    const int from_owner = level.boxes[static_cast<std::size_t>(c.from)].owner;
-    const int to_owner = level.boxes[static_cast<std::size_t>(c.to)].owner;
-    const Local copy{local_number[static_cast<std::size_t>(c.from)],
-                     local_number[static_cast<std::size_t>(c.to)], c.region, c.shift};
+    const int from_owner = level.boxes[c.from].owner;
+    const int to_owner = level.boxes[c.to].owner;
+    const Local copy{local_number[c.from], local_number[c.to], c.region, c.shift};
     if (from_owner == rank && to_owner == rank) {
-      const std::vector<IndexBox>& holes = held[static_cast<std::size_t>(c.to)];
+      const std::vector<IndexBox>& holes = held[c.to];
       if (holes.empty()) {
         add_local(copy);
         continue;
@@ -112,7 +110,7 @@ std::size_t HaloExchange::message_bytes(int components) const {
   std::int64_t cells = 0;
   for (const Peer& p : peers_)
     for (const Local& s : p.sends) cells += s.region.volume();
-  return static_cast<std::size_t>(cells) * static_cast<std::size_t>(components) * sizeof(double);
+  return static_cast<std::size_t>(cells) * components * sizeof(double);
 }
 
 // Ghost cells are written and other boxes' cells read: copies may run in any order.
@@ -135,10 +133,10 @@ void HaloExchange::run(Warehouse& warehouse, const std::vector<int>& slots,
                        const ThreadTeam* team) {
   int components = 0;
   for (int s : slots) components += warehouse.info(s).components;
-  auto doubles = [&](const std::vector<Local>& regions) {
+  auto doubles = [&](const std::vector<Local>& regions) -> std::size_t {
     std::int64_t cells = 0;
     for (const Local& r : regions) cells += r.region.volume();
-    return static_cast<std::size_t>(cells * components);
+    return cells * components;
   };
   for (Peer& p : peers_) {
     p.receive_buffer.resize(doubles(p.receives));

@@ -22,10 +22,9 @@ double value_of(int slot, int component, IntVec3 c) {
 // The cell that a ghost stands for, or nothing where it lies outside a domain that ends.
 bool wrapped(const Level& level, IntVec3& c) {
   for (int d = 0; d < 3; ++d) {
-    const auto n = static_cast<std::size_t>(d);
     const int size = level.domain.size()[d], low = level.domain.lower[d];
     if (c[d] >= low && c[d] < low + size) continue;
-    if (!level.periodic[n]) return false;
+    if (!level.periodic[d]) return false;
     c[d] = low + ((c[d] - low) % size + size) % size;
   }
   return true;
@@ -41,7 +40,7 @@ void expect_filled(Level level, int width, const ThreadTeam* team, Arrays arrays
     for (int s : slots)
       for (int c = 0; c < state.info(s).components; ++c)
         for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b)
-          f(s, c, state.view(s, c, b), state.local_boxes()[static_cast<std::size_t>(b)].cells);
+          f(s, c, state.view(s, c, b), state.local_boxes()[b].cells);
   };
   each([](int, int, const RealView& v, const IndexBox&) { fill(v, v.box, untouched); });
   each([](int s, int c, const RealView& v, const IndexBox& cells) {
@@ -127,7 +126,7 @@ TEST(Halo, BoxesOfAFrameNeedNoCopiesOfEachOther) {
     fill(v, v.box, untouched);
   }
   for (int b = 0; b < 4; ++b)
-    for_each_cell(level.boxes[static_cast<std::size_t>(b)].cells,
+    for_each_cell(level.boxes[b].cells,
                   [&](IntVec3 cell) { state.view(slot, 0, b)(cell) = value_of(slot, 0, cell); });
   HaloExchange(level, ghosts, 0, Arrays::shared).run(state, {slot});
   const auto held = [&](IntVec3 cell) {
@@ -151,8 +150,7 @@ TEST(Halo, CopiesAreTheSameListOnEveryRankAndCoverEachGhostOnce) {
     std::int64_t ghosts = 0;
     for (const HaloCopy& c : copies) {
       if (c.to != box.id) continue;
-      EXPECT_TRUE(
-          level.boxes[static_cast<std::size_t>(c.from)].cells.contains(c.region.shifted(c.shift)));
+      EXPECT_TRUE(level.boxes[c.from].cells.contains(c.region.shifted(c.shift)));
       EXPECT_TRUE(intersection(c.region, box.cells).empty());
       ghosts += c.region.volume();
     }

@@ -65,17 +65,15 @@ struct MockLevel {
     for (int n = 0; n < substeps; ++n) {
       sweeps.push_back(std::make_unique<SweepExecutor>(list, plan_sweep(list, {0}, axes_of(level)),
                                                        level, SweepOptions{}));
-      sweeps.back()->bind(fields[static_cast<std::size_t>(n)],
-                          fields[static_cast<std::size_t>(n) + 1], nullptr);
+      sweeps.back()->bind(fields[n], fields[n + 1], nullptr);
     }
     halo = std::make_unique<HaloExchange>(level, ghosts, 0);
   }
 
   double& at(int time, int i) const {
-    const Warehouse& w = fields[static_cast<std::size_t>(time)];
+    const Warehouse& w = fields[time];
     for (int b = 0; b < static_cast<int>(w.local_boxes().size()); ++b)
-      if (w.local_boxes()[static_cast<std::size_t>(b)].cells.contains(IntVec3{i, 0, 0}))
-        return w.view(slot, 0, b)(i, 0, 0);
+      if (w.local_boxes()[b].cells.contains(IntVec3{i, 0, 0})) return w.view(slot, 0, b)(i, 0, 0);
     throw std::logic_error("no such cell");
   }
   std::vector<double> values(int time = 0) const {
@@ -124,10 +122,10 @@ struct TwoLevels {
 
   Verdict fill_fine_ghosts(const StepScope& s, StepJournal&) {
     fine_starts.push_back(s.time);
-    Warehouse& w = fine.fields[static_cast<std::size_t>(s.substep)];
+    Warehouse& w = fine.fields[s.substep];
     fine.halo->run(w, {fine.slot});
     for (int b = 0; b < static_cast<int>(w.local_boxes().size()); ++b)
-      if (w.local_boxes()[static_cast<std::size_t>(b)].cells.lower.x == fine_low)
+      if (w.local_boxes()[b].cells.lower.x == fine_low)
         w.view(fine.slot, 0, b)(fine_low - 1, 0, 0) = inflow(s);
     return Verdict::good;
   }
@@ -153,7 +151,7 @@ struct TwoLevels {
                    [this](const StepScope& s, StepJournal& j) { return fill_fine_ghosts(s, j); }}},
         {Sweep{"fine upwind", 1,
                [this, &ranks](const StepScope& s, StepJournal& j) {
-                 const auto n = static_cast<std::size_t>(s.substep);
+                 const std::size_t n = s.substep;
                  return sweep_node("", fine.level, *fine.sweeps[n], ranks).run(s, j);
                }}},
         {Sweep{"match fluxes", 1,

@@ -4,8 +4,8 @@
 // step, declared into one list of tasks. The list adds these places, so that a part reads the same
 // alone and beside others.
 #pragma once
-#include <cstddef>
 #include <algorithm>
+#include <cstddef>
 #include <vector>
 
 #include "framework/field/label.hpp"
@@ -28,9 +28,7 @@ struct Places {
   int output_of(Label label, int own) const {
     return std::find(common.begin(), common.end(), label) == common.end() ? material_of(own) : 0;
   }
-  int material_of(int own) const {
-    return material.empty() ? own : material[static_cast<std::size_t>(own)];
-  }
+  int material_of(int own) const { return material.empty() ? own : material[own]; }
   ReductionPlaces of_reductions() const {
     return {maximum, sum, fault, material.empty() ? nullptr : &material};
   }

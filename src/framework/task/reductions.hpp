@@ -36,18 +36,15 @@ inline double from_ordered_bits(std::int64_t b) {
 class Reductions {
  public:
   Reductions() = default;
-  Reductions(int maxima, int sums)
-      : maxima_(static_cast<std::size_t>(maxima), 0), sums_(static_cast<std::size_t>(sums)) {}
+  Reductions(int maxima, int sums) : maxima_(maxima, 0), sums_(sums) {}
 
   void maximum(int slot, std::int64_t bits) {
-    std::int64_t& m = maxima_[static_cast<std::size_t>(slot)];
+    std::int64_t& m = maxima_[slot];
     m = bits > m ? bits : m;
   }
-  double maximum(int slot) const {
-    return from_ordered_bits(maxima_[static_cast<std::size_t>(slot)]);
-  }
-  ExactSum& sum(int slot) { return sums_[static_cast<std::size_t>(slot)]; }
-  const ExactSum& sum(int slot) const { return sums_[static_cast<std::size_t>(slot)]; }
+  double maximum(int slot) const { return from_ordered_bits(maxima_[slot]); }
+  ExactSum& sum(int slot) { return sums_[slot]; }
+  const ExactSum& sum(int slot) const { return sums_[slot]; }
 
   void fault(const CellFault& f);
   std::int64_t fault_count() const { return static_cast<std::int64_t>(faults_.size()); }
@@ -73,8 +70,7 @@ class PartReductions {
   ExactSum& sum(int slot) const { return all_->sum(slot + places_.sum); }
   void fault(CellFault f) const {
     f.kind += places_.fault;
-    if (places_.material != nullptr)
-      f.material = (*places_.material)[static_cast<std::size_t>(f.material)];
+    if (places_.material != nullptr) f.material = (*places_.material)[f.material];
     all_->fault(f);
   }
 

@@ -16,7 +16,7 @@ class Steps {
  public:
   static constexpr int size = 2 * most_reach + 2;  // one more makes it as long as a cache line
 
-  std::ptrdiff_t& at(int shift) { return steps_[static_cast<std::size_t>(shift + most_reach)]; }
+  std::ptrdiff_t& at(int shift) { return steps_[shift + most_reach]; }
   const std::ptrdiff_t* centre() const { return steps_.data() + most_reach; }
 
  private:
@@ -34,7 +34,7 @@ struct BoundArray {
   // Fills `steps`: those of the middle axis (none there: zeros), then those of the swept axis in
   // every phase of the ring, which is one where there is none.
   void find_steps(bool middle_axis, Steps* steps);
-  static std::size_t count_of_steps(int planes) { return static_cast<std::size_t>(1 + planes); }
+  static std::size_t count_of_steps(int planes) { return 1 + planes; }
 };
 
 // The accesses of one task side by side, in whole vectors: rows begin by the thousand.

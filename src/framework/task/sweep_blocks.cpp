@@ -16,8 +16,7 @@ IntVec3 default_block(const Level& level) {
   IntVec3 b = level.domain.size();
   int axis = 0;
   for (int d = 0; d < 3; ++d)
-    if (level.active[static_cast<std::size_t>(d)])
-      b[d] = std::min(b[d], extents[level.active_count() - 1][axis++]);
+    if (level.active[d]) b[d] = std::min(b[d], extents[level.active_count() - 1][axis++]);
   if (level.index > 0 && level.active_count() == 2) {
     const int d = level.active[0] ? 0 : 1;
     b[d] = std::min(level.domain.size()[d], flat_row);
@@ -31,7 +30,7 @@ IntVec3 even_blocks(IntVec3 extents, const Level& level, const std::vector<GridB
   if (threads == 1 || boxes.empty()) return extents;
   int axes[3] = {0, 0, 0}, count = 0;
   for (int d = 0; d < 3; ++d)
-    if (level.active[static_cast<std::size_t>(d)]) axes[count++] = d;
+    if (level.active[d]) axes[count++] = d;
   const int d = axes[count > 1 ? 1 : 0];
   const int n = boxes.front().cells.size()[d];
   int pieces = (n + extents[d] - 1) / extents[d];

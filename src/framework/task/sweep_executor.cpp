@@ -25,7 +25,7 @@ IntVec3 across_swept(const IndexBox& hull, const std::array<bool, 3>& active) {
 
 SweepExecutor::SweepExecutor(SweepKinds kinds, const Level& level, const SweepOptions& options)
     : kinds_(std::move(kinds)),
-      graphs_(static_cast<std::size_t>(kinds_.count)),
+      graphs_(kinds_.count),
       level_(&level),
       options_(options),
       team_(options.team != nullptr ? options.team
@@ -49,7 +49,7 @@ SweepExecutor::SweepExecutor(const TaskList& list, SweepPlan plan, const Level& 
 SweepExecutor::~SweepExecutor() = default;
 
 SweepExecutor::Graph& SweepExecutor::meet(int kind) {
-  auto& graph = graphs_[static_cast<std::size_t>(kind)];
+  auto& graph = graphs_[kind];
   if (graph != nullptr) return *graph;
   graph = std::make_unique<Graph>(kinds_.graph(kind));
   if (old_state_ != nullptr) bind(*graph);
@@ -135,7 +135,7 @@ void SweepExecutor::make_workers(IntVec3 largest) {
   keep_counts();
   largest_ = largest;
   workers_.clear();
-  workers_.resize(static_cast<std::size_t>(team_->size()));
+  workers_.resize(team_->size());
   // Clearing their scratch memory (6 MB each at 96^3) costs milliseconds: all at once.
   team_->for_each(workers_.size(), [&](std::size_t n, int) {
     workers_[n] = std::make_unique<Worker>(kinds_.count, options_);
@@ -145,11 +145,10 @@ void SweepExecutor::make_workers(IntVec3 largest) {
 }
 
 void SweepExecutor::make_sweep(Worker& worker, int kind) const {
-  const auto k = static_cast<std::size_t>(kind);
-  const Graph& graph = *graphs_[k];
-  worker.sweeps[k] = std::make_unique<BlockSweep>(*graph.list, graph.plan, *level_, graph.binding,
-                                                  largest_, worker.scratch);
-  worker.tallies[k].times.assign(graph.plan.tasks.size(), 0);
+  const Graph& graph = *graphs_[kind];
+  worker.sweeps[kind] = std::make_unique<BlockSweep>(*graph.list, graph.plan, *level_,
+                                                     graph.binding, largest_, worker.scratch);
+  worker.tallies[kind].times.assign(graph.plan.tasks.size(), 0);
 }
 
 // What the workers counted and timed, before they are made anew.
@@ -162,10 +161,9 @@ void SweepExecutor::keep_counts() {
 }
 
 SweepExecutor::Tally SweepExecutor::tally(int kind) const {
-  const auto k = static_cast<std::size_t>(kind);
   Tally sum;
-  if (graphs_[k] != nullptr) sum = graphs_[k]->kept;
-  for (const auto& w : workers_) sum.add(w->tallies[k]);
+  if (graphs_[kind] != nullptr) sum = graphs_[kind]->kept;
+  for (const auto& w : workers_) sum.add(w->tallies[kind]);
   return sum;
 }
 
@@ -174,8 +172,7 @@ void SweepExecutor::charge(Worker& worker, std::int64_t nanoseconds,
                            std::span<const SweepPiece> pieces) const {
   std::int64_t cells = 0;
   for (const SweepPiece& p : pieces) cells += p.cells.volume();
-  for (const SweepPiece& p : pieces)
-    worker.boxes[static_cast<std::size_t>(p.box)] += nanoseconds * p.cells.volume() / cells;
+  for (const SweepPiece& p : pieces) worker.boxes[p.box] += nanoseconds * p.cells.volume() / cells;
 }
 
 std::vector<double> SweepExecutor::box_seconds() const {
@@ -219,10 +216,9 @@ void SweepExecutor::leave_absent(const Graph& graph, std::size_t n) {
     if (remembered && new_state_->uniform(slot, number) == absent.value) continue;
     IndexBox cells = block.cells;
     // What closes the box; the rest is of another block.
-    const IndexBox& box = warehouse.local_boxes()[static_cast<std::size_t>(block.box)].cells;
+    const IndexBox& box = warehouse.local_boxes()[block.box].cells;
     for (int d = 0; d < 3; ++d)
-      if (level_->active[static_cast<std::size_t>(d)] && cells.upper[d] == box.upper[d])
-        cells.upper[d] += absent.closing[d];
+      if (level_->active[d] && cells.upper[d] == box.upper[d]) cells.upper[d] += absent.closing[d];
     for (int c = 0; c < warehouse.info(slot).components; ++c)
       fill_where_other(warehouse.view(slot, c, block.box), cells, absent.value);
     if (remembered) new_state_->set_uniform(slot, number, absent.value);
@@ -232,11 +228,10 @@ void SweepExecutor::leave_absent(const Graph& graph, std::size_t n) {
 // The awake blocks that were collected.
 void SweepExecutor::sweep_pieces(Worker& worker, const StepConstants& step, int kind, bool sample) {
   if (worker.pieces.empty()) return;
-  const auto k = static_cast<std::size_t>(kind);
-  Tally& tally = worker.tallies[k];
+  Tally& tally = worker.tallies[kind];
   const auto blocks = static_cast<std::int64_t>(worker.pieces.size());
   const auto start = std::chrono::steady_clock::now();
-  worker.sweeps[k]->run(step, worker.pieces, worker.reductions, sample ? &tally.times : nullptr);
+  worker.sweeps[kind]->run(step, worker.pieces, worker.reductions, sample ? &tally.times : nullptr);
   if (options_.time_boxes)
     charge(worker, (std::chrono::steady_clock::now() - start).count(), worker.pieces);
   tally.run += blocks;
@@ -245,12 +240,12 @@ void SweepExecutor::sweep_pieces(Worker& worker, const StepConstants& step, int 
 }
 
 void SweepExecutor::run_stack(Worker& worker, const StepConstants& step, std::size_t stack) {
-  const auto every = static_cast<std::size_t>(options_.sample_every);
-  const bool sample = every > 0 && (stack + static_cast<std::size_t>(passes_)) % every == 0;
+  const std::size_t every = options_.sample_every;
+  const bool sample = every > 0 && (stack + passes_) % every == 0;
   int kind = 0;  // of the pieces
   for (const std::size_t n : stacks_[stack]) {
     const Block& block = blocks_[n];
-    const Graph& graph = *graphs_[static_cast<std::size_t>(block.kind)];
+    const Graph& graph = *graphs_[block.kind];
     leave_absent(graph, n);
     const bool asleep =
         options_.quiet_blocks && graph.may_sleep && block.may_sleep && is_quiet(graph, block);
@@ -274,9 +269,8 @@ const Reductions& SweepExecutor::run(const StepConstants& step) {
   for (auto& w : workers_) w->reductions.clear();
   if (kinds_.kind_of) choose_kinds();
   if (!remembers_ && new_state_->blocks().size() > 0) new_state_->forget();
-  team_->for_each(stacks_.size(), [&](std::size_t n, int thread) {
-    run_stack(*workers_[static_cast<std::size_t>(thread)], step, n);
-  });
+  team_->for_each(stacks_.size(),
+                  [&](std::size_t n, int thread) { run_stack(*workers_[thread], step, n); });
   total_.clear();
   blocks_run_ = 0;
   asleep_ = kept_asleep_;
@@ -298,9 +292,8 @@ const TaskList& SweepExecutor::list(int kind) {
 }
 
 std::int64_t SweepExecutor::blocks_run(int kind) const {
-  const auto k = static_cast<std::size_t>(kind);
-  std::int64_t n = graphs_[k] != nullptr ? graphs_[k]->kept.run : 0;
-  for (const auto& w : workers_) n += w->tallies[k].run;
+  std::int64_t n = graphs_[kind] != nullptr ? graphs_[kind]->kept.run : 0;
+  for (const auto& w : workers_) n += w->tallies[kind].run;
   return n;
 }
 

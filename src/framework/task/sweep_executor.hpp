@@ -52,7 +52,7 @@ class SweepExecutor {
   const Reductions& run(const StepConstants& step);
 
   int kinds() const { return kinds_.count; }
-  bool met(int kind) const { return graphs_[static_cast<std::size_t>(kind)] != nullptr; }
+  bool met(int kind) const { return graphs_[kind] != nullptr; }
   // Of the last kind where none is given; compiled if need be.
   const SweepPlan& plan(int kind = -1);
   const TaskList& list(int kind = -1);

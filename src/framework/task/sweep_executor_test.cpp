@@ -17,12 +17,11 @@ using namespace sweep_test;
 TEST(PlaceBlocks, CoverEveryBoxOnceAndStayWithinTheExtents) {
   const Level level = level_of({37, 11, 5}, {3, 2, 1});
   const IntVec3 extents{8, 4, 5};
-  std::vector<int> seen(static_cast<std::size_t>(level.domain.volume()), 0);
+  std::vector<int> seen(level.domain.volume(), 0);
   for (const Block& b : place_blocks(level.boxes, extents)) {
     EXPECT_EQ(max(b.cells.size(), extents), extents);
-    EXPECT_TRUE(level.boxes[static_cast<std::size_t>(b.box)].cells.contains(b.cells));
-    for_each_cell(
-        b.cells, [&](IntVec3 c) { ++seen[static_cast<std::size_t>(c.x + 37 * (c.y + 11 * c.z))]; });
+    EXPECT_TRUE(level.boxes[b.box].cells.contains(b.cells));
+    for_each_cell(b.cells, [&](IntVec3 c) { ++seen[c.x + 37 * (c.y + 11 * c.z)]; });
   }
   EXPECT_EQ(seen, std::vector<int>(seen.size(), 1));
 }
@@ -174,11 +173,11 @@ Outcome outcome(const Level& level, const SweepOptions& given, int passes = 1) {
   o.asleep = executor.blocks_asleep();
   o.cells_asleep = executor.cells_asleep();
   o.rows = graph.rows;
-  o.values.resize(static_cast<std::size_t>(level.domain.volume()));
+  o.values.resize(level.domain.volume());
   const IntVec3 n = level.domain.size();
   for (int b = 0; b < static_cast<int>(now.local_boxes().size()); ++b)
-    for_each_cell(now.local_boxes()[static_cast<std::size_t>(b)].cells, [&](IntVec3 c) {
-      o.values[static_cast<std::size_t>(c.x + n.x * (c.y + n.y * c.z))] = now.view(slot, 0, b)(c);
+    for_each_cell(now.local_boxes()[b].cells, [&](IntVec3 c) {
+      o.values[c.x + n.x * (c.y + n.y * c.z)] = now.view(slot, 0, b)(c);
     });
   return o;
 }

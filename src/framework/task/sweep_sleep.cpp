@@ -7,7 +7,7 @@ namespace sluice {
 bool SweepExecutor::is_quiet(const Graph& graph, const Block& block) const {
   for (VariableId id : graph.plan.states_read) {
     const Variable& variable = (*graph.list)[id];
-    const int slot = graph.binding.slot[static_cast<std::size_t>(id.index)];
+    const int slot = graph.binding.slot[id.index];
     for (int c = 0; c < variable.components; ++c) {
       const RealView v = old_state_->view(slot, c, block.box);
       const IndexBox seen = intersection(block.cells.grown(graph.plan.halo), v.box);
@@ -18,14 +18,14 @@ bool SweepExecutor::is_quiet(const Graph& graph, const Block& block) const {
 }
 
 void SweepExecutor::sleep(Worker& worker, const StepConstants& step, const Block& block) {
-  const Graph& graph = *graphs_[static_cast<std::size_t>(block.kind)];
-  BlockSweep& sweep = *worker.sweeps[static_cast<std::size_t>(block.kind)];
+  const Graph& graph = *graphs_[block.kind];
+  BlockSweep& sweep = *worker.sweeps[block.kind];
   if (RowMarks* marks = new_state_->marks(block.box)) marks->clear(block.cells);
   // Peel off the cells along the boundary of the domain, side by side, each cell once.
   IndexBox rest = block.cells;
   for (int a = 0; a < graph.plan.axes.count && !rest.empty(); ++a) {
     const int d = graph.plan.axes.direction[a];
-    if (level_->periodic[static_cast<std::size_t>(d)]) continue;
+    if (level_->periodic[d]) continue;
     if (rest.lower[d] == level_->domain.lower[d]) {
       IndexBox strip = rest;
       strip.upper[d] = strip.lower[d] + 1;

@@ -75,12 +75,11 @@ class RandomGraph {
     if (const auto known = known_.find(key); known != known_.end()) return known->second;
     const auto [task, written] = writers_.at(v.index);
     double sum = 0;
-    for (const Term& t : tasks_[task].writes[written].terms[static_cast<std::size_t>(component)]) {
+    for (const Term& t : tasks_[task].writes[written].terms[component]) {
       IntVec3 place = cell;
       place[axes_.direction[t.axis]] += t.shift;
       if (t.other >= 0) place[axes_.direction[t.other]] += t.step;
-      sum += t.weight *
-             reference(tasks_[task].reads[static_cast<std::size_t>(t.read)], t.component, place);
+      sum += t.weight * reference(tasks_[task].reads[t.read], t.component, place);
     }
     known_[key] = sum;
     return sum;
@@ -92,7 +91,7 @@ class RandomGraph {
   Term random_term(const std::vector<VariableId>& reads) {
     Term t;
     t.read = pick(static_cast<int>(reads.size()));
-    t.component = pick(list[reads[static_cast<std::size_t>(t.read)]].components);
+    t.component = pick(list[reads[t.read]].components);
     t.axis = pick(axes_.count);
     t.shift = pick(2 * most_reach + 1) - most_reach;
     if (axes_.count > 1 && pick(2) == 0) {
@@ -107,8 +106,7 @@ class RandomGraph {
   void add_task(const std::vector<VariableId>& readable, const std::vector<VariableId>& writes) {
     RandomTask task;
     for (int r = 0; r < 1 + pick(3); ++r)
-      task.reads.push_back(
-          readable[static_cast<std::size_t>(pick(static_cast<int>(readable.size())))]);
+      task.reads.push_back(readable[pick(static_cast<int>(readable.size()))]);
     std::vector<Stencil> stencils(task.reads.size());
     for (VariableId v : writes) {
       Written w{v, {}};
@@ -116,7 +114,7 @@ class RandomGraph {
         auto& terms = w.terms.emplace_back();
         for (int n = 0; n < 1 + pick(4); ++n) {
           const Term t = random_term(task.reads);
-          Stencil& s = stencils[static_cast<std::size_t>(t.read)];
+          Stencil& s = stencils[t.read];
           widen(s, t.axis, t.shift);
           if (t.other >= 0) widen(s, t.other, t.step);
           terms.push_back(t);
@@ -139,8 +137,8 @@ class RandomGraph {
     if (t.other < 0) return row(from, t.component, t.axis, t.shift);
     if (!t.by_offset) return row.at_corner(from, t.component, t.axis, t.shift, t.other, t.step);
     std::array<int, 3> offset{};
-    offset[static_cast<std::size_t>(t.axis)] = t.shift;
-    offset[static_cast<std::size_t>(t.other)] = t.step;
+    offset[t.axis] = t.shift;
+    offset[t.other] = t.step;
     return row.at_offset(from, t.component, offset);
   }
 
@@ -161,7 +159,7 @@ class RandomGraph {
           for (int i = 0; i < row.count(); ++i) {
             double sum = 0;
             for (const Term& t : task.writes[w].terms[c]) {
-              const In from = in[static_cast<std::size_t>(t.read)];
+              const In from = in[t.read];
               sum += t.weight * row_of(row, from, t)[i];
             }
             result[i] = sum;
@@ -182,7 +180,7 @@ inline Axes axes_of(const Level& level) {
   Axes axes;
   axes.count = 0;
   for (int d = 0; d < 3; ++d)
-    if (level.active[static_cast<std::size_t>(d)]) axes.direction[axes.count++] = d;
+    if (level.active[d]) axes.direction[axes.count++] = d;
   return axes;
 }
 
@@ -190,7 +188,7 @@ inline Axes axes_of(const Level& level) {
 inline Level level_of(IntVec3 cells, IntVec3 pieces = {1, 1, 1}, IntVec3 low = {0, 0, 0}) {
   Level level;
   level.domain = {low, low + cells};
-  for (int d = 0; d < 3; ++d) level.active[static_cast<std::size_t>(d)] = cells[d] > 1;
+  for (int d = 0; d < 3; ++d) level.active[d] = cells[d] > 1;
   for (const IndexBox& b : split(level.domain, pieces))
     level.boxes.push_back({b, 0, static_cast<int>(level.boxes.size())});
   return level;

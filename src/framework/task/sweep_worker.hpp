@@ -35,9 +35,7 @@ struct SweepExecutor::Graph {
 
 struct SweepExecutor::Worker {
   Worker(int kinds, const SweepOptions& o)
-      : sweeps(static_cast<std::size_t>(kinds)),
-        tallies(static_cast<std::size_t>(kinds)),
-        reductions(o.maxima, o.sums) {}
+      : sweeps(kinds), tallies(kinds), reductions(o.maxima, o.sums) {}
   std::shared_ptr<AlignedArray> scratch = std::make_shared<AlignedArray>();
   std::vector<std::unique_ptr<BlockSweep>> sweeps;  // by kind
   std::vector<Tally> tallies;                       // by kind

@@ -106,9 +106,7 @@ class TaskList {
 
   const std::vector<Variable>& variables() const { return variables_; }
   const std::vector<Task>& tasks() const { return tasks_; }
-  const Variable& operator[](VariableId v) const {
-    return variables_[static_cast<std::size_t>(v.index)];
-  }
+  const Variable& operator[](VariableId v) const { return variables_[v.index]; }
 
  private:
   friend class TaskBuilder;

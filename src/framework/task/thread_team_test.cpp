@@ -15,14 +15,14 @@ TEST(ThreadTeam, DoesEveryPieceOnce) {
     EXPECT_EQ(team.size(), threads);
     for (const std::size_t count : {0U, 1U, 2U, 1000U}) {
       std::vector<int> done(count, 0);
-      std::vector<std::atomic<int>> busy(static_cast<std::size_t>(threads));
+      std::vector<std::atomic<int>> busy(threads);
       std::atomic<int> faults = 0;
       team.for_each(count, [&](std::size_t n, int thread) {
         if (thread < 0 || thread >= threads) {
           ++faults;
           return;
         }
-        auto& mine = busy[static_cast<std::size_t>(thread)];
+        auto& mine = busy[thread];
         faults += mine.exchange(1);
         ++done[n];
         mine = 0;

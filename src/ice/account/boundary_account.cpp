@@ -29,7 +29,7 @@ void account_faces(const Row& row, const FaceFluxHandles& h, const SchemeOptions
       sums.sum(StepSlots::mass_of(m, o.sums)).add(sign * mass * volume);
     }
     for (int c = 0; c < o.components; ++c) {
-      const int direction = o.direction[static_cast<std::size_t>(c)];
+      const int direction = o.direction[c];
       sums.sum(StepSlots::momentum + direction).add(sign * flux.momentum[c] * volume);
       sums.sum(StepSlots::pressure_impulse + direction).add(sign * flux.impulse[c] * volume);
     }
@@ -63,7 +63,7 @@ void add_boundary_account(TaskList& list, const SchemeVariables& v, const Scheme
                           int effect) {
   static const char* names[] = {"boundary account 0", "boundary account 1", "boundary account 2"};
   for (int axis = 0; axis < o.axes.count; ++axis) {
-    if (o.periodic[static_cast<std::size_t>(o.axes.direction[axis])]) continue;
+    if (o.periodic[o.axes.direction[axis]]) continue;
     TaskBuilder task = list.task(names[axis], effect);
     const FaceFluxHandles h = read_face_fluxes(task, v, o, axis);
     task.always().only_in(

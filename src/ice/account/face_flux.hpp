@@ -22,20 +22,19 @@ struct FaceFluxHandles {
 // Low and high faces of the cells of a row.
 inline FaceFluxHandles read_face_fluxes(TaskBuilder& task, const SchemeVariables& v,
                                         const SchemeOptions& o, int axis) {
-  const auto face = static_cast<std::size_t>(axis);
   const int direction = o.axes.direction[axis];
   const Stencil both = Stencil::along(direction, 0, 1);
   FaceFluxHandles h;
-  h.flux = task.read(v.flux[face], both);
-  h.face_velocity = task.read(v.face_velocity[face], both);
-  h.face_pressure = task.read(v.face_pressure[face], both);
-  if (o.walled) h.covered = task.read(v.walls.covered[face], both);
+  h.flux = task.read(v.flux[axis], both);
+  h.face_velocity = task.read(v.face_velocity[axis], both);
+  h.face_pressure = task.read(v.face_pressure[axis], both);
+  if (o.walled) h.covered = task.read(v.walls.covered[axis], both);
   if (o.mixture) {
-    h.materials = task.read(v.material_flux[face], both);
+    h.materials = task.read(v.material_flux[axis], both);
     h.pure = task.read(v.pure, Stencil::along(direction, 1, 1));
-    if (o.own_velocities) h.material_velocities = task.read(v.material_velocity[face], both);
+    if (o.own_velocities) h.material_velocities = task.read(v.material_velocity[axis], both);
   }
-  if (o.conducting) h.heat_flux = task.read(v.heat_flux[face], both);
+  if (o.conducting) h.heat_flux = task.read(v.heat_flux[axis], both);
   if (o.shears_shocks) {
     h.shear = task.read(v.shear, both);
     h.sheared = task.read(v.shear_marks, both);
@@ -44,7 +43,7 @@ inline FaceFluxHandles read_face_fluxes(TaskBuilder& task, const SchemeVariables
   if (o.shears_shocks || o.viscous)
     h.velocity = task.read(v.velocity, Stencil::along(direction, 1, 1));
   if (!o.viscous) return h;
-  h.stress = task.read(v.stress[face], both);
+  h.stress = task.read(v.stress[axis], both);
   if (o.friction_tilts())
     h.viscosity = task.read(v.front_viscosity, Stencil::along(direction, 1, 1));
   return h;

@@ -25,13 +25,12 @@ ScalarHandles read_scalars(TaskBuilder& task, const ScalarVariables& s, const Sc
   h.place.assign(o.scalars.size(), -1);
   h.carrier.assign(o.scalars.size(), 0);
   if (s.each.empty()) return h;
-  const auto a = static_cast<std::size_t>(axis);
   const Stencil both = Stencil::along(o.axes.direction[axis], 0, 1);
-  h.mass = task.read(s.carrier[a], both);
-  h.face = task.read(s.face[a], both);
-  if (s.diffusive) h.spread = task.read(s.spread[a], both);
+  h.mass = task.read(s.carrier[axis], both);
+  h.face = task.read(s.face[axis], both);
+  if (s.diffusive) h.spread = task.read(s.spread[axis], both);
   for (std::size_t n = 0; n < s.each.size(); ++n) {
-    const auto index = static_cast<std::size_t>(s.each[n].index);
+    const std::size_t index = s.each[n].index;
     h.place[index] = static_cast<int>(n);
     h.carrier[index] = s.each[n].carrier;
   }
@@ -100,7 +99,7 @@ void record_row(const Row& row, const FaceFluxHandles& h, const ScalarHandles& s
     if (here.count <= 0) continue;
     // Along the row the high face of a cell is the low one of the next.
     const int shift = s.high ? 1 : 0, next = axis == 0 ? shift : 0;
-    auto& faces = rows[static_cast<std::size_t>(shift - next)];
+    auto& faces = rows[shift - next];
     if (!faces) faces.emplace(row, h, o, axis, shift - next);
     record_segment(row, *faces, next, h, scalars, o, axis, here, *table);
   }

@@ -19,7 +19,7 @@ void account_cells(const Row& row, const Handles& h, const SchemeOptions& o, int
   const double volume = cell_volume(row);
   const double* rho = row(h.rho);
   for (int c = 0; c < o.components; ++c) {
-    const int direction = o.direction[static_cast<std::size_t>(c)];
+    const int direction = o.direction[c];
     const double kick = row.step().dt * o.gravity[direction] * volume;
     const double push = row.step().dt * o.force[direction] * volume;
     if (kick == 0.0 && push == 0.0) continue;

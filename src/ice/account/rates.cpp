@@ -60,7 +60,7 @@ class CellStates {
     }
     if (!laws_.all_plain()) {
       // Where the gas is alone its largest gamma holds, as in a step.
-      const auto gas = static_cast<std::size_t>(laws_.gas->material);
+      const std::size_t gas = laws_.gas->material;
       bool alone = M[gas] != 0.0;
       for (std::size_t m = 0; m < fluids_.size(); ++m) alone = alone && (m == gas || M[m] == 0.0);
       if (alone) return of_one(gas, M[gas], E[gas]);
@@ -79,7 +79,7 @@ class CellStates {
   }
   // How much faster than the mixture material n of those is along component c.
   double slip(const mixture::DragCell& present, int n, IntVec3 cell, int c) const {
-    const auto m = static_cast<std::size_t>(present.index[n]);
+    const std::size_t m = present.index[n];
     return state_.view(slip_[m], c, box_)(cell) / present.M[n];
   }
   // rho times the largest diffusivity of species that spread.
@@ -193,7 +193,7 @@ class Diffusion {
     IntVec3 below = cell, above = cell;
     --below[d];
     ++above[d];
-    const RealView& m = momentum_[static_cast<std::size_t>(c)];
+    const RealView& m = momentum_[c];
     return (m(above) / density(above) - m(below) / density(below)) / (2 * spacing_[d]);
   }
   double eddy_viscosity(IntVec3 cell) const {
@@ -287,7 +287,7 @@ void measure_rates(const Warehouse& state, const SchemeOptions& o, const PartRed
   for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
     CellStates states(state, o, b);
     const Diffusion diffusion(state, o, b);
-    for_each_cell(state.local_boxes()[static_cast<std::size_t>(b)].cells, [&](IntVec3 cell) {
+    for_each_cell(state.local_boxes()[b].cells, [&](IntVec3 cell) {
       const auto [rho, modulus] = states.at(cell);
       double velocity[3] = {}, own[3] = {};
       for (int a = 0; a < o.axes.count; ++a) velocity[a] = state.view(momentum, a, b)(cell) / rho;

@@ -30,7 +30,7 @@ class TotalsOfRows {
 
   void add(int box, const IndexBox& cells) {
     const int along = options_.axes.direction[0];
-    values_.resize(static_cast<std::size_t>(cells.size()[along]));
+    values_.resize(cells.size()[along]);
     kinetic_.resize(values_.size());
     IndexBox starts = cells;  // the first cell of every row
     starts.upper[along] = starts.lower[along] + 1;
@@ -55,7 +55,7 @@ class TotalsOfRows {
     std::fill(kinetic_.begin(), kinetic_.end(), 0.0);
     for (int c = 0; c < options_.components; ++c) {
       const double* m = row(momentum_, c, box, start);
-      add(totals_.momentum[options_.direction[static_cast<std::size_t>(c)]], m);
+      add(totals_.momentum[options_.direction[c]], m);
       for (std::size_t i = 0; i < kinetic_.size(); ++i) kinetic_[i] += m[i] * m[i];
     }
     for (std::size_t i = 0; i < kinetic_.size(); ++i) kinetic_[i] = 0.5 * kinetic_[i] / rho[i];
@@ -99,8 +99,8 @@ class TotalsOfRows {
   const SchemeOptions& options_;
   Totals& totals_;
   int momentum_;
-  int fraction_ = -1;              // of solids; -1: the scene has none
-  const double* solid_ = nullptr;  // its row
+  int fraction_ = -1;                      // of solids; -1: the scene has none
+  const double* solid_ = nullptr;          // its row
   std::vector<int> mass_, energy_, slip_;  // by material
   struct Scalar {
     int slot;
@@ -113,11 +113,10 @@ class TotalsOfRows {
 
 void add_source_balance(const SchemeOptions& o, const std::vector<double>& sums, StepBalance& b) {
   if (o.sources == nullptr) return;
-  const auto first = static_cast<std::size_t>(o.first_source_sum);
+  const std::size_t first = o.first_source_sum;
   const std::size_t beside = first + o.fluids.size();
   for (std::size_t s = first; s < beside; ++s) b.mass_of_sources.push_back(sums[s]);
-  for (int d = 0; d < 3; ++d)
-    b.momentum_of_forces[d] += sums[beside + SourceSums::momentum + static_cast<std::size_t>(d)];
+  for (int d = 0; d < 3; ++d) b.momentum_of_forces[d] += sums[beside + SourceSums::momentum + d];
   b.energy_of_forces += sums[beside + SourceSums::total_energy];
 }
 
@@ -130,7 +129,7 @@ void add_totals(const Warehouse& state, const LevelCoverage& coverage, const Sch
   TotalsOfRows rows(state, o, static_cast<int>(o.fluids.size()), totals);
   for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
     if (!coverage.any())
-      rows.add(b, state.local_boxes()[static_cast<std::size_t>(b)].cells);
+      rows.add(b, state.local_boxes()[b].cells);
     else
       for (const IndexBox& cells : coverage.uncovered(b)) rows.add(b, cells);
   }
@@ -138,16 +137,16 @@ void add_totals(const Warehouse& state, const LevelCoverage& coverage, const Sch
 
 std::vector<std::string> tally_names(const SchemeOptions& o) {
   if (o.sources == nullptr) return {};
-  return {"model mass",   "model momentum x", "model momentum y", "model momentum z",
-          "model energy", "exchanged mass",   "exchanged energy", "burned mass",
-          "released heat"};
+  return {"model mass",       "model momentum x", "model momentum y",
+          "model momentum z", "model energy",     "exchanged mass",
+          "exchanged energy", "burned mass",      "released heat"};
 }
 
 std::vector<double> tallies(const SchemeOptions& o, const std::vector<double>& sums) {
   if (o.sources == nullptr) return {};
   StepBalance added;
   add_source_balance(o, sums, added);
-  const auto beside = static_cast<std::size_t>(o.first_source_sum) + o.fluids.size();
+  const auto beside = o.first_source_sum + o.fluids.size();
   double mass = 0;
   for (const double m : added.mass_of_sources) mass += m;
   const Vec3 momentum = added.momentum_of_forces;
@@ -168,23 +167,22 @@ StepBalance balance(const SchemeOptions& o, const std::vector<double>& sums, con
                     double dt) {
   StepBalance b;
   for (int m = 0; m < static_cast<int>(o.fluids.size()); ++m)
-    b.mass.push_back(sums[static_cast<std::size_t>(StepSlots::mass_of(m, o.sums))]);
+    b.mass.push_back(sums[StepSlots::mass_of(m, o.sums)]);
   double mass = 0;  // of all materials at the start
   if (start != nullptr)
     for (const double of_one : start->mass) mass += of_one;
   b.energy = sums[StepSlots::energy];
   for (int d = 0; d < 3; ++d) {
-    b.momentum[d] = sums[static_cast<std::size_t>(StepSlots::momentum + d)];
+    b.momentum[d] = sums[StepSlots::momentum + d];
     if (start == nullptr || o.force_on) continue;
-    const double impulse = sums[static_cast<std::size_t>(StepSlots::pressure_impulse + d)];
+    const double impulse = sums[StepSlots::pressure_impulse + d];
     const double kick = dt * o.gravity[d] * mass;
     b.momentum_of_forces[d] = kick;
     b.energy_of_forces += dt * o.gravity[d] * (start->momentum[d] + 0.5 * (impulse + kick));
   }
   add_source_balance(o, sums, b);
   if (!o.gravity_on || (start != nullptr && !o.force_on)) return b;
-  for (int d = 0; d < 3; ++d)
-    b.momentum_of_forces[d] += sums[static_cast<std::size_t>(StepSlots::gravity_impulse + d)];
+  for (int d = 0; d < 3; ++d) b.momentum_of_forces[d] += sums[StepSlots::gravity_impulse + d];
   b.energy_of_forces += sums[StepSlots::gravity_work];
   return b;
 }

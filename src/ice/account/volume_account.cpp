@@ -36,7 +36,7 @@ void account_side(const Row& row, const FaceFluxHandles& h, const SchemeOptions&
     sums.sum(slots.energy(volume, s)).add(flux.energy * V);
     if (o.conducting) sums.sum(slots.heat(volume, s)).add(l * q[i] * V);
     for (int c = 0; c < o.components; ++c) {
-      const int d = o.direction[static_cast<std::size_t>(c)];
+      const int d = o.direction[c];
       sums.sum(slots.momentum(volume, s) + d).add((flux.momentum[c] - flux.impulse[c]) * V);
       if (o.viscous || o.shears_shocks)
         sums.sum(slots.viscous(volume, s) + d)
@@ -64,7 +64,7 @@ void account_forces(const Row& row, const Handles& h, const SchemeOptions& o, in
   const VolumeSums slots(o.first_volume_sum, static_cast<int>(o.fluids.size()));
   const double* rho = row(h.rho);
   for (int c = 0; c < o.components; ++c) {
-    const int d = o.direction[static_cast<std::size_t>(c)];
+    const int d = o.direction[c];
     const double kick = row.step().dt * o.gravity[d] * cell_volume(row);
     const double push = row.step().dt * o.force[d] * cell_volume(row);
     if (kick == 0.0 && push == 0.0) continue;

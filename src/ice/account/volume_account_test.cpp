@@ -61,11 +61,10 @@ class TwoFluids : public testing::Test {
     const double volume[] = {left ? 1.0 : 0.0, left ? 0.0 : 1.0};
     const double density[] = {1000, 1.2}, pressure[] = {x.x < 0.3 ? 1e9 : 1e5, 1e5};
     for (int m = 0; m < 2; ++m) {
-      const auto n = static_cast<std::size_t>(m);
       at(labels().mass, m, 0, c) = volume[m] * density[m];
       at(labels().volume, m, 0, c) = volume[m];
       at(labels().energy, m, 0, c) =
-          volume[m] > 0 ? fluids_[n].energy_from_pressure(density[m], pressure[m], 300.0) : 0.0;
+          volume[m] > 0 ? fluids_[m].energy_from_pressure(density[m], pressure[m], 300.0) : 0.0;
     }
   }
   struct Held {
@@ -114,7 +113,7 @@ TEST_F(TwoFluids, KeepTheirBudgets) {
     const StepAttempt& a = solver_->attempt(time, dt, {}, control.get());
     ASSERT_EQ(a.faults, 0);
     rates = a.maxima;
-    const auto sum = [&](int slot) { return a.sums[static_cast<std::size_t>(slot)]; };
+    const auto sum = [&](int slot) { return a.sums[slot]; };
     const auto add = [](double& into, double& size, double x) {
       into += x;
       size += std::fabs(x);

@@ -14,9 +14,7 @@ BoundaryFill::BoundaryFill(const Scene& scene, std::span<const IceMaterial> mate
                            const StateSlots& slots, int level, const FlowConditions& conditions,
                            std::span<const models::TransportedScalar> scalars,
                            const models::MixedGas* mixed)
-    : slots_(slots),
-      level_(&scene.grid.levels[static_cast<std::size_t>(level)]),
-      scalars_(scalars) {
+    : slots_(slots), level_(&scene.grid.levels[level]), scalars_(scalars) {
   for (const IceMaterial& material : materials) {
     setting_.fluids.push_back(material.fluid);
     setting_.viscous = setting_.viscous || material.viscous();
@@ -33,10 +31,8 @@ BoundaryFill::BoundaryFill(const Scene& scene, std::span<const IceMaterial> mate
   setting_.conditions = conditions;
   for (Side side : all_sides) {
     const int d = direction_of(side);
-    const auto n = static_cast<std::size_t>(side);
-    if (!level_->active[static_cast<std::size_t>(d)] ||
-        level_->periodic[static_cast<std::size_t>(d)])
-      continue;
+    const std::size_t n = index_of(side);
+    if (!level_->active[d] || level_->periodic[d]) continue;
     for (const BoundaryRegion& region : scene.boundary.side(side).regions)
       add_region(side, region, materials);
     has_walls_[n] = std::any_of(rules_[n].begin(), rules_[n].end(),
@@ -53,11 +49,10 @@ BoundaryFill::BoundaryFill(const Scene& scene, std::span<const IceMaterial> mate
 
 void BoundaryFill::add_region(Side side, const BoundaryRegion& region,
                               std::span<const IceMaterial> materials) {
-  const auto n = static_cast<std::size_t>(side);
+  const std::size_t n = index_of(side);
   // As decks count: solids come before the fluids.
   std::vector<models::TransportedScalar> numbered(scalars_.begin(), scalars_.end());
-  for (models::TransportedScalar& s : numbered)
-    s.material = materials[static_cast<std::size_t>(s.material)].number();
+  for (models::TransportedScalar& s : numbered) s.material = materials[s.material].number();
   scalar_rules_[n].push_back(scalars::make_rules(region, numbered));
   if (materials.size() == 1) {
     rules_[n].push_back(
@@ -91,14 +86,13 @@ double BoundaryFill::held_velocity(Side side, IntVec3 cell, double in_ghost, dou
 }
 
 const WallHeat& BoundaryFill::wall_heat(Side side, IntVec3 cell, int material) const {
-  const auto n = static_cast<std::size_t>(side);
+  const std::size_t n = index_of(side);
   const std::size_t r = region(side, cell);
-  return mixtures_[n].empty() ? rules_[n][r].heat
-                              : mixtures_[n][r].parts[static_cast<std::size_t>(material)].rule.heat;
+  return mixtures_[n].empty() ? rules_[n][r].heat : mixtures_[n][r].parts[material].rule.heat;
 }
 
 bool BoundaryFill::copies(Side side, std::size_t region) const {
-  const auto n = static_cast<std::size_t>(side);
+  const std::size_t n = index_of(side);
   return setting_.gravity[direction_of(side)] == 0 &&
          (mixtures_[n].empty() ? rules_[n][region].plain() : mixtures_[n][region].plain);
 }
@@ -141,24 +135,24 @@ std::size_t BoundaryFill::region(Side side, IntVec3 cell) const {
   for (int e = 0; e < 3; ++e) {
     if (e == d) continue;
     const int size = domain.size()[e];
-    if (level_->periodic[static_cast<std::size_t>(e)])
+    if (level_->periodic[e])
       cell[e] = domain.lower[e] + ((cell[e] - domain.lower[e]) % size + size) % size;
     else
       cell[e] = std::clamp(cell[e], domain.lower[e], domain.upper[e] - 1);
   }
   const int a = d == 0 ? 1 : 0, b = d == 2 ? 1 : 2;
-  const auto n = static_cast<std::size_t>(side);
-  return static_cast<std::size_t>(regions_[n]->region(cell[a], cell[b]));
+  const std::size_t n = index_of(side);
+  return regions_[n]->region(cell[a], cell[b]);
 }
 
 IndexBox BoundaryFill::ghost_region(const Warehouse& state, int box, int ghost_width,
                                     Side side) const {
-  const IndexBox cells = state.local_boxes()[static_cast<std::size_t>(box)].cells;
+  const IndexBox cells = state.local_boxes()[box].cells;
   const int d = direction_of(side);
   IndexBox region = cells.grown(level_->ghosts(ghost_width));
   // Later directions have not been filled yet: stay inside the domain there.
   for (int e = d + 1; e < 3; ++e) {
-    if (level_->periodic[static_cast<std::size_t>(e)]) continue;
+    if (level_->periodic[e]) continue;
     region.lower[e] = std::max(region.lower[e], level_->domain.lower[e]);
     region.upper[e] = std::min(region.upper[e], level_->domain.upper[e]);
   }
@@ -172,7 +166,7 @@ IndexBox BoundaryFill::ghost_region(const Warehouse& state, int box, int ghost_w
 void BoundaryFill::fill_scalars(Warehouse& state, int box, const IndexBox& ghosts, Side side,
                                 bool everywhere) const {
   if (scalars_.empty()) return;
-  const auto n = static_cast<std::size_t>(side);
+  const std::size_t n = index_of(side);
   const int d = direction_of(side);
   const std::vector<scalars::GhostViews> views = scalar_views(state, box);
   for_each_cell(ghosts, [&](IntVec3 ghost) {
@@ -209,7 +203,7 @@ void BoundaryFill::fill_offset(Warehouse& state, int box, const IndexBox& ghosts
                                const Moment& moment) const {
   const RealView offset = offset_view(state, box);
   fill_like_pressure(offset, ghosts, side);
-  const auto n = static_cast<std::size_t>(side);
+  const std::size_t n = index_of(side);
   const auto made = [](const GhostRule& r) {
     return r.side_kind() == SideKind::velocity && r.fixed_density && r.fixed_temperature;
   };
@@ -233,7 +227,7 @@ void BoundaryFill::fill_like_pressure(const RealView& view, const IndexBox& ghos
                                       Side side) const {
   const int d = direction_of(side);
   for_each_cell(ghosts, [&](IntVec3 ghost) {
-    const GhostRule& here = rules_[static_cast<std::size_t>(side)][region(side, ghost)];
+    const GhostRule& here = rules_[index_of(side)][region(side, ghost)];
     const IntVec3 source = source_cell(ghost, d, is_plus(side), here.mirrored(), level_->domain);
     view(ghost) = here.side_kind() == SideKind::pressure ? 0.0 : view(source);
   });
@@ -244,7 +238,7 @@ void BoundaryFill::fill_increment(Warehouse& state, int slot, const ThreadTeam& 
   team.for_each(state.local_boxes().size(), [&](std::size_t n, int) {
     const int box = static_cast<int>(n);
     for (const Side side : all_sides)
-      if (regions_[static_cast<std::size_t>(side)] != nullptr)
+      if (regions_[index_of(side)] != nullptr)
         if (const IndexBox ghosts = ghost_region(state, box, width, side); !ghosts.empty())
           fill_like_pressure(state.view(slot, 0, box), ghosts, side);
   });
@@ -260,7 +254,7 @@ BoundaryFill::FarPressure BoundaryFill::far_pressure(Side side, IntVec3 cell) co
 
 void BoundaryFill::fill_flow(Warehouse& state, int box, const IndexBox& ghosts, Side side,
                              const Moment& moment) const {
-  const auto n = static_cast<std::size_t>(side);
+  const std::size_t n = index_of(side);
   const int d = direction_of(side);
   const bool plus = is_plus(side);
   const BoundaryViews v = views(state, box);
@@ -293,7 +287,7 @@ void BoundaryFill::fill_flow(Warehouse& state, int box, const IndexBox& ghosts, 
 
 void BoundaryFill::fill_ghost(GhostStates& states, Side side, std::size_t region,
                               IntVec3 ghost) const {
-  const auto n = static_cast<std::size_t>(side);
+  const std::size_t n = index_of(side);
   const GhostRule& rule = rules_[n][region];
   const IntVec3 source =
       source_cell(ghost, direction_of(side), is_plus(side), rule.mirrored(), level_->domain);
@@ -307,11 +301,9 @@ void BoundaryFill::fill_ghost(GhostStates& states, Side side, std::size_t region
 
 bool BoundaryFill::commute(std::span<const Side> sides) const {
   return std::all_of(sides.begin(), sides.end(), [&](Side side) {
-    const std::size_t regions = rules_[static_cast<std::size_t>(side)].size();
+    const std::size_t regions = rules_[index_of(side)].size();
     for (std::size_t r = 0; r < regions; ++r)
-      if (!copies(side, r) ||
-          !scalars::all_copied(scalar_rules_[static_cast<std::size_t>(side)][r]))
-        return false;
+      if (!copies(side, r) || !scalars::all_copied(scalar_rules_[index_of(side)][r])) return false;
     return true;
   });
 }
@@ -324,7 +316,7 @@ void BoundaryFill::fill_meeting(Warehouse& state, int box, const IndexBox& ghost
     all.insert(all.end(), some->begin(), some->end());
   for (const scalars::GhostViews& s : scalar_views(state, box)) all.push_back(s.scalar);
   if (slots_.offset.valid()) all.push_back(offset_view(state, box));
-  std::vector<double> sums(static_cast<std::size_t>(ghosts.volume()) * all.size(), 0.0);
+  std::vector<double> sums(ghosts.volume() * all.size(), 0.0);
   const auto each = [&](auto&& f) {
     std::size_t n = 0;
     for (const RealView& view : all)
@@ -340,12 +332,12 @@ void BoundaryFill::fill_meeting(Warehouse& state, int box, const IndexBox& ghost
 
 void BoundaryFill::even_out_edges(Warehouse& state, int box, int width,
                                   const Moment& moment) const {
-  const IndexBox cells = state.local_boxes()[static_cast<std::size_t>(box)].cells;
+  const IndexBox cells = state.local_boxes()[box].cells;
   const IndexBox all = cells.grown(level_->ghosts(width));
   const auto beyond = [&](std::span<const Side> sides) {
     IndexBox region = all;
     for (int d = 0; d < 3; ++d) {
-      if (level_->periodic[static_cast<std::size_t>(d)]) continue;
+      if (level_->periodic[d]) continue;
       region.lower[d] = std::max(region.lower[d], level_->domain.lower[d]);
       region.upper[d] = std::min(region.upper[d], level_->domain.upper[d]);
     }
@@ -359,7 +351,7 @@ void BoundaryFill::even_out_edges(Warehouse& state, int box, int width,
   const auto even_out = [&](std::initializer_list<Side> list) {
     const std::span<const Side> sides(list.begin(), list.size());
     for (const Side side : sides)
-      if (regions_[static_cast<std::size_t>(side)] == nullptr) return;
+      if (regions_[index_of(side)] == nullptr) return;
     const IndexBox region = beyond(sides);
     if (!region.empty() && !commute(sides)) fill_meeting(state, box, region, sides, moment);
   };
@@ -379,15 +371,14 @@ void BoundaryFill::even_out_edges(Warehouse& state, int box, int width,
 // together: where rows run along `d`, the end of one and the start of the next share a cache line.
 void BoundaryFill::fill_direction(Warehouse& state, int width, int d, const ThreadTeam& team,
                                   const Moment& moment) const {
-  if (regions_[static_cast<std::size_t>(side_of(d, false))] == nullptr) return;
+  if (regions_[index_of(side_of(d, false))] == nullptr) return;
   constexpr std::int64_t fewest_cells = 4096;  // of a piece: worth waking a thread for
   struct Piece {
     int box;
     std::array<IndexBox, 2> ghosts;
   };
   int across = 2;
-  while (across >= 0 && (across == d || !level_->active[static_cast<std::size_t>(across)]))
-    --across;
+  while (across >= 0 && (across == d || !level_->active[across])) --across;
   std::vector<Piece> pieces;
   for (int box = 0; box < static_cast<int>(state.local_boxes().size()); ++box) {
     Piece whole{box, {}};

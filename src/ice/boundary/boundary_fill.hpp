@@ -73,7 +73,7 @@ class BoundaryFill {
   // where the pressure is given.
   void fill_increment(Warehouse& state, int slot, const ThreadTeam& team) const;
   // Walls let nothing pass: the face solver sets u_f = 0 there, whatever the ghosts hold.
-  bool has_walls(Side side) const { return has_walls_[static_cast<std::size_t>(side)]; }
+  bool has_walls(Side side) const { return has_walls_[index_of(side)]; }
   // `cell`: any cell with the transverse indices of the face.
   bool is_wall(Side side, IntVec3 cell) const { return rule(side, cell).mirrored(); }
   Vec3 wall_velocity(Side side, IntVec3 cell) const;
@@ -82,7 +82,7 @@ class BoundaryFill {
   bool has_heat_slip() const { return has_heat_slip_; }
   const FlowConditions& conditions() const { return setting_.conditions; }
   // Open faces (LODI).
-  bool has_waves(Side side) const { return has_waves_[static_cast<std::size_t>(side)]; }
+  bool has_waves(Side side) const { return has_waves_[index_of(side)]; }
   int wave_directions() const;  // with open faces
   bool lets_waves_out(Side side, IntVec3 cell) const { return rule(side, cell).waves; }
   // Walls that hold what touches them: their ghosts are 2 u_wall - u along the face.
@@ -92,7 +92,7 @@ class BoundaryFill {
   SideKind side_kind(Side side, IntVec3 cell) const { return rule(side, cell).side_kind(); }
   // Faces through which the velocity is given (step/held_faces.hpp).
   bool holds_velocities() const;
-  bool holds_velocities(Side side) const { return holds_[static_cast<std::size_t>(side)]; }
+  bool holds_velocities(Side side) const { return holds_[index_of(side)]; }
   bool holds_velocity(Side side, IntVec3 cell) const { return rule(side, cell).holds_velocity(); }
   // On the face at a time; `in_ghost`: what the ghost cell has, of conditions that do not swing.
   double held_velocity(Side side, IntVec3 cell, double in_ghost, double time) const;
@@ -106,7 +106,7 @@ class BoundaryFill {
   // The region of a boundary face; beyond the domain that of its image or of the nearest face.
   std::size_t region(Side side, IntVec3 cell) const;
   const GhostRule& rule(Side side, IntVec3 cell) const {
-    return rules_[static_cast<std::size_t>(side)][region(side, cell)];
+    return rules_[index_of(side)][region(side, cell)];
   }
   bool copies(Side side, std::size_t region) const;  // state by state, or mirrored
   void add_region(Side side, const BoundaryRegion& region, std::span<const IceMaterial> materials);

@@ -28,13 +28,12 @@ class Space {
   Space(std::array<bool, 3> active, const BoundaryRegion& plus, Vec3 gravity) {
     Level level;
     level.active = active;
-    for (int d = 0; d < 3; ++d)
-      level.domain.upper[d] = active[static_cast<std::size_t>(d)] ? 40 + 7 * d : 1;
+    for (int d = 0; d < 3; ++d) level.domain.upper[d] = active[d] ? 40 + 7 * d : 1;
     level.boxes = {{level.domain, 0, 0}};
     scene_.grid.levels = {level};
     scene_.constants.gravity = gravity;
     for (const Side side : all_sides)
-      scene_.boundary.sides[static_cast<std::size_t>(side)].regions = {
+      scene_.boundary.sides[index_of(side)].regions = {
           is_plus(side) ? plus : region_of("Symmetric", ConditionKind::symmetry, 0)};
   }
 
@@ -103,9 +102,7 @@ TEST(BoundaryFillInSpace, ThreadsChangeNoBit) {
   for (int slot = 0; slot < 3; ++slot)
     for (int c = 0; c < one->info(slot).components; ++c) {
       const RealView a = one->view(slot, c, 0), b = three->view(slot, c, 0);
-      EXPECT_EQ(
-          std::memcmp(a.data, b.data, sizeof(double) * static_cast<std::size_t>(a.box.volume())),
-          0);
+      EXPECT_EQ(std::memcmp(a.data, b.data, sizeof(double) * a.box.volume()), 0);
     }
 }
 

@@ -28,7 +28,7 @@ class Tube {
     scene_.grid.levels = {level};
     scene_.constants.gravity = {gravity, 0, 0};
     for (Side side : {Side::x_minus, Side::x_plus})
-      scene_.boundary.sides[static_cast<std::size_t>(side)].regions = {region};
+      scene_.boundary.sides[index_of(side)].regions = {region};
     material_.viscosity = viscosity;
     const Labels& l = labels();
     state_ = std::make_unique<Warehouse>(scene_.grid.levels.front(), 0);

@@ -40,7 +40,7 @@ void copy_row_ends(double* row, std::ptrdiff_t stride, int rows, const std::vect
     __builtin_prefetch(to(begin), 1);
     __builtin_prefetch(to(end), 1);
     for (std::ptrdiff_t layer = 0; layer < layers; ++layer)
-      row[layer] = sign * row[source[static_cast<std::size_t>(layer)] - low];
+      row[layer] = sign * row[source[layer] - low];
   }
 }
 
@@ -59,8 +59,7 @@ void copy_layers(const RealView& v, const IndexBox& ghosts, int d, const std::ve
     }
     for (int layer = 0; layer < n[d]; ++layer) {
       double* to = row + layer * v.stride[d];
-      const double* from =
-          row + (source[static_cast<std::size_t>(layer)] - ghosts.lower[d]) * v.stride[d];
+      const double* from = row + (source[layer] - ghosts.lower[d]) * v.stride[d];
       // Along unit stride, or a single cell of a direction that is not active.
       for (int inner = 0; inner < n[a]; ++inner) to[inner] = sign * from[inner];
     }

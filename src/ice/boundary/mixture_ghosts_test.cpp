@@ -36,7 +36,7 @@ class TwoMaterials {
     region.conditions = std::move(conditions);
     region.name = "side x-";
     for (Side side : {Side::x_minus, Side::x_plus})
-      scene_.boundary.sides[static_cast<std::size_t>(side)].regions = {region};
+      scene_.boundary.sides[index_of(side)].regions = {region};
     materials_.resize(2);
     materials_[0].fluid = ideal_gas(1.4, 717.5);
     materials_[1].fluid = water;
@@ -73,7 +73,7 @@ class TwoMaterials {
   double p(int m, int i) const {
     return fluid(m).pressure(mass(m, i) / volume(m, i), energy(m, i) / volume(m, i));
   }
-  const Fluid& fluid(int m) const { return materials_[static_cast<std::size_t>(m)].fluid; }
+  const Fluid& fluid(int m) const { return materials_[m].fluid; }
 
  private:
   Scene scene_;

@@ -49,7 +49,7 @@ class Tube {
     region.conditions = std::move(conditions);
     region.name = "side x-";
     for (Side side : {Side::x_minus, Side::x_plus})
-      scene_.boundary.sides[static_cast<std::size_t>(side)].regions = {region};
+      scene_.boundary.sides[index_of(side)].regions = {region};
     for (int m = 0; m < materials; ++m) {
       materials_.emplace_back();
       materials_.back().index = m;
@@ -96,7 +96,7 @@ class Tube {
   double p(int m, int i) const {
     return fluid(m).pressure(mass(m, i) / volume(m, i), energy(m, i) / volume(m, i));
   }
-  const Fluid& fluid(int m) const { return materials_[static_cast<std::size_t>(m)].fluid; }
+  const Fluid& fluid(int m) const { return materials_[m].fluid; }
 
  private:
   int count_;

@@ -20,8 +20,8 @@ struct FaceSum {
   ExactSum velocity;
 
   void add_to(std::span<ExactSum> sums, int first) const {
-    sums[static_cast<std::size_t>(first)].add(static_cast<double>(cells));
-    sums[static_cast<std::size_t>(first) + 1].merge(velocity);
+    sums[first].add(static_cast<double>(cells));
+    sums[first + 1].merge(velocity);
   }
 };
 
@@ -30,7 +30,7 @@ struct FaceSum {
 // Numbered side by side, region by region: alike on all levels. Only what changes along a face
 // needs to know what carries it.
 void BoundaryFill::number_open_face(Side side) {
-  const auto n = static_cast<std::size_t>(side);
+  const std::size_t n = index_of(side);
   GhostRule& rule = rules_[n].back();
   if (!rule.waves || setting_.conditions.lodi->velocity_infinity) return;
   if (level_->active_count() < 2) return;
@@ -49,15 +49,15 @@ int BoundaryFill::sum_count() const {
 void BoundaryFill::add_sums(const Warehouse& state, std::span<ExactSum> sums) const {
   std::vector<FaceSum> faces(open_faces_.size());
   for (const Side side : all_sides) {
-    const auto n = static_cast<std::size_t>(side);
+    const std::size_t n = index_of(side);
     const auto needs = [](const GhostRule& r) { return r.open_face >= 0; };
     if (std::none_of(rules_[n].begin(), rules_[n].end(), needs)) continue;
     const int d = direction_of(side);
     const auto found = std::find(slots_.directions.begin(), slots_.directions.end(), d);
-    const auto component = static_cast<std::size_t>(found - slots_.directions.begin());
+    const std::size_t component = found - slots_.directions.begin();
     const int layer = is_plus(side) ? level_->domain.upper[d] - 1 : level_->domain.lower[d];
     for (int box = 0; box < static_cast<int>(state.local_boxes().size()); ++box) {
-      IndexBox cells = state.local_boxes()[static_cast<std::size_t>(box)].cells;
+      IndexBox cells = state.local_boxes()[box].cells;
       cells.lower[d] = std::max(cells.lower[d], layer);
       cells.upper[d] = std::min(cells.upper[d], layer + 1);
       if (cells.empty()) continue;
@@ -65,16 +65,15 @@ void BoundaryFill::add_sums(const Warehouse& state, std::span<ExactSum> sums) co
       for_each_cell(cells, [&](IntVec3 cell) {
         const int face = rule(side, cell).open_face;
         if (face < 0) return;
-        FaceSum& sum = faces[static_cast<std::size_t>(face)];
+        FaceSum& sum = faces[face];
         ++sum.cells;
         sum.velocity.add(v.momentum[component](cell) / v.density(cell));
       });
     }
   }
   for (int face = 0; face < open_faces(); ++face) {
-    const auto n = static_cast<std::size_t>(face);
-    faces[n].add_to(sums, 2 * open_faces_[n]);
-    faces[n].add_to(sums, sums_of_directions + 2 * face);
+    faces[face].add_to(sums, 2 * open_faces_[face]);
+    faces[face].add_to(sums, sums_of_directions + 2 * face);
   }
 }
 
@@ -82,8 +81,7 @@ std::vector<std::optional<Vec3>> BoundaryFill::carriers(std::span<const double> 
   std::vector<std::optional<Vec3>> carriers;
   if (sums.empty()) return carriers;
   const auto mean = [&](int first) {
-    const auto at = static_cast<std::size_t>(first);
-    return sums[at] > 0 ? std::optional(sums[at + 1] / sums[at]) : std::nullopt;
+    return sums[first] > 0 ? std::optional(sums[first + 1] / sums[first]) : std::nullopt;
   };
   Vec3 across;
   for (int d = 0; d < 3; ++d) across[d] = mean(2 * d).value_or(0.0);
@@ -92,7 +90,7 @@ std::vector<std::optional<Vec3>> BoundaryFill::carriers(std::span<const double> 
     const auto own = mean(sums_of_directions + 2 * face);
     if (!own) continue;
     carriers.back() = across;
-    (*carriers.back())[open_faces_[static_cast<std::size_t>(face)]] = *own;
+    (*carriers.back())[open_faces_[face]] = *own;
   }
   return carriers;
 }

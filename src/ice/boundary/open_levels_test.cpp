@@ -24,7 +24,7 @@ class OpenLevels : public DeckRun {
         for (int c = 0; c < components; ++c)
           for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
             const RealView v = state.view(state.find(label, 0), c, b);
-            for_each_cell(state.local_boxes()[static_cast<std::size_t>(b)].cells,
+            for_each_cell(state.local_boxes()[b].cells,
                           [&](IntVec3 cell) { all.push_back(v(cell)); });
           }
     }

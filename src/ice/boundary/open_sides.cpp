@@ -8,7 +8,7 @@ namespace sluice::ice {
 // No column of ghosts looks at another: each may be filled by itself, outward, so that hydrostatic
 // sums find the nearer ghosts filled.
 void BoundaryFill::fill_open_side(GhostStates& states, const IndexBox& ghosts, Side side) const {
-  const auto n = static_cast<std::size_t>(side);
+  const std::size_t n = index_of(side);
   const int d = direction_of(side), layers = ghosts.size()[d];
   WaveRows rows(states, ghosts);
   const int a = rows.along(), b = rows.across();

@@ -8,18 +8,17 @@ namespace sluice::ice {
 
 GhostStates::Neighbours GhostStates::neighbours(IntVec3 cell, int e) const {
   const Level& level = *setting_.level;
-  const auto n = static_cast<std::size_t>(e);
   Neighbours at{cell, cell, 0};
   --at.low[e];
   ++at.high[e];
-  if (!level.periodic[n]) {
+  if (!level.periodic[e]) {
     if (cell[e] < level.domain.lower[e] || cell[e] >= level.domain.upper[e]) return {cell, cell, 0};
     at.low[e] = std::max(at.low[e], level.domain.lower[e]);
     at.high[e] = std::min(at.high[e], level.domain.upper[e] - 1);
   }
   const IndexBox& box = v_.mass.front().box;
   at.steps = at.high[e] - at.low[e];
-  if (!level.active[n] || at.low[e] < box.lower[e] || at.high[e] >= box.upper[e]) at.steps = 0;
+  if (!level.active[e] || at.low[e] < box.lower[e] || at.high[e] >= box.upper[e]) at.steps = 0;
   return at;
 }
 

@@ -54,12 +54,12 @@ class Channel {
     BoundaryRegion region;
     region.conditions = {wall(kind, velocity)};
     for (Side side : {Side::y_minus, Side::y_plus})
-      scene_.boundary.sides[static_cast<std::size_t>(side)].regions = {region};
+      scene_.boundary.sides[index_of(side)].regions = {region};
     Condition copy = wall("Neumann", {});
     copy.kind = ConditionKind::neumann;
     region.conditions = {copy};
     for (Side side : {Side::x_minus, Side::x_plus})
-      scene_.boundary.sides[static_cast<std::size_t>(side)].regions = {region};
+      scene_.boundary.sides[index_of(side)].regions = {region};
     material_.viscosity = mu;
     material_.viscosity_models.sutherland = sutherland;
     conditions_.slip = settings;

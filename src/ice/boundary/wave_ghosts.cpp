@@ -128,8 +128,7 @@ void GhostStates::mixture_waves(const MixtureRule& rule, const WaveState& out, I
   if (setting_.level->domain.size()[d_] > 1) inner[d_] += plus_ ? -1 : 1;
   const int alone = alone_in(source);
   if (alone >= 0 && alone == alone_in(inner)) {
-    const auto m = static_cast<std::size_t>(alone);
-    waves(rule.parts[m].rule, out, ghost, source, m);
+    waves(rule.parts[alone].rule, out, ghost, source, alone);
     return keep_slip(ghost, source);
   }
   const std::size_t count = v_.mass.size();

@@ -48,8 +48,7 @@ class Plane {
     scene_.constants.gravity = {gravity, 0, 0};
     BoundaryRegion region;
     region.conditions = std::move(conditions);
-    for (Side side : all_sides)
-      scene_.boundary.sides[static_cast<std::size_t>(side)].regions = {region};
+    for (Side side : all_sides) scene_.boundary.sides[index_of(side)].regions = {region};
     const Labels& l = labels();
     state_ = std::make_unique<Warehouse>(scene_.grid.levels.front(), 0);
     state_->add({l.mass, 0, 1, 3});
@@ -69,7 +68,7 @@ class Plane {
     const Labels& l = labels();
     const BoundaryFill boundary(scene_, material_, {l.mass, l.momentum, l.energy, 0, {0, 1}}, 0,
                                 blocks_);
-    std::vector<ExactSum> exact(static_cast<std::size_t>(boundary.sum_count()));
+    std::vector<ExactSum> exact(boundary.sum_count());
     boundary.add_sums(*state_, exact);
     std::vector<double> sums;
     for (const ExactSum& sum : exact) sums.push_back(sum.value());

@@ -95,7 +95,7 @@ void WaveRows::find_neighbours(int row) {
 // that it does not have, stay zero.
 void WaveRows::allot_room() {
   constexpr std::size_t rows_of_layer = 3 * 5 + 2 * 3 + 2, others = 5 + 10 + 5;
-  const auto n = static_cast<std::size_t>(count_);
+  const std::size_t n = count_;
   room_.assign((2 * rows_of_layer + others) * n, 0.0);
   double* next = room_.data();
   const auto row = [&] { return std::exchange(next, next + n); };
@@ -146,7 +146,7 @@ void WaveRows::load_gas(const StateRow& to, IntVec3 first) {
 void WaveRows::load(int row) {
   if (std::exchange(held_[turn(row)], row) == row) return;
   for (int inward = 0; inward < 2; ++inward) {
-    const StateRow& to = layers_[static_cast<std::size_t>(inward)].rows[turn(row)];
+    const StateRow& to = layers_[inward].rows[turn(row)];
     if (one_law_) {
       load_gas(to, cell(first_, row, inward));
       continue;
@@ -162,7 +162,7 @@ void WaveRows::load(int row) {
 
 void WaveRows::find_sound_speeds() {
   for (int inward = 0; inward < 2; ++inward) {
-    const Layer& layer = layers_[static_cast<std::size_t>(inward)];
+    const Layer& layer = layers_[inward];
     const StateRow& here = layer.rows[turn(row_)];
     if (one_law_) {
       sound_speed_row(s_.setting_.fluids.front(), count_, here.rho, here.p, layer.sound_speed);
@@ -254,7 +254,7 @@ void WaveRows::take(const GhostRule& rule, int begin, int end) {
     common_.carrier_known = false;
     common_.carrier = {};
     if (rule.open_face >= 0 && !s_.moment_.carriers.empty()) {
-      const auto& mean = s_.moment_.carriers[static_cast<std::size_t>(rule.open_face)];
+      const auto& mean = s_.moment_.carriers[rule.open_face];
       common_.carrier_known = mean.has_value();
       if (mean) s_.to_face_frame(*mean, common_.carrier);
     }

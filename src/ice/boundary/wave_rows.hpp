@@ -70,7 +70,7 @@ class WaveRows {
     r.u[1][i] = s.u[1];
     r.u[2][i] = s.u[2];
   }
-  static std::size_t turn(int row) { return static_cast<std::size_t>((row % 3 + 3) % 3); }
+  static std::size_t turn(int row) { return (row % 3 + 3) % 3; }
   IntVec3 cell(int along, int row, int inward) const;
   void find_neighbours(int row);
   void allot_room();

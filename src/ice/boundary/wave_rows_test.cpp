@@ -96,7 +96,7 @@ class Cube {
     const IceMaterial material;
     const BoundaryFill boundary(scene_, material, {l.mass, l.momentum, l.energy, 0, {0, 1, 2}}, 0,
                                 conditions);
-    std::vector<ExactSum> exact(static_cast<std::size_t>(boundary.sum_count()));
+    std::vector<ExactSum> exact(boundary.sum_count());
     boundary.add_sums(*state_, exact);
     std::vector<double> sums;
     for (const ExactSum& sum : exact) sums.push_back(sum.value());

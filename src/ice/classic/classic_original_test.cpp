@@ -109,15 +109,13 @@ TEST(ClassicForm, GivesUintahsOwnExplosion) {
   Stepper run(box);
   std::vector<double> before(128 * 128);
   auto keep_sound = [&] {
-    for_each_cell(run.domain(), [&](IntVec3 c) {
-      before[static_cast<std::size_t>(c.x + 128 * c.y)] = sound(run, c);
-    });
+    for_each_cell(run.domain(), [&](IntVec3 c) { before[c.x + 128 * c.y] = sound(run, c); });
   };
   keep_sound();
   double last = 1e-5 / 3;
   while (run.time() < end) {
     const double fastest = largest(run, [&](IntVec3 c) {
-      return before[static_cast<std::size_t>(c.x + 128 * c.y)] +
+      return before[c.x + 128 * c.y] +
              std::max(std::fabs(run.velocity(c, 0)), std::fabs(run.velocity(c, 1)));
     });
     keep_sound();

@@ -79,7 +79,7 @@ void add_face_velocity(TaskList& list, const Variables& v, const SchemeOptions& 
     h.velocity = task.read(v.common.velocity, both);
     h.pressure = task.read(v.common.pressure, both);
     if (holds_velocities(o)) h.sound = task.read(v.common.sound, both);
-    h.face_velocity = task.write(v.common.face_velocity[static_cast<std::size_t>(axis)]);
+    h.face_velocity = task.write(v.common.face_velocity[axis]);
     const double gravity = o.gravity[direction], force = o.force[direction];
     task.kernel([=](const Row& row) {
       const double dt = row.step().dt;
@@ -105,7 +105,7 @@ void add_face_pressure(TaskList& list, const Variables& v, const SchemeOptions& 
       h.velocity = task.read(v.common.velocity, both);
       h.sound = task.read(v.common.sound, both);
     }
-    h.face_pressure = task.write(v.common.face_pressure[static_cast<std::size_t>(axis)]);
+    h.face_pressure = task.write(v.common.face_pressure[axis]);
     const int direction = o.axes.direction[axis];
     task.kernel([=](const Row& row) {
       pressure_row(row, h, axis);

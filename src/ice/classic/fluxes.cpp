@@ -95,7 +95,6 @@ void add_fluxes(TaskList& list, const Variables& v, const SchemeOptions& o, int 
   for (int axis = 0; axis < o.axes.count; ++axis) {
     const int direction = o.axes.direction[axis];
     const Stencil both = Stencil::along(direction, 1, 0);
-    const auto face = static_cast<std::size_t>(axis);
     TaskBuilder task = list.task(names[axis], effect);
     Handles h;
     h.rho = task.read(v.common.rho, both);
@@ -103,8 +102,8 @@ void add_fluxes(TaskList& list, const Variables& v, const SchemeOptions& o, int 
     h.momentum = task.read(v.momentum, both);
     if (o.second_order) h.slope = task.read(v.slope, both);
     if (o.second_order && o.axes.count > 1) h.shift = task.read(v.shift, both);
-    h.face_velocity = task.read(v.common.face_velocity[face]);
-    h.flux = task.write(v.common.flux[face]);
+    h.face_velocity = task.read(v.common.face_velocity[axis]);
+    h.flux = task.write(v.common.flux[axis]);
     const bool per_mass = specific(o);
     dispatch(o.axes.count, o.components, [&]<int D, int C>() {
       task.kernel([=](const Row& row) {

@@ -39,10 +39,9 @@ void add_lagrangian(TaskList& list, const Variables& v, const SchemeOptions& o, 
   Handles h;
   h.forces.rho = task.read(v.common.rho);
   for (int axis = 0; axis < o.axes.count; ++axis) {
-    const auto a = static_cast<std::size_t>(axis);
     const Stencil both = Stencil::along(o.axes.direction[axis], 0, 1);
-    h.forces.face_pressure[a] = task.read(v.common.face_pressure[a], both);
-    if (o.viscous) h.forces.stress[a] = task.read(v.common.stress[a], both);
+    h.forces.face_pressure[axis] = task.read(v.common.face_pressure[axis], both);
+    if (o.viscous) h.forces.stress[axis] = task.read(v.common.stress[axis], both);
   }
   h.inverse_rho = task.read(v.common.inverse_rho);
   h.momentum = task.read(v.common.momentum);

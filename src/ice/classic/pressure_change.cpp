@@ -21,7 +21,7 @@ void change_row(const Row& row, const Handles& h, const double (&l)[3]) {
   const double* um[3];
   const double* up[3];
   for (int d = 0; d < D; ++d) {
-    const In faces = h.face_velocity[static_cast<std::size_t>(d)];
+    const In faces = h.face_velocity[d];
     um[d] = row(faces);
     up[d] = row(faces, 0, d, 1);
   }
@@ -52,9 +52,8 @@ void add_pressure_change(TaskList& list, const Variables& v, const SchemeOptions
   h.pressure = task.read(v.common.pressure);
   h.sound = task.read(v.common.sound);
   for (int axis = 0; axis < o.axes.count; ++axis) {
-    const auto a = static_cast<std::size_t>(axis);
-    h.face_velocity[a] =
-        task.read(v.common.face_velocity[a], Stencil::along(o.axes.direction[axis], 0, 1));
+    h.face_velocity[axis] =
+        task.read(v.common.face_velocity[axis], Stencil::along(o.axes.direction[axis], 0, 1));
   }
   h.change = task.write(v.common.pressure_change);
   h.pressure_new = task.write(v.pressure);

@@ -76,7 +76,7 @@ void flatten_outside(const Row& row, const Handles& h, const SchemeOptions& o, i
   const int n = row.count();
   for (int axis = 0; axis < o.axes.count; ++axis) {
     const int d = o.axes.direction[axis];
-    if (o.periodic[static_cast<std::size_t>(d)]) continue;
+    if (o.periodic[d]) continue;
     const int first = o.domain.lower[d] - row.cell()[d], last = o.domain.upper[d] - row.cell()[d];
     if (axis == 0) {
       flatten(row, h, slopes, 0, first < n ? first : n);
@@ -100,8 +100,8 @@ void shift_rows(const Row& row, const Handles& h, const SchemeOptions& o) {
   const int n = row.count();
   for (int d = 0; d < D; ++d) {
     const double half = 0.5 * row.step().dt / row.step().spacing[o.axes.direction[d]];
-    const double* __restrict um = row(h.face_velocity[static_cast<std::size_t>(d)]);
-    const double* __restrict up = row(h.face_velocity[static_cast<std::size_t>(d)], 0, d, 1);
+    const double* __restrict um = row(h.face_velocity[d]);
+    const double* __restrict up = row(h.face_velocity[d], 0, d, 1);
     double* __restrict shift = row(h.shift, d);
 #pragma GCC ivdep
     for (int i = 0; i < n; ++i) shift[i] = half * (larger(0.0, -um[i]) - larger(0.0, up[i]));
@@ -145,9 +145,8 @@ void add_slopes(TaskList& list, const Variables& v, const SchemeOptions& o, int 
   h.slope = task.write(v.slope);
   if (o.axes.count > 1) {
     for (int axis = 0; axis < o.axes.count; ++axis) {
-      const auto a = static_cast<std::size_t>(axis);
-      h.face_velocity[a] =
-          task.read(v.common.face_velocity[a], Stencil::along(o.axes.direction[axis], 0, 1));
+      h.face_velocity[axis] =
+          task.read(v.common.face_velocity[axis], Stencil::along(o.axes.direction[axis], 0, 1));
     }
     h.shift = task.write(v.shift);
   }

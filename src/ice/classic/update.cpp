@@ -24,7 +24,7 @@ void advect_row(const Row& row, const Handles& h, int component, double* __restr
   const double* in[D];
   const double* out[D];
   for (int d = 0; d < D; ++d) {
-    const In flux = h.flux[static_cast<std::size_t>(d)];
+    const In flux = h.flux[d];
     in[d] = row(flux, component);
     out[d] = row(flux, component, d, 1);
   }
@@ -68,8 +68,8 @@ void rest_row(const Row& row, const Handles& h, const SchemeOptions& o) {
   for (int i = 0; i < n; ++i) rest[i] = 1.0;
   for (int d = 0; d < D; ++d) {
     const double l = row.step().dt / row.step().spacing[o.axes.direction[d]];
-    const double* __restrict um = row(h.face_velocity[static_cast<std::size_t>(d)]);
-    const double* __restrict up = row(h.face_velocity[static_cast<std::size_t>(d)], 0, d, 1);
+    const double* __restrict um = row(h.face_velocity[d]);
+    const double* __restrict up = row(h.face_velocity[d], 0, d, 1);
 #pragma GCC ivdep
     for (int i = 0; i < n; ++i) rest[i] -= l * (larger(0.0, -um[i]) + larger(0.0, up[i]));
   }
@@ -92,10 +92,9 @@ Handles declare(TaskBuilder& task, const Variables& v, const SchemeOptions& o) {
   h.energy_star = task.read(v.common.energy_star);
   if (o.conservative_time_step) h.next.sound = task.read(v.common.sound, Stencil::box(1));
   for (int axis = 0; axis < o.axes.count; ++axis) {
-    const auto a = static_cast<std::size_t>(axis);
     const Stencil both = Stencil::along(o.axes.direction[axis], 0, 1);
-    h.flux[a] = task.read(v.common.flux[a], both);
-    h.face_velocity[a] = task.read(v.common.face_velocity[a], both);
+    h.flux[axis] = task.read(v.common.flux[axis], both);
+    h.face_velocity[axis] = task.read(v.common.face_velocity[axis], both);
   }
   h.next.face_velocity = h.face_velocity;
   h.next.rho = task.write(v.common.rho_new);

@@ -25,8 +25,8 @@ Collapse::Collapse(const std::vector<Fluid>& fluids) : fluids_(fluids) {
 }
 
 void Collapse::set_law(int m, const Fluid& fluid) {
-  fluids_[static_cast<std::size_t>(m)] = fluid;
-  G_[static_cast<std::size_t>(m)] = gas_ratio(fluid);
+  fluids_[m] = fluid;
+  G_[m] = gas_ratio(fluid);
 }
 
 std::uint64_t Collapse::traces_of_gas(const Equilibration::Cell& cell, double density) const {
@@ -39,10 +39,7 @@ std::uint64_t Collapse::traces_of_gas(const Equilibration::Cell& cell, double de
 
 void Collapse::remember(const Equilibration::Cell& cell, std::uint64_t traces,
                         double* before) const {
-  for_each_of(traces, [&](int m) {
-    const auto k = static_cast<std::size_t>(m);
-    before[m] = G_[k] * cell.E[m] / cell.V[m];
-  });
+  for_each_of(traces, [&](int m) { before[m] = G_[m] * cell.E[m] / cell.V[m]; });
 }
 
 bool Collapse::settle(const Equilibration::Cell& cell, std::uint64_t traces, const double* before,
@@ -50,17 +47,15 @@ bool Collapse::settle(const Equilibration::Cell& cell, std::uint64_t traces, con
   int heaviest = 0;
   for (int m = 1; m < static_cast<int>(G_.size()); ++m)
     if (cell.M[m] > cell.M[heaviest]) heaviest = m;
-  const auto h = static_cast<std::size_t>(heaviest);
-  if (G_[h] > 0.0) return false;
+  if (G_[heaviest] > 0.0) return false;
   bool changed = false;
   for_each_of(traces, [&](int m) {
     if (!(q > closing * before[m])) return;
-    const auto k = static_cast<std::size_t>(m);
     const double V = cell.V[heaviest];
-    const double T = fluids_[h].temperature(cell.M[heaviest] / V, cell.E[heaviest] / V);
-    const double E = cell.M[m] * fluids_[k].specific_heat * T;  // e = cv T
+    const double T = fluids_[heaviest].temperature(cell.M[heaviest] / V, cell.E[heaviest] / V);
+    const double E = cell.M[m] * fluids_[m].specific_heat * T;  // e = cv T
     if (!(E < cell.E[m])) return;
-    const double volume = G_[k] * E / q;  // V = (gamma - 1) E / q
+    const double volume = G_[m] * E / q;  // V = (gamma - 1) E / q
     cell.E[heaviest] += cell.E[m] - E;
     cell.V[heaviest] += cell.V[m] - volume;
     cell.E[m] = E;

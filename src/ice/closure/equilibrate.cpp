@@ -30,8 +30,8 @@ Equilibration::Equilibration(const std::vector<Fluid>& fluids) : fluids_(fluids)
 }
 
 void Equilibration::set_law(int m, const Fluid& fluid) {
-  fluids_[static_cast<std::size_t>(m)] = fluid;
-  linear_[static_cast<std::size_t>(m)] = linear_of(fluid);
+  fluids_[m] = fluid;
+  linear_[m] = linear_of(fluid);
 }
 
 bool Equilibration::survey(const Cell& cell, Present& in, Result& result) const {
@@ -40,7 +40,7 @@ bool Equilibration::survey(const Cell& cell, Present& in, Result& result) const 
   double softness = 0, weighted = 0;
   for (int n = 0; n < in.count; ++n) {
     const int m = in.index[n];
-    const Linear& l = linear_[static_cast<std::size_t>(m)];
+    const Linear& l = linear_[m];
     const Stiffness s = stiffness(m, cell.M[m], cell.V[m], cell.E[m]);
     if (!(cell.M[m] > 0.0 && cell.V[m] > 0.0 && s.modulus > 0.0 && s.modulus < infinity)) {
       result.failed = m;
@@ -70,8 +70,8 @@ bool Equilibration::survey(const Cell& cell, Present& in, Result& result) const 
 
 // Which of two is the first to give way under tension; of alike ones the larger.
 bool Equilibration::is_weaker(int m, int n, const Cell& cell) const {
-  const double a = linear_[static_cast<std::size_t>(m)].pi;
-  const double b = linear_[static_cast<std::size_t>(n)].pi;
+  const double a = linear_[m].pi;
+  const double b = linear_[n].pi;
   return a < b || (a == b && cell.V[m] > cell.V[n]);
 }
 
@@ -90,8 +90,7 @@ bool Equilibration::leave_traces_out(const Cell& cell, Present& in) const {
 }
 
 Equilibration::Stiffness Equilibration::stiffness(int m, double M, double V, double E) const {
-  const auto k = static_cast<std::size_t>(m);
-  const Linear& l = linear_[k];
+  const Linear& l = linear_[m];
   const double inverse = 1.0 / V;
   if (l.is) {
     const double p = l.G * ((E - l.q * M) * inverse) - l.gamma_pi;
@@ -102,14 +101,13 @@ Equilibration::Stiffness Equilibration::stiffness(int m, double M, double V, dou
         const double p = law.pressure(rho, rho_e);
         return {p, eos::modulus_of_state(law, rho, rho_e, p)};
       },
-      fluids_[k].law);
+      fluids_[m].law);
 }
 
 double Equilibration::modulus(int m, double rho, double rho_e, double p) const {
-  const auto k = static_cast<std::size_t>(m);
-  if (linear_[k].is) return (1.0 + linear_[k].G) * (p + linear_[k].pi);
+  if (linear_[m].is) return (1.0 + linear_[m].G) * (p + linear_[m].pi);
   return std::visit([&](const auto& law) { return eos::modulus_of_state(law, rho, rho_e, p); },
-                    fluids_[k].law);
+                    fluids_[m].law);
 }
 
 // All but `rest` go to pressure q; their changes of energy, summed.
@@ -118,7 +116,7 @@ double Equilibration::relax(const Cell& cell, const Present& in, double q, int r
   for (int n = 0; n < in.count; ++n) {
     const int m = in.index[n];
     if (m == rest) continue;
-    const Linear& l = linear_[static_cast<std::size_t>(m)];
+    const Linear& l = linear_[m];
     const double now =
         l.is ? l.g * cell.V[m] + l.thermal(cell.M[m], cell.V[m], cell.E[m]) / (q + l.pi)
              : in.relaxed[m];
@@ -137,7 +135,7 @@ double Equilibration::relax(const Cell& cell, const Present& in, double q, int r
 void Equilibration::fill_cavity(const Cell& cell, const Present& in, double q) const {
   const double before = cell.E[in.weakest];
   const double others = relax(cell, in, q, in.weakest);
-  const Linear& l = linear_[static_cast<std::size_t>(in.weakest)];
+  const Linear& l = linear_[in.weakest];
   cell.E[in.weakest] = (q + l.gamma_pi) * cell.V[in.weakest] / l.G + l.q * cell.M[in.weakest];
   int heaviest = -1;
   for (int n = 0; n < in.count; ++n) {
@@ -155,7 +153,7 @@ bool Equilibration::mend(const Cell& cell) const {
   double stiffest = 0;
   for (int m = 0; m < materials(); ++m) {
     if (cell.M[m] > cell.M[heaviest]) heaviest = m;
-    if (cell.M[m] != 0.0) stiffest = std::fmax(stiffest, linear_[static_cast<std::size_t>(m)].pi);
+    if (cell.M[m] != 0.0) stiffest = std::fmax(stiffest, linear_[m].pi);
   }
   if (!(cell.M[heaviest] > 0.0 && cell.V[heaviest] > 0.0)) return false;
   const double p =
@@ -164,7 +162,7 @@ bool Equilibration::mend(const Cell& cell) const {
   if (!(least > 0.0 && least < infinity)) return false;
   bool mended = false;
   for (int m = 0; m < materials(); ++m) {
-    const Linear& l = linear_[static_cast<std::size_t>(m)];
+    const Linear& l = linear_[m];
     const double M = cell.M[m], V = cell.V[m];
     if (!(M > 0.0 && V > 0.0 && M < next_to_nothing * cell.M[heaviest])) continue;
     const Stiffness now = stiffness(m, M, V, cell.E[m]);
@@ -193,7 +191,7 @@ bool Equilibration::mend(const Cell& cell) const {
 bool Equilibration::settle(const Cell& cell, Present& in, Result& result) const {
   double q = result.pressure, least = -infinity;
   if (in.weakest >= 0 && in.count > 1)
-    if (const Linear& l = linear_[static_cast<std::size_t>(in.weakest)]; l.is)
+    if (const Linear& l = linear_[in.weakest]; l.is)
       least = least_cavity_pressure * in.stiffest - l.pi;
   const bool found = find_pressure(cell, in, q);
   result.torn = found && q < least;

@@ -96,7 +96,7 @@ class Equilibration {
   Balance balance(const Cell& cell, const Present& in) const;
   bool search_together(const Cell& cell, Present& in, const Balance& b, double& x) const;
   bool search_in_bracket(const Cell& cell, Present& in, const Balance& b, double& x) const;
-  const Fluid& fluid(int m) const { return fluids_[static_cast<std::size_t>(m)]; }
+  const Fluid& fluid(int m) const { return fluids_[m]; }
 
   std::vector<Fluid> fluids_;
   std::vector<Linear> linear_;

@@ -116,13 +116,12 @@ struct Equilibration::Balance {
 Equilibration::Balance Equilibration::balance(const Cell& cell, const Present& in) const {
   Balance b;
   double lowest = infinity;
-  for (int n = 0; n < in.count; ++n)
-    lowest = std::fmin(lowest, linear_[static_cast<std::size_t>(in.index[n])].pi);
+  for (int n = 0; n < in.count; ++n) lowest = std::fmin(lowest, linear_[in.index[n]].pi);
   b.lo = -lowest;
   b.room = in.volume;
   for (int n = 0; n < in.count; ++n) {
     const int m = in.index[n];
-    const Linear& l = linear_[static_cast<std::size_t>(m)];
+    const Linear& l = linear_[m];
     if (!l.is) {
       b.other[b.others++] = m;
       continue;

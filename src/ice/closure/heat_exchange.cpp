@@ -39,12 +39,11 @@ bool HeatExchange::exchange(const Equilibration::Cell& cell, double dt,
   if (n < 2) return false;
   for (int i = 0; i < n; ++i) {
     const int m = in.index[i];
-    const auto a = static_cast<std::size_t>(m);
-    const Fluid& fluid = fluids_[a];
+    const Fluid& fluid = fluids_[m];
     const double rho = cell.M[m] / cell.V[m], rho_e = cell.E[m] / cell.V[m];
     in.T[i] = fluid.temperature(rho, rho_e);
     in.C[i] =
-        cell.M[m] * (constant_heat_[a] ? fluid.specific_heat : fluid.heat_capacity(rho, rho_e));
+        cell.M[m] * (constant_heat_[m] ? fluid.specific_heat : fluid.heat_capacity(rho, rho_e));
   }
   const auto [coldest, hottest] = std::minmax_element(in.T, in.T + n);
   if (*coldest == *hottest) return false;
@@ -93,7 +92,7 @@ void HeatExchange::take_means(const Equilibration::Cell& cell, Present& in, doub
   solve_pairs(in.count, in.C, k, T);
   for (int i = 0; i < in.count; ++i) {
     const int m = in.index[i];
-    const Fluid& fluid = fluids_[static_cast<std::size_t>(m)];
+    const Fluid& fluid = fluids_[m];
     in.E[i] = cell.V[m] * fluid.energy_from_temperature(cell.M[m] / cell.V[m], T[i]);
     gain[i] = in.E[i] - cell.E[m];
   }

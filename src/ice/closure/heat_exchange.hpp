@@ -18,7 +18,7 @@ class HeatExchange {
                std::optional<SlipExchange> slip = {});
 
   // Of a gas with a constant specific heat.
-  void set_law(int m, const Fluid& fluid) { fluids_[static_cast<std::size_t>(m)] = fluid; }
+  void set_law(int m, const Fluid& fluid) { fluids_[m] = fluid; }
 
   bool on() const { return on_; }
   // Over a step of dt at fixed volumes; energies sum to what they were. True: something passed.

@@ -53,7 +53,7 @@ bool IdealRelaxation::add(int k, int n, const GasRows& gas, Sums& s) const {
   const double* __restrict M = gas.M;
   const double* __restrict V = gas.V;
   const double* __restrict E = gas.E;
-  const Gas& law = gases_[static_cast<std::size_t>(k)];
+  const Gas& law = gases_[k];
   const double g = law.share, inverse_gamma = 1.0 - g, per_K = inverse_gamma / law.G, which = k;
   int bad = 0;
 #pragma GCC ivdep
@@ -95,7 +95,7 @@ void IdealRelaxation::compare(int k, int n, const GasRows& gas, Sums& s,
                               const double* __restrict pressure) const {
   const double* __restrict V = gas.V;
   const double* __restrict E = gas.E;
-  const double G = gases_[static_cast<std::size_t>(k)].G, gamma = 1.0 + G;
+  const double G = gases_[k].G, gamma = 1.0 + G;
 #pragma GCC ivdep
   for (int i = 0; i < n; ++i) {
     const double round_off = same_pressure * (gamma * pressure[i] + s.softness[i]);
@@ -122,7 +122,7 @@ void IdealRelaxation::expand(int k, int n, const GasRows& gas, Sums& s,
                              const double* __restrict inverse) const {
   double* __restrict V = gas.V;
   double* __restrict E = gas.E;
-  const double g = gases_[static_cast<std::size_t>(k)].share, which = k;
+  const double g = gases_[k].share, which = k;
 #pragma GCC ivdep
   for (int i = 0; i < n; ++i) {
     const double before = V[i], energy = E[i];
@@ -142,7 +142,7 @@ template <bool First>
 void IdealRelaxation::give_rest(int k, int n, const GasRows& gas, Sums& s) const {
   double* __restrict V = gas.V;
   double* __restrict E = gas.E;
-  const double inverse_gamma = 1.0 - gases_[static_cast<std::size_t>(k)].share, which = k;
+  const double inverse_gamma = 1.0 - gases_[k].share, which = k;
 #pragma GCC ivdep
   for (int i = 0; i < n; ++i) {
     const bool rest = s.largest_of[i] == which;

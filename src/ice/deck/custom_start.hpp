@@ -33,7 +33,7 @@ struct PairDirections {
 };
 inline PairDirections directions_of(const VortexPairs& pairs, const Level& coarsest) {
   const int b = (pairs.axis + 1) % 3, c = (pairs.axis + 2) % 3;
-  const auto periodic = [&](int d) { return coarsest.periodic[static_cast<std::size_t>(d)]; };
+  const auto periodic = [&](int d) { return coarsest.periodic[d]; };
   return periodic(b) && !periodic(c) ? PairDirections{c, b} : PairDirections{b, c};
 }
 

@@ -19,7 +19,7 @@ namespace sluice::ice {
 namespace {
 
 std::size_t pairs_of(int materials) {
-  return static_cast<std::size_t>(materials * (materials - 1) / 2);
+  return materials * (materials - 1) / 2;
 }
 
 PairCoefficients triangle(const DeckNode* list, int materials) {
@@ -105,7 +105,7 @@ void check_surface(const DeckNode& parent, const char* fluid_tag, const char* so
     add_error(faults, parent.child(solid_tag)->where,
               fmt::format("<{}> and <{}> are both {}: a material has no surface with itself",
                           fluid_tag, solid_tag, *fluid));
-  const DeckNode* law = materials[static_cast<std::size_t>(*fluid)]->child("EOS");
+  const DeckNode* law = materials[*fluid]->child("EOS");
   if (!slips || law == nullptr || law->attribute("type") == "ideal_gas") return;
   add_error(
       faults, parent.child(fluid_tag)->where,

@@ -22,8 +22,7 @@ class PairCoefficients {
  public:
   PairCoefficients() = default;
   explicit PairCoefficients(int materials)
-      : materials_(materials),
-        values_(static_cast<std::size_t>(materials) * static_cast<std::size_t>(materials), 0.0) {}
+      : materials_(materials), values_(static_cast<std::size_t>(materials) * materials, 0.0) {}
 
   int materials() const { return materials_; }
   double operator()(int m, int n) const { return values_[index(m, n)]; }
@@ -44,10 +43,7 @@ class PairCoefficients {
   double least_of_pairs() const;                    // 0 when there is no pair
 
  private:
-  std::size_t index(int m, int n) const {
-    return static_cast<std::size_t>(m) * static_cast<std::size_t>(materials_) +
-           static_cast<std::size_t>(n);
-  }
+  std::size_t index(int m, int n) const { return static_cast<std::size_t>(m) * materials_ + n; }
   int materials_ = 0;
   bool varies_ = false;
   std::vector<double> values_;

@@ -106,7 +106,7 @@ void read_criteria(const DeckNode& root, IceScene& s) {
 void warn_of_flat_plane(const DeckNode& node, int axis, const Scene& scene,
                         std::vector<Fault>& faults) {
   for (const int d : {(axis + 1) % 3, (axis + 2) % 3}) {
-    const ActiveDirection& direction = scene.directions[static_cast<std::size_t>(d)];
+    const ActiveDirection& direction = scene.directions[d];
     if (direction.velocity != VelocityComponent::dropped) continue;
     add_warning(faults, node.where,
                 fmt::format("<{}> about {} also gives a velocity along {}, which is an inactive "
@@ -149,7 +149,7 @@ void warn_of_vortices(const Deck& deck, const Scene& scene, const IceScene& s,
 // A region is held at a state that its material's law has.
 void check_fixed_values(const IceScene& s, std::vector<Fault>& faults) {
   for (const models::FixedValues& f : s.models.fixed_values) {
-    const IceMaterial& m = s.materials[static_cast<std::size_t>(f.material)];
+    const IceMaterial& m = s.materials[f.material];
     const double rho_e = m.fluid.energy_from_temperature(f.density, f.temperature);
     if (m.fluid.admissible(f.density, rho_e)) continue;
     add_error(faults, f.where,
@@ -168,7 +168,7 @@ void complete_mixed_gas(IceScene& s, std::vector<Fault>& faults) {
   if (!s.models.mixed) return;
   models::MixedGas& gas = *s.models.mixed;
   if (gas.species) return;
-  IceMaterial& m = s.materials[static_cast<std::size_t>(gas.material)];
+  IceMaterial& m = s.materials[gas.material];
   gas.change_nodes([&](models::MixedGas::Node& node) {
     if (!gas.own_heat_capacity) {
       node.cv = m.fluid.specific_heat;

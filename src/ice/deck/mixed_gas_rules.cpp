@@ -19,7 +19,7 @@ std::size_t gas_of(const DeckNode& model, const std::vector<std::string>& names)
   const DeckNode* parameters = model.child(model.attribute("type").value_or(""));
   const DeckNode* material = parameters == nullptr ? nullptr : parameters->child("material");
   const auto m = material == nullptr ? std::nullopt : models::find_material(material->text, names);
-  return static_cast<std::size_t>(m.value_or(0));
+  return m.value_or(0);
 }
 
 // What it goes without beside other materials.

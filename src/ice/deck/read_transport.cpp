@@ -196,7 +196,7 @@ std::vector<WallShear> read_wall_shear(const DeckNode& ice, const Scene& scene,
     const std::string face = text_or(*node, "domainFace", "");
     const auto found = std::find(names_of_sides.begin(), names_of_sides.end(), face);
     if (found == names_of_sides.end()) continue;  // told by the rules
-    w.side = all_sides[static_cast<std::size_t>(found - names_of_sides.begin())];
+    w.side = all_sides[found - names_of_sides.begin()];
     const int d = direction_of(w.side);
     const auto& regions = scene.boundary.side(w.side).regions;
     const bool wall = std::any_of(regions.begin(), regions.end(), [&](const BoundaryRegion& r) {

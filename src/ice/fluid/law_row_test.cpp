@@ -29,10 +29,9 @@ struct State {
   Values f, rho, E;
   State() {
     for (int i = 0; i < n; ++i) {
-      const auto k = static_cast<std::size_t>(i);
-      f[k] = -.1 + .2 * i;  // beyond both ends too
-      rho[k] = 1 + .1 * i;
-      E[k] = 2e5 * (1 + .2 * i);
+      f[i] = -.1 + .2 * i;  // beyond both ends too
+      rho[i] = 1 + .1 * i;
+      E[i] = 2e5 * (1 + .2 * i);
     }
   }
 };
@@ -134,10 +133,9 @@ TEST(LawRow, AddsWhatEddiesConduct) {
     law.conductivity_with_eddies(n, .3, .9, s.rho.data(), s.E.data(), mu_t.data(), k.data());
     Fluid room;
     for (int i = 0; i < n; ++i) {
-      const auto c = static_cast<std::size_t>(i);
       const Fluid& here = law.at(i, room);
       const double cp = here.gamma * here.specific_heat;
-      EXPECT_NEAR(k[c], law.conductivity(i, .3) + cp * 1e-3 / .9, 1e-14 * k[c]);
+      EXPECT_NEAR(k[i], law.conductivity(i, .3) + cp * 1e-3 / .9, 1e-14 * k[i]);
     }
   }
 }

@@ -8,7 +8,7 @@ namespace sluice::ice {
 Children::Children(const TransferGeometry& geometry) {
   axes_.count = 0;
   for (int d = 0; d < 3; ++d) {
-    if (!geometry.active[static_cast<std::size_t>(d)]) continue;
+    if (!geometry.active[d]) continue;
     const int r = geometry.ratio[d];
     if (r != 1 && r != 2 && r != 4) throw std::logic_error("a refinement ratio is 1, 2 or 4");
     ratio_[axes_.count] = r;
@@ -18,8 +18,7 @@ Children::Children(const TransferGeometry& geometry) {
 }
 
 void Children::add(int to, int from) {
-  sum_[static_cast<std::size_t>(sums_++)] = {static_cast<std::uint8_t>(to),
-                                             static_cast<std::uint8_t>(from)};
+  sum_[sums_++] = {static_cast<std::uint8_t>(to), static_cast<std::uint8_t>(from)};
 }
 
 // The sum of a block ends in its lowest child.

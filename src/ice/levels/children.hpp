@@ -87,8 +87,8 @@ class Children {
   template <int Width>
   void mean(double (*rows)[Width], int n) const {
     for (int s = 0; s < sums_; ++s) {
-      double* __restrict to = rows[sum_[static_cast<std::size_t>(s)].to];
-      const double* __restrict from = rows[sum_[static_cast<std::size_t>(s)].from];
+      double* __restrict to = rows[sum_[s].to];
+      const double* __restrict from = rows[sum_[s].from];
 #pragma GCC ivdep
       for (int i = 0; i < n; ++i) to[i] += from[i];
     }
@@ -134,7 +134,7 @@ class Batch {
       while (first[along] < cells.upper[along]) {
         const int left = cells.upper[along] - first[along];
         const int taken = left < Width - size_ ? left : Width - size_;
-        parts_[static_cast<std::size_t>(count_++)] = {region, along, first, taken, size_};
+        parts_[count_++] = {region, along, first, taken, size_};
         first[along] += taken;
         size_ += taken;
         if (size_ == Width) flush(f);

@@ -6,7 +6,7 @@ namespace sluice::ice {
 
 void IceTransfer::correct(const StateViews& state, const ConservedChange& change,
                           std::span<double> share) const {
-  const auto energy = static_cast<std::size_t>(1 + components_);
+  const std::size_t energy = 1 + components_;
   for (std::size_t n = 0; n < change.cells.size(); ++n) {
     const std::ptrdiff_t place = state[0].offset(change.cells[n]);
     GasCell s{}, d{};
@@ -15,15 +15,14 @@ void IceTransfer::correct(const StateViews& state, const ConservedChange& change
     s.E = state[energy](change.cells[n]);
     d.E = change.amount[energy][n];
     for (int c = 0; c < components_; ++c) {
-      const auto q = static_cast<std::size_t>(1 + c);
+      const std::size_t q = 1 + c;
       s.m[c] = state[q](change.cells[n]);
       d.m[c] = change.amount[q][n];
     }
     share[n] = correct_gas(s, d, components_, internal_energy_, fluid_);
     state[0].data[place] = s.rho;
     state[energy](change.cells[n]) = s.E;
-    for (int c = 0; c < components_; ++c)
-      state[static_cast<std::size_t>(1 + c)](change.cells[n]) = s.m[c];
+    for (int c = 0; c < components_; ++c) state[1 + c](change.cells[n]) = s.m[c];
   }
 }
 

@@ -54,10 +54,9 @@ std::vector<FlagSeeds> interface_seeds(const Warehouse& state, const std::vector
     seeds.distance = c.distance;
     for (int m = 0; m < count; ++m) {
       if (c.material >= 0 && c.material != m) continue;
-      const int slot = state.find(labels().volume, materials[static_cast<std::size_t>(m)]);
+      const int slot = state.find(labels().volume, materials[m]);
       for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b)
-        add_cells(state.view(slot, 0, b), state.local_boxes()[static_cast<std::size_t>(b)].cells,
-                  seeds.cells);
+        add_cells(state.view(slot, 0, b), state.local_boxes()[b].cells, seeds.cells);
     }
   }
   return all;

@@ -47,11 +47,10 @@ class MixtureCorrector {
     const IntVec3 cell = change.cells[n];
     read(state, change, n);
     if (const int m = sole_material(); m >= 0) {
-      const auto present = static_cast<std::size_t>(m);
-      mixture_.E = part_[present].E;
-      const double share = correct_gas(mixture_, total_, components_, false, fluids_[present]);
-      part_[present].M = mixture_.rho;
-      part_[present].E = mixture_.E;
+      mixture_.E = part_[m].E;
+      const double share = correct_gas(mixture_, total_, components_, false, fluids_[m]);
+      part_[m].M = mixture_.rho;
+      part_[m].E = mixture_.E;
       write(state, cell);
       return share;
     }

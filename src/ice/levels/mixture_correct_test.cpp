@@ -153,8 +153,7 @@ TEST_F(MixtureCorrection, ACellOfOneMaterialIsTreatedAsAGas) {
     state_.mass(2, cell) = gas.rho(cell);
     state_.energy(2, cell) = gas.energy(cell);
     state_.volume(2, cell) = 1;
-    for (int c = 0; c < 2; ++c)
-      state_.momentum(static_cast<std::size_t>(c), cell) = gas.momentum(c, cell);
+    for (int c = 0; c < 2; ++c) state_.momentum(c, cell) = gas.momentum(c, cell);
   });
   correct([&](IntVec3 cell, std::size_t q) {
     return 0.3 * (q < layout().quantities() ? state_.at(q, cell)

@@ -33,7 +33,7 @@ class SoleMaterials {
     stride_[0] = 1;
     stride_[1] = box.size().x;
     stride_[2] = static_cast<std::ptrdiff_t>(box.size().x) * box.size().y;
-    of_.assign(static_cast<std::size_t>(box.volume()), mixed);
+    of_.assign(box.volume(), mixed);
   }
 
   void find(const StateViews& state, std::size_t materials) {
@@ -80,9 +80,8 @@ class SoleMaterials {
  private:
   static constexpr int several = -2;
   std::size_t place(IntVec3 c) const {
-    return static_cast<std::size_t>((c.x - box_.lower.x) * stride_[0] +
-                                    (c.y - box_.lower.y) * stride_[1] +
-                                    (c.z - box_.lower.z) * stride_[2]);
+    return (c.x - box_.lower.x) * stride_[0] + (c.y - box_.lower.y) * stride_[1] +
+           (c.z - box_.lower.z) * stride_[2];
   }
 
   IndexBox box_;
@@ -127,7 +126,7 @@ void MixtureTransfer::prolong(const StateViews& coarse, const StateViews& fine,
   const int along = longest_direction(parents, axes);
   const auto prolong_part = [&](const IndexBox& part, int material) {
     if (material == mixed) return alone_.front().prolong(coarse, fine, part, geometry, 0);
-    const auto present = static_cast<std::size_t>(material);
+    const std::size_t present = material;
     alone_[present].prolong(views_of(coarse, layout_, present, mixed_),
                             views_of(fine, layout_, present, mixed_), part, geometry, order);
     if (mixed_.gas != nullptr && !is_mixed(mixed_.gas, present))

@@ -51,8 +51,7 @@ TEST_P(MixtureLevels, ProlongsAMaterialAmongItselfAsAGas) {
     coarse.mass(2, cell) = gas.rho(cell);
     coarse.energy(2, cell) = gas.energy(cell);
     coarse.volume(2, cell) = 1;
-    for (int c = 0; c < components(); ++c)
-      coarse.momentum(static_cast<std::size_t>(c), cell) = gas.momentum(c, cell);
+    for (int c = 0; c < components(); ++c) coarse.momentum(c, cell) = gas.momentum(c, cell);
   });
   for (int order = 0; order <= 2; ++order) {
     prolong(coarse, fine, fine.box(), order);
@@ -134,7 +133,7 @@ TEST_P(MixtureLevels, DependOnNeitherCutsNorMirrors) {
   fill_with_mixtures(coarse, fluids, 6);
   std::size_t component = 0;
   for (int d = 0; d < 3; ++d) {
-    if (!GetParam().active[static_cast<std::size_t>(d)]) continue;
+    if (!GetParam().active[d]) continue;
     const auto mirror = [&](const MixtureState& from, const MixtureState& to) {
       for_each_cell(from.box(), [&](IntVec3 cell) {
         IntVec3 other = cell;

@@ -28,7 +28,7 @@ void OffsetTransfer::prolong(const StateViews& coarse, const StateViews& fine,
                          floor_of(cell.z, ratio.z)};
     double value = Y(parent);
     for (int d = 0; d < 3; ++d) {
-      if (order == 0 || !geometry.active[static_cast<std::size_t>(d)]) continue;
+      if (order == 0 || !geometry.active[d]) continue;
       IntVec3 low = parent, high = parent;
       --low[d];
       ++high[d];

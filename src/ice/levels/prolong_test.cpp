@@ -81,7 +81,7 @@ TEST_P(Prolongation, DependsOnTheCoarseCellsAlone) {
   for (int order = 0; order <= 2; ++order) {
     prolong(coarse, whole, whole.box(), order);
     for (int d = 0; d < 3; ++d) {
-      if (!GetParam().active[static_cast<std::size_t>(d)]) continue;
+      if (!GetParam().active[d]) continue;
       IndexBox thin = whole.box();
       thin.lower[d] += 1;
       thin.upper[d] = thin.lower[d] + 3;
@@ -122,7 +122,7 @@ IntVec3 mirrored(IntVec3 cell, int d, const IndexBox& box) {
 void mirror(const BoxState& from, const BoxState& to, int d, const TransferCase& c) {
   int component = -1, next = 0;
   for (int e = 0; e < 3; ++e) {
-    if (!c.active[static_cast<std::size_t>(e)]) continue;
+    if (!c.active[e]) continue;
     if (e == d) component = next;
     ++next;
   }
@@ -140,7 +140,7 @@ TEST_P(Prolongation, OfAMirrorImageIsTheMirrorImage) {
       wanted(fine.box(), GetParam());
   fill_wildly(coarse, 11);
   for (int d = 0; d < 3; ++d) {
-    if (!GetParam().active[static_cast<std::size_t>(d)]) continue;
+    if (!GetParam().active[d]) continue;
     mirror(coarse, image, d, GetParam());
     for (int order = 0; order <= 2; ++order) {
       prolong(coarse, fine, fine.box(), order);

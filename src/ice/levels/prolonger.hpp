@@ -99,8 +99,7 @@ class Prolonger {
   }
 
   std::size_t view(int q) const {
-    return q < quantities_ ? static_cast<std::size_t>(q)
-                           : by_volume_[static_cast<std::size_t>(q - quantities_)];
+    return q < quantities_ ? static_cast<std::size_t>(q) : by_volume_[q - quantities_];
   }
   // The coarse cells of a batch and their neighbours, or cells shifted along two axes; of a scalar
   // its amount.
@@ -127,7 +126,7 @@ class Prolonger {
   void find_range(int s, const Batch<width>& batch) {
     const int n = batch.padded();
     double star[Lines::star][width];
-    lines_.gather_star(by_volume_[static_cast<std::size_t>(s)], batch, star);
+    lines_.gather_star(by_volume_[s], batch, star);
     for (double* of : {scalar_[s], lowest_[s], highest_[s]}) std::copy(star[0], star[0] + n, of);
     for (int k = 1; k < Lines::star; ++k)
       for (int i = 0; i < n; ++i) {

@@ -29,9 +29,9 @@ class Restrictor {
   void run(IntVec3 first, int n) {
     double* mean[quantities];
     for (int q = 0; q < quantities; ++q) {
-      const RealView& to = coarse_[static_cast<std::size_t>(q)];
+      const RealView& to = coarse_[q];
       mean[q] = to.data + to.offset(first);
-      find_rows(fine_[static_cast<std::size_t>(q)], first, rows_[q]);
+      find_rows(fine_[q], first, rows_[q]);
       average_(rows_[q], n, mean[q]);
     }
     const double* const* heat = lost_kinetic_energy(mean, n);

@@ -71,7 +71,7 @@ TEST_P(Restricted, DependsOnNeitherCutsNorMirrors) {
   run(fine, whole);
   int component = 0;
   for (int d = 0; d < 3; ++d) {
-    if (!GetParam().active[static_cast<std::size_t>(d)]) continue;
+    if (!GetParam().active[d]) continue;
     IndexBox thin = cells();
     thin.upper[d] = thin.lower[d] + 1;
     run(fine, part, thin);
@@ -139,8 +139,7 @@ class Correction : public testing::Test {
     for_each_cell(state_.box(), [&](IntVec3 cell) {
       x.cells.push_back(cell);
       x.amount[0].push_back(mass * state_.rho(cell));
-      for (int c = 0; c < 2; ++c)
-        x.amount[static_cast<std::size_t>(1 + c)].push_back(momentum * state_.momentum(c, cell));
+      for (int c = 0; c < 2; ++c) x.amount[1 + c].push_back(momentum * state_.momentum(c, cell));
       x.amount[3].push_back(energy * static_cast<double>(state_.total_energy(cell)));
     });
     return x;

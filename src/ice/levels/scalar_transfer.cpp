@@ -84,7 +84,7 @@ void spread_out(const Children& children, const Linear& f, double q, ChildRows& 
 class Scratch {
  public:
   Scratch(std::size_t count, const IndexBox& box, const std::array<bool, 3>& active) {
-    const auto cells = static_cast<std::size_t>(box.volume());
+    const std::size_t cells = box.volume();
     room_.resize(count * cells);
     for (std::size_t n = 0; n < count; ++n) {
       RealView v;
@@ -92,8 +92,8 @@ class Scratch {
       v.box = box;
       std::ptrdiff_t stride = 1;
       for (int d = 0; d < 3; ++d) {
-        v.stride[d] = active[static_cast<std::size_t>(d)] ? stride : 0;
-        if (active[static_cast<std::size_t>(d)]) stride *= box.size()[d];
+        v.stride[d] = active[d] ? stride : 0;
+        if (active[d]) stride *= box.size()[d];
       }
       views.push_back(v);
     }
@@ -177,7 +177,7 @@ void ScalarTransfer::restrict_to(const StateViews& fine, const StateViews& coars
 void ScalarTransfer::correct(const StateViews& state, const ConservedChange& change,
                              std::span<double> share) const {
   flow_->correct(by_volume_.empty() ? of_flow(state) : state, change, share);
-  const auto first = static_cast<std::size_t>(flow_->flux_quantities());
+  const std::size_t first = flow_->flux_quantities();
   for (std::size_t s = 0; s < mass_.size(); ++s) {
     const RealView &q = state[views_ + s], &M = state[mass_[s]];
     for (std::size_t n = 0; n < change.cells.size(); ++n) {

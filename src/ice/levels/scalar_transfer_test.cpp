@@ -18,7 +18,7 @@ class ScalarLevels : public testing::TestWithParam<TransferCase> {
     StateViews views;
 
     State(const IndexBox& box, const TransferCase& c)
-        : gas(box, c), values(static_cast<std::size_t>(box.volume()), 0.0), views(gas.views()) {
+        : gas(box, c), values(box.volume(), 0.0), views(gas.views()) {
       views.push_back(views.front());
       views.back().data = values.data();
     }
@@ -73,7 +73,7 @@ TEST_P(ScalarLevels, DoNotDependOnWhichFineCellsAreWanted) {
   State part(fine_cells_, case_);
   IndexBox some = fine_cells_;
   for (int d = 0; d < 3; ++d)
-    if (case_.active[static_cast<std::size_t>(d)]) {
+    if (case_.active[d]) {
       some.lower[d] += 1;
       some.upper[d] -= 3;
     }
@@ -96,7 +96,7 @@ TEST_P(ScalarLevels, CorrectionsAddTheAmountThatPassed) {
   const scalars::ScalarTransfer t = transfer(case_);
   ASSERT_EQ(t.flux_quantities(), case_.components + 3);
   ConservedChange change;
-  change.amount.resize(static_cast<std::size_t>(case_.components) + 3);
+  change.amount.resize(case_.components + 3);
   std::vector<double> wanted;
   for_each_cell(cells_, [&](IntVec3 cell) {
     change.cells.push_back(cell);
@@ -125,7 +125,7 @@ TEST_P(ScalarLevels, KeepPressureAndTemperatureOfAMixture) {
     const double f = coarse_.q(cell), rho = 1 / R(f);
     coarse_.gas.fill(rho, u, rho * cv(f), cell);
   });
-  const auto view = static_cast<std::size_t>(case_.components) + 2;
+  const std::size_t view = case_.components + 2;
   const std::vector<std::size_t> by_volume{view};
   const scalars::ScalarTransfer t(
       std::make_unique<IceTransfer>(case_.components, false, true, Fluid{}, by_volume), {0}, view,
@@ -137,7 +137,7 @@ TEST_P(ScalarLevels, KeepPressureAndTemperatureOfAMixture) {
       for (int d = 0; d < 3; ++d)
         for (const int shift : {-1, 1}) {
           IntVec3 other = cell;
-          other[d] += case_.active[static_cast<std::size_t>(d)] ? shift : 0;
+          other[d] += case_.active[d] ? shift : 0;
           low = std::min(low, coarse_.q(other));
           high = std::max(high, coarse_.q(other));
         }

@@ -43,15 +43,14 @@ void add_temperatures(TaskList& list, const Variables& v, const SchemeOptions& o
       const Row part = row.part(first, count);
       for_each_of(as_set(set), [&](int m) {
         if (!o.conducts(m)) return;
-        const auto n = static_cast<std::size_t>(m);
         double* __restrict r = part(own, 0);
         double* __restrict e = part(own, 1);
         state.divide(part, m, r, e);
         double* __restrict C = part(capacity, m);
-        const LawRow law = laws.of(part, n);
+        const LawRow law = laws.of(part, m);
         law.temperature(count, r, e, part(temperature, m));
         law.heat_capacity(count, r, e, C);
-        if (varies) law.conductivity(count, o.conductivities[n], part(conductivity, m));
+        if (varies) law.conductivity(count, o.conductivities[m], part(conductivity, m));
         if (turbulent) {
           const double* __restrict mu_t = part(eddy);
           const double* __restrict all = part(rho);
@@ -117,7 +116,7 @@ class FaceHeat {
  private:
   double dx(const Row& row) const { return row.step().spacing[o_.axes.direction[axis_]]; }
   int materials() const { return static_cast<int>(o_.fluids.size()); }
-  double k(int m) const { return o_.conductivities[static_cast<std::size_t>(m)]; }
+  double k(int m) const { return o_.conductivities[m]; }
 
   void one_material(const Row& row, int m) const {
     const int n = row.count();
@@ -148,12 +147,11 @@ class FaceHeat {
     s.jump =
         o_.slip_exchange ? row(h_.surface, SurfaceParts::heat_per_area, axis_, shift) : nullptr;
     for (int m = 0; m < materials(); ++m) {
-      s.share[m] = row(h_.volume[static_cast<std::size_t>(m)], 0, axis_, shift);
+      s.share[m] = row(h_.volume[m], 0, axis_, shift);
       s.temperature[m] = row(h_.temperature, m, axis_, shift);
       s.capacity[m] = row(h_.capacity, m, axis_, shift);
       s.conductivity[m] = o_.conductivity_varies ? row(h_.conductivity, m, axis_, shift) : nullptr;
-      s.mass[m] =
-          h_.mass.empty() ? nullptr : row(h_.mass[static_cast<std::size_t>(m)], 0, axis_, shift);
+      s.mass[m] = h_.mass.empty() ? nullptr : row(h_.mass[m], 0, axis_, shift);
     }
     return s;
   }
@@ -292,7 +290,7 @@ class FaceHeat {
 
   // Subgrid motion ends at walls.
   double conductivity_on_wall(const Row& row, int m, int i) const {
-    if (!is_mixed(o_, static_cast<std::size_t>(m))) return k(m);
+    if (!is_mixed(o_, m)) return k(m);
     return harmonic_mean(row(h_.conductivity, m, axis_, -1)[i], row(h_.conductivity, m)[i]);
   }
 
@@ -311,7 +309,6 @@ void add_heat_flux(TaskList& list, const Variables& v, const SchemeOptions& o, i
                                 "heat through contacts on axis 1",
                                 "heat through contacts on axis 2"};
   for (int axis = 0; axis < o.axes.count; ++axis) {
-    const auto a = static_cast<std::size_t>(axis);
     TaskBuilder task = list.task(names[axis], effect);
     const Stencil both = Stencil::along(o.axes.direction[axis], 1, 0);
     Handles h;
@@ -324,8 +321,8 @@ void add_heat_flux(TaskList& list, const Variables& v, const SchemeOptions& o, i
     for (const VariableId volume : v.volume) h.volume.push_back(task.read(volume, both));
     for (std::size_t m = 0; m < v.mass.size() && o.heat_exchange.varies(); ++m)
       h.mass.push_back(task.read(v.mass[m], both));
-    h.flux = task.write(v.common.heat_flux[a]);
-    h.of_materials = task.write(v.heat_flux[a]);
+    h.flux = task.write(v.common.heat_flux[axis]);
+    h.of_materials = task.write(v.heat_flux[axis]);
     task.kernel([heat = FaceHeat(o, h, axis)](const Row& row) { heat.run(row); });
   }
 }

@@ -24,8 +24,7 @@ MaterialHandles read_materials(TaskBuilder& task, const Variables& v, const Sche
   h.scale = task.read(v.energy_scale, both);
   h.stretch = task.read(v.stretch, both);
   if (relaxes_before_remap(o)) h.strain = task.read(v.strain, both);
-  if (o.second_order && o.axes.count > 1)
-    h.base = task.read(v.base[static_cast<std::size_t>(axis)], both);
+  if (o.second_order && o.axes.count > 1) h.base = task.read(v.base[axis], both);
   if (o.mixed != nullptr && o.second_order) h.alike = task.read(v.alike, both);
   return h;
 }
@@ -68,11 +67,10 @@ void MaterialFaces::bind(int m) {
   if ((bound_ >> m & 1) != 0) return;
   bound_ |= std::uint64_t{1} << m;
   MaterialFaceRows& k = rows_[m];
-  const auto at = static_cast<std::size_t>(m);
-  for (int s = 0; s < 6; ++s) k.V[s] = row_(h_.volume[at], 0, axis_, s - 3);
+  for (int s = 0; s < 6; ++s) k.V[s] = row_(h_.volume[m], 0, axis_, s - 3);
   for (int s = 0; s < 4; ++s) {
-    k.M[s] = row_(h_.mass[at], 0, axis_, s - 2);
-    k.E[s] = row_(h_.energy[at], 0, axis_, s - 2);
+    k.M[s] = row_(h_.mass[m], 0, axis_, s - 2);
+    k.E[s] = row_(h_.energy[m], 0, axis_, s - 2);
   }
   const auto look_up = [&](const double** to, In in, int c) {
     for (int s = 0; s < 2; ++s) to[s] = row_(in, c, axis_, s - 1);
@@ -90,7 +88,7 @@ void MaterialFaces::bind(int m) {
     look_up(k.iJ, h_.strain, materials_ + m);
   }
   k.alike[0] = k.alike[1] = nullptr;
-  if (is_mixed(options_, at) && options_.second_order) look_up(k.alike, h_.alike, 0);
+  if (is_mixed(options_, m) && options_.second_order) look_up(k.alike, h_.alike, 0);
   if (based_) {
     look_up(k.base_V, h_.base, component(m, of_volume));
     look_up(k.base_r, h_.base, component(m, of_mass));

@@ -47,7 +47,7 @@ void stretch_cells(const Row& row, const Handles& h, const Axes& axes) {
   const double *um[D], *up[D];
   double l[D];
   for (int d = 0; d < D; ++d) {
-    const In face_velocity = h.face_velocity[static_cast<std::size_t>(d)];
+    const In face_velocity = h.face_velocity[d];
     um[d] = row(face_velocity);
     up[d] = row(face_velocity, 0, d, 1);
     l[d] = row.step().dt / row.step().spacing[axes.direction[d]];
@@ -89,7 +89,6 @@ const double* work_of(const Row& row, const Handles& h, bool kept) {
 template <bool Heated>
 void share_energy(const Row& row, const Handles& h, int m, const double* __restrict W) {
   const int n = row.count();
-  const auto k = static_cast<std::size_t>(m);
   const double* __restrict pure = row(h.pure);
   const double* __restrict p = row(h.pressure);
   const double* __restrict w = row(h.inverse_rho);
@@ -97,9 +96,9 @@ void share_energy(const Row& row, const Handles& h, int m, const double* __restr
   const double* __restrict J = row(h.stretch, 0);
   const double* __restrict E_star = row(h.mixture_energy_star);
   const double* __restrict E_of_mixture = row(h.mixture_energy_L);
-  const double* __restrict M = row(h.state.mass[k]);
-  const double* __restrict V = row(h.state.volume[k]);
-  const double* __restrict E = row(h.state.energy[k]);
+  const double* __restrict M = row(h.state.mass[m]);
+  const double* __restrict V = row(h.state.volume[m]);
+  const double* __restrict E = row(h.state.energy[m]);
   const double* __restrict Q = Heated ? row(h.heat, m) : E;
   double* __restrict E_L = row(h.energy_L, m);
   double* __restrict eps = row(h.specific_energy_L, m);
@@ -127,9 +126,8 @@ void find_scale(const Row& row, const Handles& h, int m, const Fluid& fluid) {
     for (int i = 0; i < n; ++i) scale[i] = eps[i];
     return;
   }
-  const auto k = static_cast<std::size_t>(m);
-  const double* __restrict M = row(h.state.mass[k]);
-  const double* __restrict V = row(h.state.volume[k]);
+  const double* __restrict M = row(h.state.mass[m]);
+  const double* __restrict V = row(h.state.volume[m]);
   const double* __restrict iJ = h.strain.index < 0
                                     ? row(h.inverse_J)
                                     : row(h.strain, static_cast<int>(h.state.mass.size()) + m);
@@ -157,16 +155,15 @@ void relax_cells(const Row& row, const Handles& h, const CellClosure& closure) {
     if (std::popcount(set) < 2 || !(J[i] > 0.0 && J[i] < infinity)) continue;
     double M[most_materials], V[most_materials], E[most_materials], density = 0;
     for (int m = 0; m < materials; ++m) {
-      const auto k = static_cast<std::size_t>(m);
-      M[m] = row(h.state.mass[k])[i] * iJ[i];
-      V[m] = row(h.state.volume[k])[i];
+      M[m] = row(h.state.mass[m])[i] * iJ[i];
+      V[m] = row(h.state.volume[m])[i];
       E[m] = row(h.energy_L, m)[i] * iJ[i];
       density += M[m];
     }
     if (closure.close({M, V, E}, density, 0.0, {}).failed >= 0) continue;
     for (int m = 0; m < materials; ++m) {
       if ((set >> m & 1) == 0) continue;
-      const double r = V[m] / row(h.state.volume[static_cast<std::size_t>(m)])[i];
+      const double r = V[m] / row(h.state.volume[m])[i];
       row(h.strain, m)[i] = r;
       row(h.strain, materials + m)[i] = iJ[i] / r;
       row(h.energy_L, m)[i] = E[m] * J[i];
@@ -193,9 +190,8 @@ void share_cells(const Row& row, const Handles& h, std::uint64_t set, const Mate
   if (materials.relaxation) relax_cells(row, h, *materials.relaxation);
   for (int m = 0; m < static_cast<int>(materials.fluids.size()); ++m) {
     if ((set >> m & 1) == 0) continue;
-    const auto k = static_cast<std::size_t>(m);
-    if (!materials.all_ideal) find_scale(row, h, m, materials.fluids[k]);
-    const double* __restrict V = row(h.state.volume[k]);
+    if (!materials.all_ideal) find_scale(row, h, m, materials.fluids[m]);
+    const double* __restrict V = row(h.state.volume[m]);
     const double* __restrict scale = row(materials.all_ideal ? h.specific_energy_L : h.scale, m);
 #pragma GCC ivdep
     for (int i = 0; i < n; ++i) total[i] += V[i] * scale[i];
@@ -232,9 +228,8 @@ void add_lagrangian_of_each(TaskList& list, const Variables& v, const SchemeOpti
   h.inverse_rho = task.read(v.common.inverse_rho);
   h.inverse_J = task.read(v.common.inverse_J);
   for (int axis = 0; axis < o.axes.count; ++axis) {
-    const auto a = static_cast<std::size_t>(axis);
-    h.face_velocity[a] =
-        task.read(v.common.face_velocity[a], Stencil::along(o.axes.direction[axis], 0, 1));
+    h.face_velocity[axis] =
+        task.read(v.common.face_velocity[axis], Stencil::along(o.axes.direction[axis], 0, 1));
   }
   h.mixture_energy = task.read(v.common.energy);
   if (o.keeps_work())

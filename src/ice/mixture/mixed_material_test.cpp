@@ -135,7 +135,7 @@ double wavy(Vec3 x) {
 // Largest difference of two runs, as a share of the largest value of each kind.
 double distance(const MixtureBox& a, const MixtureBox& b) {
   const std::vector<double> x = bits_of(a, false), y = bits_of(b, false);
-  const std::size_t each = x.size() / static_cast<std::size_t>(a.domain().volume());
+  const std::size_t each = x.size() / a.domain().volume();
   std::vector<double> most(each, 0.0), apart(each, 0.0);
   for (std::size_t n = 0; n < x.size(); ++n) {
     most[n % each] = std::fmax(most[n % each], std::fabs(x[n]));

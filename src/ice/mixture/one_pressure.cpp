@@ -85,7 +85,7 @@ void close_alone(const Row& row, const Handles& h, const SchemeOptions& o, std::
 
 // Of a cell at the edge of others, which holds the mixed gas alone: likewise.
 void set_rate_of_gas(const Row& row, const UpdateState& h, const SchemeOptions& o, int i) {
-  const auto gas = static_cast<std::size_t>(o.mixed->material);
+  const std::size_t gas = o.mixed->material;
   for (std::size_t m = 0; m < h.state.size(); ++m)
     if (m != gas && row(h.state[m].mass_new)[i] != 0.0) return;
   const eos::IdealGas& law = *o.fluids[gas].gamma_law();
@@ -115,8 +115,7 @@ void add_one_pressure(TaskList& list, const Variables& v, const SchemeOptions& o
       for_each_run(runs_of(row, h.end.pure), row.count(), [&](int first, int count, double pure) {
         const int m = static_cast<int>(pure);
         if (pure >= 0.0 && !may_hold_others(row, o, m))
-          return close_alone(row.part(first, count), h, of_material[static_cast<std::size_t>(m)],
-                             static_cast<std::size_t>(m));
+          return close_alone(row.part(first, count), h, of_material[m], m);
         if (!cells) {
           cells.emplace(row, h.end, o);
           laws.emplace(closure);

@@ -61,8 +61,7 @@ void add_near(TaskList& list, const Variables& v, const SchemeOptions& o, int ef
   TaskBuilder task = list.task("cells near several materials", effect);
   std::array<In, 3> pure;
   for (int axis = 0; axis < o.axes.count; ++axis)
-    pure[static_cast<std::size_t>(axis)] =
-        task.read(v.pure, Stencil::along(o.axes.direction[axis], 1, 1));
+    pure[axis] = task.read(v.pure, Stencil::along(o.axes.direction[axis], 1, 1));
   const Out near = task.write(v.near);
   const int axes = o.axes.count;
   task.kernel([=](const Row& row) {
@@ -70,8 +69,7 @@ void add_near(TaskList& list, const Variables& v, const SchemeOptions& o, int ef
     int rows = 0;
     around[rows++] = runs_of(row, pure[0]);
     for (int axis = 0; axis < axes; ++axis)
-      for (const int shift : {-1, 1})
-        around[rows++] = runs_of(row, pure[static_cast<std::size_t>(axis)], axis, shift);
+      for (const int shift : {-1, 1}) around[rows++] = runs_of(row, pure[axis], axis, shift);
     write_near(around, rows, row.count(), row(near), row(near, 1), row.whole_vectors());
   });
 }
@@ -107,9 +105,8 @@ void add_blends(TaskList& list, const Variables& v, int effect) {
       bool fair = count >= fewest && !is_single(key);
       for (std::uint64_t left = fair ? as_set(key) : 0; left != 0 && fair; left &= left - 1) {
         const int m = std::countr_zero(left);
-        const auto k = static_cast<std::size_t>(m);
-        fair = values_in_blend(count, part(state.mass[k]), part(state.volume[k]),
-                               part(state.energy[k]), part(density, m), part(energy, m));
+        fair = values_in_blend(count, part(state.mass[m]), part(state.volume[m]),
+                               part(state.energy[m]), part(density, m), part(energy, m));
       }
       runs.add(count, fair ? key : 0.0);
     });
@@ -121,7 +118,7 @@ void add_blends(TaskList& list, const Variables& v, int effect) {
 void add_alike(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("the same fraction around", effect);
   const In fraction = task.read(old_fraction(list, o), Stencil::box(1));
-  const In mass = task.read(v.mass[static_cast<std::size_t>(o.mixed->material)], Stencil::box(1));
+  const In mass = task.read(v.mass[o.mixed->material], Stencil::box(1));
   const Out alike = task.write(v.alike);
   task.kernel([=, axes = o.axes.count](const Row& row) {
     const int n = row.count();

@@ -30,10 +30,9 @@ struct Handles {
 // One material alone.
 void pure_cells(const Row& row, const Handles& h, int m, const Fluid& fluid) {
   const int n = row.count();
-  const auto k = static_cast<std::size_t>(m);
-  const double* __restrict M = row(h.state.mass[k]);
-  const double* __restrict E = row(h.state.energy[k]);
-  h.laws.of(row, k).primitives(n, M, E, row(h.inverse_rho), row(h.pressure), row(h.sound));
+  const double* __restrict M = row(h.state.mass[m]);
+  const double* __restrict E = row(h.state.energy[m]);
+  h.laws.of(row, m).primitives(n, M, E, row(h.inverse_rho), row(h.pressure), row(h.sound));
   double* __restrict rho = row(h.rho);
   double* __restrict energy = row(h.total_energy);
   double* __restrict slope = row(h.shock_slope);
@@ -72,10 +71,9 @@ struct MixtureRows {
 void add_at_own_pressure(const Row& row, const Handles& h, int m, const Fluid& fluid,
                          const MixtureRows& x) {
   const int n = row.count();
-  const auto k = static_cast<std::size_t>(m);
-  const double* __restrict M = row(h.state.mass[k]);
-  const double* __restrict V = row(h.state.volume[k]);
-  const double* __restrict E = row(h.state.energy[k]);
+  const double* __restrict M = row(h.state.mass[m]);
+  const double* __restrict V = row(h.state.volume[m]);
+  const double* __restrict E = row(h.state.energy[m]);
   const double fluid_slope = fluid.shock_slope(), fluid_pi = -fluid.lowest_pressure();
 #pragma GCC ivdep
   for (int i = 0; i < n; ++i) {
@@ -83,7 +81,7 @@ void add_at_own_pressure(const Row& row, const Handles& h, int m, const Fluid& f
     x.r[i] = M[i] * inverse;
     x.e[i] = E[i] * inverse;
   }
-  h.laws.of(row, k).pressure_and_modulus(n, x.r, x.e, x.pm, x.Km);
+  h.laws.of(row, m).pressure_and_modulus(n, x.r, x.e, x.pm, x.Km);
 #pragma GCC ivdep
   for (int i = 0; i < n; ++i) {
     const double softness = V[i] / x.Km[i];
@@ -100,12 +98,11 @@ void add_at_own_pressure(const Row& row, const Handles& h, int m, const Fluid& f
 // Adds V_m/K_m of material m at the mean pressure to `c`.
 void add_softness(const Row& row, const Handles& h, int m, const MixtureRows& x) {
   const int n = row.count();
-  const auto k = static_cast<std::size_t>(m);
-  const double* __restrict M = row(h.state.mass[k]);
-  const double* __restrict V = row(h.state.volume[k]);
+  const double* __restrict M = row(h.state.mass[m]);
+  const double* __restrict V = row(h.state.volume[m]);
 #pragma GCC ivdep
   for (int i = 0; i < n; ++i) x.r[i] = M[i] / V[i];
-  h.laws.of(row, k).modulus(n, x.r, x.p, x.Km);
+  h.laws.of(row, m).modulus(n, x.r, x.p, x.Km);
 #pragma GCC ivdep
   for (int i = 0; i < n; ++i) x.c[i] += V[i] / x.Km[i];
 }
@@ -120,8 +117,7 @@ void mixed_cells(const Row& row, const Handles& h, std::uint64_t set,
     x.rho[i] = x.energy[i] = x.p[i] = x.c[i] = x.slope[i] = 0.0;
     x.pi[i] = x.least[i] = std::numeric_limits<double>::infinity();
   }
-  for_each_of(
-      set, [&](int m) { add_at_own_pressure(row, h, m, fluids[static_cast<std::size_t>(m)], x); });
+  for_each_of(set, [&](int m) { add_at_own_pressure(row, h, m, fluids[m], x); });
 #pragma GCC ivdep
   for (int i = 0; i < n; ++i) {
     // Cells that levels have just filled may hold gas and a liquid under tension: the mean is then
@@ -150,12 +146,11 @@ void mixed_gases(const Row& row, const Handles& h, std::uint64_t set,
   double* __restrict pi = row(h.pi);
   std::fill_n(pi, n, 0.0);
   const auto add = [&](int m, auto to) {  // to(sum so far, value)
-    const auto k = static_cast<std::size_t>(m);
-    const double gamma = fluids[k].gamma_law()->gamma, fluid_slope = fluids[k].shock_slope();
+    const double gamma = fluids[m].gamma_law()->gamma, fluid_slope = fluids[m].shock_slope();
     const double per_gamma = 1.0 / gamma, per_K = 1.0 / (gamma * (gamma - 1.0));
-    const double* __restrict M = row(h.state.mass[k]);
-    const double* __restrict V = row(h.state.volume[k]);
-    const double* __restrict E = row(h.state.energy[k]);
+    const double* __restrict M = row(h.state.mass[m]);
+    const double* __restrict V = row(h.state.volume[m]);
+    const double* __restrict E = row(h.state.energy[m]);
 #pragma GCC ivdep
     for (int i = 0; i < n; ++i) {
       rho[i] = to(rho[i], M[i]);
@@ -230,7 +225,7 @@ void add_mixture_values(TaskList& list, const Variables& v, const SchemeOptions&
       const Row part = row.part(first, gases ? whole_vectors(count, room - first) : count);
       const int m = first_of(presence);
       if (is_single(presence))
-        pure_cells(part, h, m, fluids[static_cast<std::size_t>(m)]);
+        pure_cells(part, h, m, fluids[m]);
       else if (gases)
         mixed_gases(part, h, as_set(presence), fluids);
       else

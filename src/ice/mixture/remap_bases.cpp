@@ -40,8 +40,7 @@ class MixedBases {
     mixture_.mask = Masked ? row(handles.common.mask) : mixture_.p;
     mixture_.pure = row(handles.pure);
     for (int d = 0; d < D; ++d)
-      for (int q = 0; q < 2; ++q)
-        mixture_.base[q][d] = row(handles.common.base[static_cast<std::size_t>(d)], q);
+      for (int q = 0; q < 2; ++q) mixture_.base[q][d] = row(handles.common.base[d], q);
     for (int t = 0; t < D; ++t) {
       mixture_.su[t] = row(handles.common.velocity_slope, t);
       mixture_.h[t] = 0.5 * row.step().dt / row.step().spacing[axes.direction[t]];
@@ -110,10 +109,9 @@ class MixedBases {
   };
 
   void bind(Material& k, const Row& row, const Handles& handles, int m) const {
-    const auto number = static_cast<std::size_t>(m);
-    k.V = quantity<D>(row, handles.volume[number], 0);
-    k.M = quantity<D>(row, handles.mass[number], 0);
-    k.E = quantity<D>(row, handles.energy[number], 0);
+    k.V = quantity<D>(row, handles.volume[m], 0);
+    k.M = quantity<D>(row, handles.mass[m], 0);
+    k.E = quantity<D>(row, handles.energy[m], 0);
     k.r = quantity<D>(row, handles.blend_density, m);
     k.e = quantity<D>(row, handles.blend_energy, m);
     k.eps_L = row(handles.specific_energy_L, m);
@@ -124,8 +122,7 @@ class MixedBases {
                    ? row(handles.own_velocity, m * handles.velocity_components + t)
                    : row(handles.common.velocity, t);
     for (const Carried q : {of_volume, of_mass, of_energy})
-      for (int d = 0; d < D; ++d)
-        k.base[q][d] = row(handles.base[static_cast<std::size_t>(d)], component(m, q));
+      for (int d = 0; d < D; ++d) k.base[q][d] = row(handles.base[d], component(m, q));
   }
 
   // The materials of these cells and those beside them, if they are blends of the same; else 0.
@@ -266,8 +263,7 @@ void add_remap_bases(TaskList& list, const Variables& v, const SchemeOptions& o,
   h.specific_energy_L = task.read(v.specific_energy_L);
   if (relaxes_before_remap(o)) h.strain = task.read(v.strain);
   h.scale = task.read(v.energy_scale);
-  for (int d = 0; d < o.axes.count; ++d)
-    h.base[static_cast<std::size_t>(d)] = task.write(v.base[static_cast<std::size_t>(d)]);
+  for (int d = 0; d < o.axes.count; ++d) h.base[d] = task.write(v.base[d]);
   const Vec3 gravity = o.gravity_on ? o.gravity : Vec3{};
   dispatch(o.axes.count, o.components, [&]<int D, int C>() {
     if constexpr (D > 1)

@@ -201,15 +201,14 @@ void add_remap_flux(TaskList& list, const Variables& v, const SchemeOptions& o, 
                     int axis) {
   static const char* names[] = {"remap along axis 0", "remap along axis 1", "remap along axis 2"};
   const int direction = o.axes.direction[axis];
-  const auto face = static_cast<std::size_t>(axis);
   TaskBuilder task = list.task(names[axis], effect);
   Handles h;
   h.common = read_remap_inputs(task, v.common, o, axis);
-  h.common.flux = task.write(v.common.flux[face]);
+  h.common.flux = task.write(v.common.flux[axis]);
   h.materials = read_materials(task, v, o, axis);
   read_blends(task, v, axis, o, h.materials);
   h.pure = task.read(v.pure, Stencil::along(direction, 1, 0));
-  h.flux = task.write(v.flux[face]);
+  h.flux = task.write(v.flux[axis]);
   dispatch(o.axes.count, o.components, [&]<int D, int C>() {
     task.kernel([=](const Row& row) {
       const double l = row.step().dt / row.step().spacing[direction];

@@ -26,8 +26,8 @@ void bases(const Row& row, const Handles& h, const SchemeOptions& o, int m) {
     const Quantity own = quantity<D>(row, h.own, m * C + c), all = quantity<D>(row, h.velocity, c);
     const double* w = row(h.velocity_L, m * C + c);
     for (int d = 0; d < D; ++d) {
-      const double* mixture = row(h.mixture[static_cast<std::size_t>(d)], 2 + c);
-      double* to = row(h.base[static_cast<std::size_t>(d)], m * C + c);
+      const double* mixture = row(h.mixture[d], 2 + c);
+      double* to = row(h.base[d], m * C + c);
       for (int i = 0; i < n; ++i) {
         double change = 0;
         for (int t = 0; t < D; ++t) {
@@ -58,9 +58,8 @@ void add_slip_bases(TaskList& list, const Variables& v, const SchemeOptions& o, 
   h.kick = task.read(v.slip.kick);
   if (o.masked) h.mask = task.read(v.common.mask);
   for (int d = 0; d < o.axes.count; ++d) {
-    const auto a = static_cast<std::size_t>(d);
-    h.mixture[a] = task.read(v.common.base[a]);
-    h.base[a] = task.write(v.slip.base[a]);
+    h.mixture[d] = task.read(v.common.base[d]);
+    h.base[d] = task.write(v.slip.base[d]);
   }
   const int materials = static_cast<int>(v.mass.size());
   dispatch(o.axes.count, o.components, [&]<int D, int C>() {

@@ -63,12 +63,11 @@ void mixed_face(const Row& row, const FaceHandles& h, int axis, int axes, int i,
   bool any = false;
   const bool bound = h.walled && (row(h.touched, 0, axis, -1)[i] != 0 || row(h.touched)[i] != 0);
   for (int m = 0; m < materials; ++m) {
-    const auto k = static_cast<std::size_t>(m);
-    const double Ma = a ? row(h.mass[k], 0, axis, -1)[i] : 0.0, Mb = b ? row(h.mass[k])[i] : 0.0;
+    const double Ma = a ? row(h.mass[m], 0, axis, -1)[i] : 0.0, Mb = b ? row(h.mass[m])[i] : 0.0;
     const double da = row(h.drift, m * axes + axis, axis, -1)[i];
     const double db = row(h.drift, m * axes + axis)[i];
-    f.a[m] = row(h.volume[k], 0, axis, -1)[i];
-    f.b[m] = row(h.volume[k])[i];
+    f.a[m] = row(h.volume[m], 0, axis, -1)[i];
+    f.b[m] = row(h.volume[m])[i];
     f.r[m] = !bound && Ma + Mb > 0.0 ? (Ma * da + Mb * db) / (Ma + Mb) : 0.0;
     any = any || f.r[m] != 0.0;
   }
@@ -88,7 +87,6 @@ void add_faces_of_materials(TaskList& list, const Variables& v, const SchemeOpti
   static const char* names[] = {"faces of each material, axis 0", "faces of each material, axis 1",
                                 "faces of each material, axis 2"};
   for (int axis = 0; axis < o.axes.count; ++axis) {
-    const auto a = static_cast<std::size_t>(axis);
     const Stencil both = Stencil::along(o.axes.direction[axis], 1, 0);
     TaskBuilder task = list.task(names[axis], effect);
     FaceHandles h;
@@ -98,12 +96,12 @@ void add_faces_of_materials(TaskList& list, const Variables& v, const SchemeOpti
     }
     h.pure = task.read(v.pure, both);
     h.drift = task.read(v.slip.drift, both);
-    h.face_velocity = task.read(v.common.face_velocity[a]);
+    h.face_velocity = task.read(v.common.face_velocity[axis]);
     if (holds_velocities(o)) {
       h.velocity = task.read(v.slip.common.velocity, both);
       h.sound = task.read(v.slip.common.sound, both);
     }
-    h.own = task.write(v.slip.face_velocity[a]);
+    h.own = task.write(v.slip.face_velocity[axis]);
     h.walled = o.walled;
     if (o.walled) h.touched = task.read(v.touched, both);
     task.kernel([=](const Row& row) {
@@ -124,15 +122,14 @@ struct CellHandles {
 void count_outflow(const Row& row, const CellHandles& h, const SchemeOptions& o, int materials) {
   const int D = o.axes.count;
   double l[3] = {};
-  for (int c = 0; c < o.components; ++c)
-    l[c] = row.step().dt / row.step().spacing[o.direction[static_cast<std::size_t>(c)]];
+  for (int c = 0; c < o.components; ++c) l[c] = row.step().dt / row.step().spacing[o.direction[c]];
   for (int m = 0; m < materials; ++m) {
     double* N = row(h.outflow, m);
     double* outlet = row(h.outflow, materials + m);
     for (int i = 0; i < row.count(); ++i) {
       double out = 0, carried = 0, count = 0, largest = 0;
       for (int d = 0; d < D; ++d) {
-        const In face = h.face_velocity[static_cast<std::size_t>(d)];
+        const In face = h.face_velocity[d];
         const double low = row(face, m)[i], high = row(face, m, d, 1)[i];
         out += l[d] * (larger(0.0, high) + larger(0.0, -low));
         count += (high > 0.0 ? 1.0 : 0.0) + (low < 0.0 ? 1.0 : 0.0);
@@ -140,7 +137,7 @@ void count_outflow(const Row& row, const CellHandles& h, const SchemeOptions& o,
       }
       double ties = 0;
       for (int d = 0; d < D; ++d) {
-        const In face = h.face_velocity[static_cast<std::size_t>(d)];
+        const In face = h.face_velocity[d];
         const double low = row(face, m)[i], high = row(face, m, d, 1)[i];
         ties += (l[d] * high == largest ? 1.0 : 0.0) + (l[d] * -low == largest ? 1.0 : 0.0);
       }
@@ -167,9 +164,8 @@ void add_slip_faces(TaskList& list, const Variables& v, const SchemeOptions& o, 
     h.courant = task.read(v.common.courant);
   }
   for (int axis = 0; axis < o.axes.count; ++axis) {
-    const auto a = static_cast<std::size_t>(axis);
-    h.face_velocity[a] =
-        task.read(v.slip.face_velocity[a], Stencil::along(o.axes.direction[axis], 0, 1));
+    h.face_velocity[axis] =
+        task.read(v.slip.face_velocity[axis], Stencil::along(o.axes.direction[axis], 0, 1));
   }
   h.outflow = task.write(v.slip.outflow);
   const int materials = static_cast<int>(v.mass.size());

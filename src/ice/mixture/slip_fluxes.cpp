@@ -68,12 +68,8 @@ class Faces {
 
  private:
   double cell(In in, int c, int shift, int i) const { return row_(in, c, axis_, shift)[i]; }
-  double volume(int m, int shift, int i) const {
-    return cell(h_.materials.volume[static_cast<std::size_t>(m)], 0, shift, i);
-  }
-  double mass(int m, int shift, int i) const {
-    return cell(h_.materials.mass[static_cast<std::size_t>(m)], 0, shift, i);
-  }
+  double volume(int m, int shift, int i) const { return cell(h_.materials.volume[m], 0, shift, i); }
+  double mass(int m, int shift, int i) const { return cell(h_.materials.mass[m], 0, shift, i); }
   double mask(int shift, int i) const {
     return o_.masked ? cell(h_.common.mask, 0, shift, i) : 1.0;
   }
@@ -250,8 +246,7 @@ class Faces {
   }
   // What a material has per own volume.
   double per_volume(const std::vector<In>& state, int m, int shift, int i) const {
-    return cell(state[static_cast<std::size_t>(m)], 0, shift, i) *
-           per_own_volume(volume(m, shift, i));
+    return cell(state[m], 0, shift, i) * per_own_volume(volume(m, shift, i));
   }
   double slope(const std::vector<In>& state, int m, int at, double nu, double B, int i) const {
     const auto value = [&](int shift) { return per_volume(state, m, shift, i); };
@@ -303,21 +298,20 @@ void add_slip_flux(TaskList& list, const Variables& v, const SchemeOptions& o, i
                    int axis) {
   static const char* names[] = {"remap along axis 0", "remap along axis 1", "remap along axis 2"};
   const int direction = o.axes.direction[axis];
-  const auto face = static_cast<std::size_t>(axis);
   const Stencil both = Stencil::along(direction, 1, 0), four = Stencil::along(direction, 2, 1);
   TaskBuilder task = list.task(names[axis], effect);
   Handles h;
   h.common = read_remap_inputs(task, v.common, o, axis);
-  h.common.flux = task.write(v.common.flux[face]);
+  h.common.flux = task.write(v.common.flux[axis]);
   h.materials = read_materials(task, v, o, axis);
   h.pure = h.materials.pure;
   h.velocity = task.read(v.slip.velocity, four);
   h.velocity_L = task.read(v.slip.velocity_L, both);
-  if (o.second_order && o.axes.count > 1) h.base = task.read(v.slip.base[face], both);
-  h.face_velocity = task.read(v.slip.face_velocity[face]);
+  if (o.second_order && o.axes.count > 1) h.base = task.read(v.slip.base[axis], both);
+  h.face_velocity = task.read(v.slip.face_velocity[axis]);
   h.outflow = task.read(v.slip.outflow, both);
-  h.flux = task.write(v.flux[face]);
-  h.material_velocity = task.write(v.common.material_velocity[face]);
+  h.flux = task.write(v.flux[axis]);
+  h.material_velocity = task.write(v.common.material_velocity[axis]);
   dispatch(o.axes.count, o.components, [&]<int D, int C>() {
     task.kernel([=](const Row& row) {
       const double l = row.step().dt / row.step().spacing[direction];

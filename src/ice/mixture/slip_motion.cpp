@@ -84,8 +84,7 @@ void keep_given(const Row& row, const Handles& h, const SchemeOptions& o) {
       const double u = row(h.velocity, c)[i];
       double mean = 0;
       for (int m = 0; m < static_cast<int>(h.mass.size()); ++m)
-        mean += row(h.volume[static_cast<std::size_t>(m)])[i] *
-                (row(h.own, m * o.components + c)[i] - u);
+        mean += row(h.volume[m])[i] * (row(h.own, m * o.components + c)[i] - u);
       row(h.volume_velocity, c)[i] = u + mean;
     }
   });
@@ -126,7 +125,7 @@ class MixedCells {
   double courant(const DragCell& cell, int k, int i) const {
     double most = 0;
     for (int a = 0; a < axes_.count; ++a) {
-      const double S = row_(h_.slip[static_cast<std::size_t>(cell.index[k])], a)[i];
+      const double S = row_(h_.slip[cell.index[k]], a)[i];
       const double dx = row_.step().spacing[axes_.direction[a]];
       most = larger(most, std::fabs(S) * row_.step().dt / (cell.M[k] * dx));
     }
@@ -139,7 +138,7 @@ class MixedCells {
       for (int m = 0; m < materials; ++m) row_(h_.own, m * components_ + c)[i] = u;
       for (int k = 0; k < cell.count; ++k) {
         const int m = cell.index[k];
-        w[c][k] = row_(h_.slip[static_cast<std::size_t>(m)], c)[i] / cell.M[k];
+        w[c][k] = row_(h_.slip[m], c)[i] / cell.M[k];
         row_(h_.own, m * components_ + c)[i] = u + w[c][k];
       }
     }
@@ -199,12 +198,11 @@ void declare_slip_variables(TaskList& list, const SchemeOptions& o, Variables& v
   if (o.force_on) s.force_work = list.temporary("work of the driving force on slip");
   s.outflow = list.temporary("outflow and outlets of each material", 2 * M);
   for (int a = 0; a < D; ++a) {
-    const auto n = static_cast<std::size_t>(a);
     const std::string axis = " of axis " + std::to_string(a);
-    s.face_velocity[n] =
+    s.face_velocity[a] =
         list.temporary("face velocity of each material" + axis, M, o.axes.direction[a]);
-    s.base[n] = list.temporary("remap base of each velocity" + axis, M * C);
-    v.common.material_velocity[n] =
+    s.base[a] = list.temporary("remap base of each velocity" + axis, M * C);
+    v.common.material_velocity[a] =
         list.temporary("remap velocity of each material" + axis, M * C, o.axes.direction[a]);
   }
 }

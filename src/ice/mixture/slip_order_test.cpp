@@ -157,8 +157,7 @@ std::array<double, 3> wave_errors(const Wave& w, int n) {
     for (int m = 0; m < 2; ++m) {
       const double slip = (m == 0 ? theory.M[1] : -theory.M[0]) / theory.total * a.D;
       const double exact = drift + (a.u + slip) * std::sin(x);
-      errors[static_cast<std::size_t>(m) + 1] +=
-          std::fabs(run.velocity_of(m, i) - exact) / speed / n;
+      errors[m + 1] += std::fabs(run.velocity_of(m, i) - exact) / speed / n;
     }
   });
   return errors;

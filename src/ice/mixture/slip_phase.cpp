@@ -37,13 +37,11 @@ class Cells {
         components_(o.components),
         axes_(o.axes.count),
         materials_(static_cast<int>(h.mass.size())) {
-    for (int c = 0; c < components_; ++c)
-      force_[c] = row.step().dt * o.force[o.direction[static_cast<std::size_t>(c)]];
+    for (int c = 0; c < components_; ++c) force_[c] = row.step().dt * o.force[o.direction[c]];
     for (int a = 0; a < axes_; ++a) {
-      const auto n = static_cast<std::size_t>(a);
       l_[a] = row.step().dt / row.step().spacing[o.axes.direction[a]];
-      low_[a] = row(h.face_pressure[n]);
-      high_[a] = row(h.face_pressure[n], 0, a, 1);
+      low_[a] = row(h.face_pressure[a]);
+      high_[a] = row(h.face_pressure[a], 0, a, 1);
     }
     for (std::size_t m = 0; m < h.mass.size(); ++m) {
       mass_[m] = row(h.mass[m]);
@@ -78,7 +76,7 @@ class Cells {
     for (int k = 0; k < cell.count; ++k) {
       double courant = 0;
       for (int a = 0; a < axes_; ++a) {
-        const double S = row_(h_.slip[static_cast<std::size_t>(cell.index[k])], a)[i];
+        const double S = row_(h_.slip[cell.index[k]], a)[i];
         courant = larger(courant, l_[a] * std::fabs(S) / cell.M[k]);
       }
       cell.bind[k] = binding(cell, k, courant);
@@ -87,8 +85,7 @@ class Cells {
     double R[3][most_materials], half[3][most_materials];
     double before = 0, after = 0, carried_before = 0, carried_after = 0, driven = 0;
     for (int c = 0; c < components_; ++c) {
-      for (int k = 0; k < cell.count; ++k)
-        w[c][k] = row_(h_.slip[static_cast<std::size_t>(cell.index[k])], c)[i] / cell.M[k];
+      for (int k = 0; k < cell.count; ++k) w[c][k] = row_(h_.slip[cell.index[k]], c)[i] / cell.M[k];
       (c < axes_ ? before : carried_before) += Drag::energy(cell, w[c]);
       const double pressed = (c < axes_ ? l_[c] * (high_[c][i] - low_[c][i]) : 0.0) - force_[c];
       Drag::push(cell, pressed, push[c]);
@@ -119,8 +116,7 @@ class Cells {
     const double unpushed[most_materials] = {};
     for (int c = 0; c < components_; ++c) {
       double w[most_materials];
-      for (int k = 0; k < cell.count; ++k)
-        w[k] = row_(h_.slip[static_cast<std::size_t>(cell.index[k])], c)[i] / cell.M[k];
+      for (int k = 0; k < cell.count; ++k) w[k] = row_(h_.slip[cell.index[k]], c)[i] / cell.M[k];
       if (c < axes_) write_drift(cell, c, w, unpushed, i);
       write(h_.velocity_L, cell, components_, c, w, i);
     }
@@ -159,9 +155,8 @@ void add_slip_phase(TaskList& list, const Variables& v, const SchemeOptions& o, 
   h.bonds = read_bonds(task, v, o);
   h.lagrangian = task.read(v.common.lagrangian_mixture);
   for (int axis = 0; axis < o.axes.count; ++axis) {
-    const auto a = static_cast<std::size_t>(axis);
-    h.face_pressure[a] =
-        task.read(v.common.face_pressure[a], Stencil::along(o.axes.direction[axis], 0, 1));
+    h.face_pressure[axis] =
+        task.read(v.common.face_pressure[axis], Stencil::along(o.axes.direction[axis], 0, 1));
   }
   if (holds_velocities(o)) {
     h.velocity = task.read(v.common.velocity);

@@ -46,10 +46,9 @@ class Faces {
  private:
   double at(In in, int c, int shift, int i) const { return row_(in, c, axis_, shift)[i]; }
   double viscosity(int m, int shift, int i) const {
-    const auto k = static_cast<std::size_t>(m);
     const double mu =
-        h_.own_viscosity.index < 0 ? o_.viscosities[k] : at(h_.own_viscosity, m, shift, i);
-    return at(h_.volume[k], 0, shift, i) * mu;
+        h_.own_viscosity.index < 0 ? o_.viscosities[m] : at(h_.own_viscosity, m, shift, i);
+    return at(h_.volume[m], 0, shift, i) * mu;
   }
   // Of a material against the mixture, in a cell of the face or `step` cells from it along t.
   double drift(int m, int c, int shift, int t, int step, int i) const {
@@ -81,16 +80,14 @@ class Faces {
     if (!(rest > 0.0)) return 1.0;
     FaceOfSurface at_face;
     for (const int side : {0, 1}) {
-      const auto share = [&](int m) {
-        return at(h_.volume[static_cast<std::size_t>(m)], 0, side - 1, i);
-      };
+      const auto share = [&](int m) { return at(h_.volume[m], 0, side - 1, i); };
       at_face.gas[side] = share(o_.slip_exchange->fluid);
       at_face.solid[side] = share(o_.slip_exchange->solid);
       at_face.transfer[side] = at(h_.surface, SurfaceParts::momentum_per_area, side - 1, i);
     }
     double touches = 0;
     for (int m = 0; m < materials_; ++m) {
-      const In V = h_.volume[static_cast<std::size_t>(m)];
+      const In V = h_.volume[m];
       touches += 0.5 * std::fabs(at(V, 0, 0, i) - at(V, 0, -1, i));
     }
     const double surface = smaller(at_face.contact(), touches);
@@ -105,8 +102,7 @@ class Faces {
     for (int c = 0; c < C; ++c)
       row_(h_.total, c)[i] = row_(h_.stress, c)[i] * (c == axis_ ? 1.0 : left);
     for (int m = 0; m < materials_; ++m) {
-      const auto k = static_cast<std::size_t>(m);
-      const double borne = bearable_ * smaller(at(h_.mass[k], 0, -1, i), at(h_.mass[k], 0, 0, i));
+      const double borne = bearable_ * smaller(at(h_.mass[m], 0, -1, i), at(h_.mass[m], 0, 0, i));
       const double own = smaller(harmonic_mean(viscosity(m, -1, i), viscosity(m, 0, i)), borne);
       for (int c = 0; c < C; ++c) {
         double& t = row_(h_.each, m * C + c)[i];
@@ -134,7 +130,6 @@ void add_slip_stress(TaskList& list, Variables& v, const SchemeOptions& o, int e
                                 "stress of each material on axis 1",
                                 "stress of each material on axis 2"};
   for (int axis = 0; axis < o.axes.count; ++axis) {
-    const auto a = static_cast<std::size_t>(axis);
     const int direction = o.axes.direction[axis];
     const Stencil both = Stencil::along(direction, 1, 0);
     TaskBuilder task = list.task(names[axis], effect);
@@ -148,14 +143,14 @@ void add_slip_stress(TaskList& list, Variables& v, const SchemeOptions& o, int e
     h.velocity = task.read(v.common.velocity, Stencil::box(1));
     h.viscosity = task.read(v.common.viscosity, both);
     if (o.own_viscosity_varies()) h.own_viscosity = task.read(v.own_viscosity, both);
-    h.stress = task.read(v.common.stress[a]);
+    h.stress = task.read(v.common.stress[axis]);
     if (o.slip_exchange) h.surface = task.read(v.surface, both);
-    v.common.stress[a] =
+    v.common.stress[axis] =
         list.temporary(std::string("sum of ") + names[axis], o.components, direction);
-    v.slip.stress[a] =
+    v.slip.stress[axis] =
         list.temporary(names[axis], static_cast<int>(v.mass.size()) * o.components, direction);
-    h.total = task.write(v.common.stress[a]);
-    h.each = task.write(v.slip.stress[a]);
+    h.total = task.write(v.common.stress[axis]);
+    h.each = task.write(v.slip.stress[axis]);
     dispatch(o.axes.count, o.components, [&]<int D, int C>() {
       task.kernel([=](const Row& row) {
         for_each_face_run(runs_of(row, h.pure, axis, -1), runs_of(row, h.pure), row.count(),
@@ -176,8 +171,7 @@ FrictionOnSlip read_friction(TaskBuilder& task, const Variables& v, const Scheme
   f.axes = o.axes;
   f.components = o.components;
   for (int axis = 0; axis < o.axes.count && o.viscous; ++axis) {
-    const auto a = static_cast<std::size_t>(axis);
-    f.stress[a] = task.read(v.slip.stress[a], Stencil::along(o.axes.direction[axis], 0, 1));
+    f.stress[axis] = task.read(v.slip.stress[axis], Stencil::along(o.axes.direction[axis], 0, 1));
   }
   return f;
 }
@@ -188,7 +182,7 @@ void FrictionOnSlip::add(const Row& row, const DragCell& cell, int c, int i, dou
   for (int k = 0; k < cell.count; ++k) {
     pull[k] = 0;
     for (int d = 0; d < axes.count; ++d) {
-      const In t = stress[static_cast<std::size_t>(d)];
+      const In t = stress[d];
       const int q = cell.index[k] * components + c;
       const double l = row.step().dt / row.step().spacing[axes.direction[d]];
       pull[k] += l * (row(t, q, d, 1)[i] - row(t, q)[i]);

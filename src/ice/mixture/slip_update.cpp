@@ -43,8 +43,7 @@ class Cells {
         closure_(closure),
         materials_(static_cast<int>(h.state.size())) {
     for (int d = 0; d < D; ++d) l_[d] = row.step().dt / row.step().spacing[o.axes.direction[d]];
-    for (int c = 0; c < C; ++c)
-      force_[c] = row.step().dt * o.force[o.direction[static_cast<std::size_t>(c)]];
+    for (int c = 0; c < C; ++c) force_[c] = row.step().dt * o.force[o.direction[c]];
   }
   void run() const {
     for (int i = 0; i < row_.count(); ++i) move(i);
@@ -61,10 +60,9 @@ class Cells {
     double FV, FM, FE, U[C];
   };
   Face face(int m, int d, int shift, int i) const {
-    const auto a = static_cast<std::size_t>(d);
     const auto at = [&](In in, int c) { return row_(in, c, d, shift)[i]; };
-    Face f{at(h_.flux[a], 3 * m), at(h_.flux[a], 3 * m + 1), at(h_.flux[a], 3 * m + 2), {}};
-    for (int c = 0; c < C; ++c) f.U[c] = at(h_.velocity[a], m * C + c);
+    Face f{at(h_.flux[d], 3 * m), at(h_.flux[d], 3 * m + 1), at(h_.flux[d], 3 * m + 2), {}};
+    for (int c = 0; c < C; ++c) f.U[c] = at(h_.velocity[d], m * C + c);
     return f;
   }
 
@@ -72,7 +70,7 @@ class Cells {
   // leaves behind. Returns the kinetic energy in that frame that it had and was given, and the
   // internal energy of one that is gone.
   double remap(int m, int i, double& M, double& V, double& E, double* a, double* passed) const {
-    const MaterialState& s = h_.state[static_cast<std::size_t>(m)];
+    const MaterialState& s = h_.state[m];
     double dV = 0, dM = 0, dE = 0, gain = 0, q[C] = {}, own[C] = {}, w[C];
     for (int c = 0; c < C; ++c) w[c] = row_(h_.velocity_L, m * C + c)[i];
     for (int d = 0; d < D; ++d) {
@@ -138,7 +136,7 @@ class Cells {
     }
     k -= kinetic_energy(a, rho) + finish_drag(present, a, i);
     for (int m = 0; m < materials_; ++m) {
-      const MaterialState& s = h_.state[static_cast<std::size_t>(m)];
+      const MaterialState& s = h_.state[m];
       row_(s.mass_new)[i] = M[m];
       row_(s.volume_new)[i] = V[m];
       row_(s.energy_new)[i] = E[m] + k / rho * M[m];
@@ -150,7 +148,7 @@ class Cells {
     DragCell present;
     present.total = row_(h_.end, 0)[i];
     for (int m = 0; m < materials_; ++m) {
-      const MaterialState& s = h_.state[static_cast<std::size_t>(m)];
+      const MaterialState& s = h_.state[m];
       M[m] = row_(s.mass_new)[i];
       V[m] = row_(s.volume_new)[i];
       E[m] = row_(s.energy_new)[i];
@@ -190,7 +188,7 @@ class Cells {
     for (int c = 0; c < C; ++c) {
       for (int n = 0; n < cell.count; ++n) {
         w[c][n] += R[c][n];
-        row_(h_.slip_new[static_cast<std::size_t>(cell.index[n])], c)[i] = cell.M[n] * w[c][n];
+        row_(h_.slip_new[cell.index[n]], c)[i] = cell.M[n] * w[c][n];
       }
       (c < D ? kept : carried) += Drag::energy(cell, w[c]);
     }
@@ -213,7 +211,7 @@ class Cells {
     for (int c = 0; c < C; ++c) {
       double pressed = -force_[c];
       if (c < D) {
-        const In pressure = h_.face_pressure[static_cast<std::size_t>(c)];
+        const In pressure = h_.face_pressure[c];
         pressed += l_[c] * (row_(pressure, 0, c, 1)[i] - row_(pressure)[i]);
       }
       Drag::push(cell, pressed, push[c]);
@@ -229,7 +227,7 @@ class Cells {
     row_(h_.end, 1)[i] = result.modulus;
     row_(h_.pressure)[i] = result.pressure;
     for (int m = 0; m < materials_; ++m) {
-      const MaterialState& s = h_.state[static_cast<std::size_t>(m)];
+      const MaterialState& s = h_.state[m];
       row_(s.volume_new)[i] = V[m];
       row_(s.energy_new)[i] = E[m];
     }
@@ -241,7 +239,7 @@ class Cells {
     for (int n = 0; n < cell.count; ++n) cell.V[n] = V[cell.index[n]];
     const double sound = std::sqrt(row_(h_.end, 1)[i] * Drag::inverse_inertia(cell));
     for (int n = 0; n < cell.count; ++n) {
-      const Out slip = h_.slip_new[static_cast<std::size_t>(cell.index[n])];
+      const Out slip = h_.slip_new[cell.index[n]];
       double deck = 0, flow = 0, fastest = 0, sum = 0;
       for (int d = 0; d < D; ++d) {
         const double u = std::fabs(row_(h_.common.next.momentum, d)[i] / cell.total +
@@ -275,10 +273,9 @@ Handles declare(TaskBuilder& task, const Variables& v, const SchemeOptions& o) {
   h.bonds = read_bonds(task, v, o);
   h.friction = read_friction(task, v, o);
   for (int axis = 0; axis < o.axes.count; ++axis) {
-    const auto a = static_cast<std::size_t>(axis);
     const Stencil both = Stencil::along(o.axes.direction[axis], 0, 1);
-    h.velocity[a] = task.read(v.common.material_velocity[a], both);
-    h.face_pressure[a] = task.read(v.common.face_pressure[a], both);
+    h.velocity[axis] = task.read(v.common.material_velocity[axis], both);
+    h.face_pressure[axis] = task.read(v.common.face_pressure[axis], both);
   }
   return h;
 }

@@ -24,10 +24,7 @@ struct Handles {
 class SurfaceCells {
  public:
   SurfaceCells(const Row& row, const Handles& h, const SchemeOptions& o)
-      : row_(row),
-        h_(h),
-        o_(o),
-        fluid_(o.fluids[static_cast<std::size_t>(o.slip_exchange->fluid)]) {}
+      : row_(row), h_(h), o_(o), fluid_(o.fluids[o.slip_exchange->fluid]) {}
 
   void run(int first, int count) const {
     for (int i = first; i < first + count; ++i) cell(i);
@@ -96,8 +93,8 @@ double FaceOfSurface::left_to_face() const {
 void add_surface(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
   if (!o.slip_exchange) return;
   TaskBuilder task = list.task("surface along which gas slips", effect);
-  const auto gas = static_cast<std::size_t>(o.slip_exchange->fluid);
-  const auto solid = static_cast<std::size_t>(o.slip_exchange->solid);
+  const std::size_t gas = o.slip_exchange->fluid;
+  const std::size_t solid = o.slip_exchange->solid;
   Handles h;
   h.pure = task.read(v.pure);
   h.gas = task.read(v.volume[gas], Stencil::box(1));

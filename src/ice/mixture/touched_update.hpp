@@ -22,9 +22,8 @@ inline void declare_touched(TaskBuilder& task, const Variables& v, const SchemeO
   for (const VariableId energy : v.energy) t.old_energy.push_back(task.read(energy));
   t.kinetic = task.write(w.fraction_new);
   for (int axis = 0; axis < o.axes.count && o.own_velocities; ++axis) {
-    const auto a = static_cast<std::size_t>(axis);
-    t.velocity[a] =
-        task.read(v.common.material_velocity[a], Stencil::along(o.axes.direction[axis], 0, 1));
+    t.velocity[axis] =
+        task.read(v.common.material_velocity[axis], Stencil::along(o.axes.direction[axis], 0, 1));
   }
 }
 
@@ -57,14 +56,13 @@ void bind_what_enters(const Row& row, const UpdateState& h, int i) {
     double heat = 0;
     for (int d = 0; d < D; ++d)
       for (int high = 0; high < 2; ++high) {
-        const auto a = static_cast<std::size_t>(d);
         const auto face = [&](In in, int c) { return row(in, c, d, high)[i]; };
-        const double F = face(h.flux[a], component(static_cast<int>(m), of_mass));
+        const double F = face(h.flux[d], component(static_cast<int>(m), of_mass));
         if (F == 0) continue;
         double squares[3] = {0, 0, 0};
         for (int c = 0; c < C; ++c) {
           const double apart =
-              face(h.touched.velocity[a], of_material + c) - face(h.common.flux[a], 2 + c);
+              face(h.touched.velocity[d], of_material + c) - face(h.common.flux[d], 2 + c);
           squares[c] = apart * apart;
         }
         heat += (high == 0 ? 0.5 : -0.5) * F * ((squares[0] + squares[1]) + squares[2]);
@@ -94,11 +92,11 @@ void store_touched(const Row& row, const UpdateState& h, const SchemeOptions& o)
     // Who gives its old state keeps it too: V_L may be anything then, but a volume is above zero.
     const double kept = gives_old[i] == 0 ? V_L[i] : V;
     for (int m = 0; m < static_cast<int>(h.state.size()); ++m) {
-      const MaterialState& s = h.state[static_cast<std::size_t>(m)];
+      const MaterialState& s = h.state[m];
       const auto gain = [&](Carried q) {
         double sum = 0;
         for (int d = 0; d < D; ++d) {
-          const In f = h.flux[static_cast<std::size_t>(d)];
+          const In f = h.flux[d];
           sum += row(f, component(m, q))[i] - row(f, component(m, q), d, 1)[i];
         }
         return sum;

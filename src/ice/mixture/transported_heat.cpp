@@ -39,10 +39,9 @@ void friction_rows(const Row& row, const Handles& h, const SchemeOptions& o, std
   const double* mu_t = turbulent ? row(h.eddy_viscosity) : nullptr;
   int count = 0;
   for_each_of(set, [&](int m) {
-    const auto k = static_cast<std::size_t>(m);
-    M[count] = row(h.mass[k]);
-    V[count] = row(h.volume[k]);
-    viscosity[count] = o.viscosities[k];
+    M[count] = row(h.mass[m]);
+    V[count] = row(h.volume[m]);
+    viscosity[count] = o.viscosities[m];
     own[count] = varies ? row(h.own_viscosity, m) : nullptr;
     heat[count++] = row(h.heat, m);
   });
@@ -67,7 +66,7 @@ void conduction_row(const Row& row, const Handles& h, const SchemeOptions& o, in
   double l[D];
   const double *taken[D], *given[D];
   for (int d = 0; d < D; ++d) {
-    const In flux = h.heat_flux[static_cast<std::size_t>(d)];
+    const In flux = h.heat_flux[d];
     l[d] = row.step().dt / row.step().spacing[o.axes.direction[d]];
     taken[d] = row(flux, 2 * m + 1);
     given[d] = row(flux, 2 * m, d, 1);
@@ -121,8 +120,7 @@ void add_transported_heat(TaskList& list, const Variables& v, const SchemeOption
     }
   }
   for (int axis = 0; o.conducting && axis < o.axes.count; ++axis) {
-    const auto a = static_cast<std::size_t>(axis);
-    h.heat_flux[a] = task.read(v.heat_flux[a], Stencil::along(o.axes.direction[axis], 0, 1));
+    h.heat_flux[axis] = task.read(v.heat_flux[axis], Stencil::along(o.axes.direction[axis], 0, 1));
   }
   h.heat = task.write(v.heat);
   dispatch(o.axes.count, o.components,

@@ -45,7 +45,7 @@ class MaterialCells {
         modulus_(row(h.end, 1)) {
     if (h.closes) pressure_ = row(h.pressure);
     for (int m = 0; m < materials_; ++m) {
-      const MaterialState& s = h.state[static_cast<std::size_t>(m)];
+      const MaterialState& s = h.state[m];
       Material& k = rows_[m];
       k.M = row(s.mass);
       k.V = row(s.volume);
@@ -56,7 +56,7 @@ class MaterialCells {
       k.next[of_energy] = row(s.energy_new);
       for (const Carried q : {of_volume, of_mass, of_energy})
         for (int d = 0; d < D; ++d) {
-          const In flux = h.flux[static_cast<std::size_t>(d)];
+          const In flux = h.flux[d];
           k.minus[q][d] = row(flux, component(m, q));
           k.plus[q][d] = row(flux, component(m, q), d, 1);
         }

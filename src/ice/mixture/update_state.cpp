@@ -36,8 +36,7 @@ void declare_update(TaskBuilder& task, const Variables& v, const SchemeOptions& 
   h.pure = task.read(v.pure);
   if (o.slip_exchange) h.surface = task.read(v.surface);
   for (int axis = 0; axis < o.axes.count; ++axis) {
-    const auto a = static_cast<std::size_t>(axis);
-    h.flux[a] = task.read(v.flux[a], Stencil::along(o.axes.direction[axis], 0, 1));
+    h.flux[axis] = task.read(v.flux[axis], Stencil::along(o.axes.direction[axis], 0, 1));
   }
   h.common.next.momentum = task.write(v.common.momentum_remap);
   for (std::size_t m = 0; m < o.fluids.size(); ++m) {
@@ -70,7 +69,7 @@ std::vector<SchemeOptions> options_of_materials(const SchemeOptions& o) {
 
 UpdateHandles handles_of(const UpdateState& h, int m) {
   UpdateHandles u = h.common;
-  const MaterialState& s = h.state[static_cast<std::size_t>(m)];
+  const MaterialState& s = h.state[m];
   u.next.rho = s.mass_new;
   u.next.energy = s.energy_new;
   u.next.closure = h.closure;
@@ -84,7 +83,7 @@ void leave_alone(const Row& row, const UpdateState& h, int m, int components) {
   for_each_marked(row, h.closes ? row.new_marks() : nullptr, [&](int first, int count, int alone) {
     if (alone == m) return;
     for (int other = 0; other < static_cast<int>(h.state.size()); ++other) {
-      const MaterialState& s = h.state[static_cast<std::size_t>(other)];
+      const MaterialState& s = h.state[other];
       fill(s.volume_new, 0, first, count, other == m ? 1.0 : 0.0);
       if (other == m) continue;
       fill(s.mass_new, 0, first, count, 0.0);
@@ -121,8 +120,7 @@ void add_sources(const Row& row, const UpdateState& h, const SchemeOptions& o, M
   }
   for (int c = 0; c < o.components; ++c) rows.momentum[c] = row(h.common.next.momentum, c);
   for (std::size_t m = 0; motion == Motion::apart && m < h.slip_new.size(); ++m)
-    for (int c = 0; c < o.components; ++c)
-      rows.slip[m][static_cast<std::size_t>(c)] = row(h.slip_new[m], c);
+    for (int c = 0; c < o.components; ++c) rows.slip[m][c] = row(h.slip_new[m], c);
   o.sources->apply(rows);
   double* density = row(h.end, 0);
   std::fill_n(density, row.count(), 0.0);
@@ -164,7 +162,7 @@ ClosingCells::ClosingCells(const Row& row, const UpdateState& h, const SchemeOpt
       pressure_(row(h.pressure)),
       modulus_(row(h.end, 1)) {
   for (int m = 0; m < materials_; ++m) {
-    const MaterialState& s = h.state[static_cast<std::size_t>(m)];
+    const MaterialState& s = h.state[m];
     mass_[m] = row(s.mass_new);
     volume_[m] = row(s.volume_new);
     energy_[m] = row(s.energy_new);

@@ -90,17 +90,16 @@ Variables declare_variables(TaskList& list, const SchemeOptions& o) {
   v.energy_scale = all_ideal_gases(o.fluids) ? v.specific_energy_L
                                              : list.temporary("energy scale of each material", M);
   for (int a = 0; a < o.axes.count; ++a) {
-    const auto n = static_cast<std::size_t>(a);
     const std::string axis = " of axis " + std::to_string(a);
-    v.base[n] = list.temporary("remap base of each material" + axis, 3 * M);
-    v.flux[n] = list.temporary("flux of each material" + axis, 3 * M, o.axes.direction[a]);
+    v.base[a] = list.temporary("remap base of each material" + axis, 3 * M);
+    v.flux[a] = list.temporary("flux of each material" + axis, 3 * M, o.axes.direction[a]);
   }
   if (o.conducting) {
     v.temperature = list.temporary("temperature of each material", M);
     v.heat_capacity = list.temporary("heat capacity of each material", M);
     for (int a = 0; a < o.axes.count; ++a)
-      v.heat_flux[static_cast<std::size_t>(a)] = list.temporary(
-          "heat through contacts of axis " + std::to_string(a), 2 * M, o.axes.direction[a]);
+      v.heat_flux[a] = list.temporary("heat through contacts of axis " + std::to_string(a), 2 * M,
+                                      o.axes.direction[a]);
   }
   if (o.slip_exchange) v.surface = list.temporary("surface", SurfaceParts::count(o.axes.count));
   if (o.viscous && o.own_viscosity_varies())
@@ -126,10 +125,9 @@ StateReads read_state(TaskBuilder& task, const Variables& v) {
 }
 
 void StateReads::divide(const Row& row, int m, double* density, double* energy_density) const {
-  const auto k = static_cast<std::size_t>(m);
-  const double* __restrict M = row(mass[k]);
-  const double* __restrict V = row(volume[k]);
-  const double* __restrict E = row(energy[k]);
+  const double* __restrict M = row(mass[m]);
+  const double* __restrict V = row(volume[m]);
+  const double* __restrict E = row(energy[m]);
   double* __restrict r = density;
   double* __restrict e = energy_density;
   for (int i = 0; i < row.count(); ++i) {

@@ -116,11 +116,10 @@ void add_own_viscosities(TaskList& list, const Variables& v, const SchemeOptions
     for_each_run(runs_of(row, presence), row.count(), [&](int first, int count, double set) {
       const Row part = row.part(first, count);
       for_each_of(as_set(set), [&](int m) {
-        const auto n = static_cast<std::size_t>(m);
         double* __restrict r = part(own, 0);
         double* __restrict e = part(own, 1);
         state.divide(part, m, r, e);
-        viscous[n](part, laws.of(part, n), r, e, part(viscosity, m));
+        viscous[m](part, laws.of(part, m), r, e, part(viscosity, m));
       });
     });
   });
@@ -134,8 +133,8 @@ void add_friction(TaskList& list, const Variables& v, const SchemeOptions& o) {
     return add_viscous_stress(list, v.common, o, effect_viscosity);
   SchemeVariables raw = v.common;
   for (int a = 0; a < o.axes.count; ++a)
-    raw.stress[static_cast<std::size_t>(a)] = list.temporary(
-        "stress without slip of axis " + std::to_string(a), o.components, o.axes.direction[a]);
+    raw.stress[a] = list.temporary("stress without slip of axis " + std::to_string(a), o.components,
+                                   o.axes.direction[a]);
   add_viscous_stress(list, raw, o, effect_viscosity);
   add_slip_of_friction(list, v, o, raw.stress, effect_momentum_exchange);
 }

@@ -284,9 +284,8 @@ void add_faces(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
       h.pi = task.read(v.pi, both);
       h.pure = task.read(v.pure, both);
     }
-    const auto face = static_cast<std::size_t>(axis);
-    h.face_velocity = task.write(v.face_velocity[face]);
-    h.face_pressure = task.write(v.face_pressure[face]);
+    h.face_velocity = task.write(v.face_velocity[axis]);
+    h.face_pressure = task.write(v.face_pressure[axis]);
     dispatch(o.axes.count, o.components, [&]<int D, int C>() {
       task.kernel([=](const Row& row) {
         const double dx = row.step().spacing[direction];

@@ -134,7 +134,7 @@ void add_heat_flux(TaskList& list, const SchemeVariables& v, const SchemeOptions
     if (mixes) h.spreading = scalars::read_spreading(task, list, v, o, axis);
     h.species = read_species_flux(task, list, v, o, axis);
     if (turbulent || slips) h.laws = LawsOfCells(task, list, o, LawsOfCells::When::old_state, both);
-    h.flux = task.write(v.heat_flux[static_cast<std::size_t>(axis)]);
+    h.flux = task.write(v.heat_flux[axis]);
     task.kernel([=](const Row& row) {
       if (o.conductivity_varies)
         flux_row<true>(row, h, o, axis);

@@ -49,11 +49,10 @@ void cell_rows(const Row& row, const Handles& h, const ImpulseConstants& constan
   const double* dp[C];
   double* v[C];
   for (int d = 0; d < D; ++d) {
-    const auto axis = static_cast<std::size_t>(d);
-    um[d] = row(h.face_velocity[axis]);
-    up[d] = row(h.face_velocity[axis], 0, d, 1);
-    pm[d] = row(h.forces.face_pressure[axis]);
-    pp[d] = row(h.forces.face_pressure[axis], 0, d, 1);
+    um[d] = row(h.face_velocity[d]);
+    up[d] = row(h.face_velocity[d], 0, d, 1);
+    pm[d] = row(h.forces.face_pressure[d]);
+    pp[d] = row(h.forces.face_pressure[d], 0, d, 1);
   }
   for (int c = 0; c < C; ++c) {
     u[c] = row(h.velocity, c);
@@ -137,12 +136,11 @@ void add_lagrangian(TaskList& list, const SchemeVariables& v, const SchemeOption
   if (holds_velocities(o)) h.sound = task.read(v.sound);
   if (o.friction_tilts()) h.friction.viscosity = task.read(v.front_viscosity, Stencil::box(1));
   for (int axis = 0; axis < o.axes.count; ++axis) {
-    const auto a = static_cast<std::size_t>(axis);
     const Stencil both = Stencil::along(o.axes.direction[axis], 0, 1);
-    h.face_velocity[a] = task.read(v.face_velocity[a], both);
-    h.forces.face_pressure[a] = task.read(v.face_pressure[a], both);
-    if (o.viscous) h.forces.stress[a] = task.read(v.stress[a], both);
-    if (o.conducting) h.heat_flux[a] = task.read(v.heat_flux[a], both);
+    h.face_velocity[axis] = task.read(v.face_velocity[axis], both);
+    h.forces.face_pressure[axis] = task.read(v.face_pressure[axis], both);
+    if (o.viscous) h.forces.stress[axis] = task.read(v.stress[axis], both);
+    if (o.conducting) h.heat_flux[axis] = task.read(v.heat_flux[axis], both);
   }
   h.inverse_J = task.write(v.inverse_J);
   h.rho_L = task.write(v.rho_L);

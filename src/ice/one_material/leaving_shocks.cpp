@@ -20,8 +20,8 @@ struct Widening {
 
   Widening(int cells, double at_full_fall, double at_steep_fall, double power)
       : depth(cells), full(at_full_fall), steep(at_steep_fall) {
-    for (std::size_t k = 0; k <= static_cast<std::size_t>(depth); ++k) {
-      const double w = larger(0.0, static_cast<double>(k) - 0.5) / depth;
+    for (int k = 0; k <= depth; ++k) {
+      const double w = larger(0.0, k - 0.5) / depth;
       part[k] = 1.0 - std::pow(w, power);
     }
   }

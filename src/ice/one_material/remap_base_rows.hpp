@@ -54,8 +54,8 @@ void state_base_rows(const Row& row, const RemapBaseHandles& h, const Axes& axes
   double *base_rho[D], *base_E[D];
   for (int d = 0; d < D; ++d) {
     su[d] = row(h.velocity_slope, d);
-    base_rho[d] = row(h.base[static_cast<std::size_t>(d)], 0);
-    base_E[d] = row(h.base[static_cast<std::size_t>(d)], 1);
+    base_rho[d] = row(h.base[d], 0);
+    base_E[d] = row(h.base[d], 1);
   }
 #pragma GCC ivdep
   for (int i = 0; i < x.n; ++i) {
@@ -92,7 +92,7 @@ void predicted_velocity_base_rows(const Row& row, const RemapBaseHandles& h, con
   for (int c = 0; c < C; ++c) {
     u[c] = quantity<D>(row, h.velocity, c);
     v[c] = row(h.velocity_L, c);
-    for (int d = 0; d < D; ++d) base[d][c] = row(h.base[static_cast<std::size_t>(d)], 2 + c);
+    for (int d = 0; d < D; ++d) base[d][c] = row(h.base[d], 2 + c);
   }
 #pragma GCC ivdep
   for (int i = 0; i < x.n; ++i)
@@ -118,7 +118,7 @@ void solved_velocity_base_rows(const Row& row, const RemapBaseHandles& h, const 
   double g_dx[D], f_dx[D], *base[D][C];
   Quantity u[C];
   for (int t = 0; t < D; ++t) {
-    const In p_f = h.face_pressure[static_cast<std::size_t>(t)];
+    const In p_f = h.face_pressure[t];
     low[t] = row(p_f);
     high[t] = row(p_f, 0, t, 1);
     g_dx[t] = gravity[axes.direction[t]] * row.step().spacing[axes.direction[t]];
@@ -127,7 +127,7 @@ void solved_velocity_base_rows(const Row& row, const RemapBaseHandles& h, const 
   for (int c = 0; c < C; ++c) {
     u[c] = quantity<D>(row, h.velocity, c);
     v[c] = row(h.velocity_L, c);
-    for (int d = 0; d < D; ++d) base[d][c] = row(h.base[static_cast<std::size_t>(d)], 2 + c);
+    for (int d = 0; d < D; ++d) base[d][c] = row(h.base[d], 2 + c);
   }
 #pragma GCC ivdep
   for (int i = 0; i < x.n; ++i)
@@ -178,15 +178,13 @@ inline RemapBaseHandles declare_remap_bases(TaskBuilder& task, const SchemeVaria
   h.force = o.force;
   if (h.solved)
     for (int d = 0; d < o.axes.count; ++d) {
-      const auto a = static_cast<std::size_t>(d);
-      h.face_pressure[a] = task.read(v.face_pressure[a], Stencil::along(o.axes.direction[d], 0, 1));
+      h.face_pressure[d] = task.read(v.face_pressure[d], Stencil::along(o.axes.direction[d], 0, 1));
     }
   h.rho_L = task.read(v.rho_L);
   h.energy_L = task.read(v.energy_L);
   h.velocity_L = task.read(v.velocity_L);
   if (o.mixture || o.fluid.gamma_law() == nullptr) h.energy_scale = task.read(v.energy_scale);
-  for (int d = 0; d < o.axes.count; ++d)
-    h.base[static_cast<std::size_t>(d)] = task.write(v.base[static_cast<std::size_t>(d)]);
+  for (int d = 0; d < o.axes.count; ++d) h.base[d] = task.write(v.base[d]);
   return h;
 }
 

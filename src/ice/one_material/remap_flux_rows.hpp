@@ -60,7 +60,6 @@ inline RemapFluxHandles read_remap_inputs(TaskBuilder& task, const SchemeVariabl
   const int direction = o.axes.direction[axis];
   const Stencil both = Stencil::along(direction, 1, 0);
   const Stencil four = Stencil::along(direction, 2, 1);
-  const auto face = static_cast<std::size_t>(axis);
   RemapFluxHandles h;
   if (o.second_order) {
     h.rho = task.read(v.rho, four);
@@ -69,7 +68,7 @@ inline RemapFluxHandles read_remap_inputs(TaskBuilder& task, const SchemeVariabl
   }
   if (o.masked) h.mask = task.read(v.mask, both);
   h.inverse_rho = task.read(v.inverse_rho, both);
-  h.face_velocity = task.read(v.face_velocity[face]);
+  h.face_velocity = task.read(v.face_velocity[axis]);
   h.inverse_J = task.read(v.inverse_J, both);
   h.rho_L = task.read(v.rho_L, both);
   h.energy_L = task.read(v.energy_L, both);
@@ -77,7 +76,7 @@ inline RemapFluxHandles read_remap_inputs(TaskBuilder& task, const SchemeVariabl
   if (o.mixture || o.fluid.gamma_law() == nullptr) h.energy_scale = task.read(v.energy_scale, both);
   h.courant = task.read(v.courant, both);
   h.inverse_courant = task.read(v.inverse_courant, both);
-  if (o.second_order && o.axes.count > 1) h.base = task.read(v.base[face], both);
+  if (o.second_order && o.axes.count > 1) h.base = task.read(v.base[axis], both);
   return h;
 }
 

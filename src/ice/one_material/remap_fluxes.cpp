@@ -139,13 +139,12 @@ void add_remap_flux(TaskList& list, const SchemeVariables& v, const SchemeOption
                     int axis) {
   static const char* names[] = {"remap along axis 0", "remap along axis 1", "remap along axis 2"};
   const int direction = o.axes.direction[axis];
-  const auto face = static_cast<std::size_t>(axis);
   const RemapLaw law = o.fluid.gamma_law() == nullptr               ? RemapLaw::scaled
                        : o.density_bound == DensityBound::as_energy ? RemapLaw::ideal_by_energy
                                                                     : RemapLaw::ideal;
   TaskBuilder task = list.task(names[axis], effect);
   RemapFluxHandles h = read_remap_inputs(task, v, o, axis);
-  h.flux = task.write(v.flux[face]);
+  h.flux = task.write(v.flux[axis]);
   dispatch(o.axes.count, o.components, [&]<int D, int C>() {
     task.kernel([=](const Row& row) {
       const double l = row.step().dt / row.step().spacing[direction];

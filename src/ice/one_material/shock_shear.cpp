@@ -142,8 +142,8 @@ void find_strength(const Row& row, const Handles& h, int d, double l) {
     for (const int side : {-1, 0})     // of the cells that the face lies between
       for (const int high : {0, 1}) {  // of the faces of such a cell
         std::array<int, 3> at{};
-        at[static_cast<std::size_t>(d)] = side;
-        at[static_cast<std::size_t>(t)] = high;
+        at[d] = side;
+        at[t] = high;
         const double* marks = row.at_offset(h.jump_marks, 0, at);
         const double* jump = row.at_offset(h.jumps, t, at);
         const double* speed = row.at_offset(h.jumps, D + t, at);

@@ -23,7 +23,7 @@ class MotionRows {
  public:
   MotionRows(const Row& row, const UpdateHandles& h) {
     for (int d = 0; d < D; ++d) {
-      const In flux = h.flux[static_cast<std::size_t>(d)];
+      const In flux = h.flux[d];
       Fm[d] = row(flux, 0);
       Fp[d] = row(flux, 0, d, 1);
       for (int c = 0; c < C; ++c) {
@@ -86,8 +86,8 @@ void update_row(const Row& row, const UpdateHandles& h) {
   const double* Gm[D];
   const double* Gp[D];
   for (int d = 0; d < D; ++d) {
-    Gm[d] = row(h.flux[static_cast<std::size_t>(d)], 1);
-    Gp[d] = row(h.flux[static_cast<std::size_t>(d)], 1, d, 1);
+    Gm[d] = row(h.flux[d], 1);
+    Gp[d] = row(h.flux[d], 1, d, 1);
   }
   const double* __restrict r = row(h.rho);
   const double* __restrict Es = row(h.energy_star);
@@ -136,9 +136,8 @@ inline UpdateHandles read_end_of_step(TaskBuilder& task, const SchemeVariables& 
   if (!o.conservative_time_step) return h;
   h.next.sound = task.read(v.sound, Stencil::box(1));
   for (int axis = 0; axis < o.axes.count; ++axis) {
-    const auto a = static_cast<std::size_t>(axis);
-    h.next.face_velocity[a] =
-        task.read(v.face_velocity[a], Stencil::along(o.axes.direction[axis], 0, 1));
+    h.next.face_velocity[axis] =
+        task.read(v.face_velocity[axis], Stencil::along(o.axes.direction[axis], 0, 1));
   }
   return h;
 }
@@ -152,8 +151,7 @@ inline UpdateHandles read_update(TaskBuilder& task, const SchemeVariables& v,
   h.impulse = task.read(v.impulse);
   h.velocity_L = task.read(v.velocity_L);
   for (int axis = 0; axis < o.axes.count; ++axis) {
-    const auto a = static_cast<std::size_t>(axis);
-    h.flux[a] = task.read(v.flux[a], Stencil::along(o.axes.direction[axis], 0, 1));
+    h.flux[axis] = task.read(v.flux[axis], Stencil::along(o.axes.direction[axis], 0, 1));
   }
   return h;
 }

@@ -117,7 +117,7 @@ void wall_law(const Row& row, const Handles& h, const SchemeOptions& o, int axis
     double relative[C] = {}, along = 0, carried = 0;
     for (int c = 0; c < C; ++c) {
       if (c == axis) continue;
-      relative[c] = value(h.velocity, c) - wall[o.direction[static_cast<std::size_t>(c)]];
+      relative[c] = value(h.velocity, c) - wall[o.direction[c]];
       (c < o.axes.count ? along : carried) += relative[c] * relative[c];
     }
     const double speed = std::sqrt(along + carried);
@@ -161,7 +161,7 @@ void add_viscous_stress(TaskList& list, const SchemeVariables& v, const SchemeOp
     const Stencil both = Stencil::along(o.axes.direction[axis], 1, 0);
     if (o.viscosity_varies) h.viscosity = task.read(v.viscosity, both);
     read_for_walls(task, v, o, both, h);
-    h.stress = task.write(v.stress[static_cast<std::size_t>(axis)]);
+    h.stress = task.write(v.stress[axis]);
     dispatch(o.axes.count, o.components, [&]<int D, int C>() {
       task.kernel([=](const Row& row) {
         TransverseRows rows[3][3] = {};

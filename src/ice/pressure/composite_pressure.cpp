@@ -66,7 +66,7 @@ class SeveralLevels final : public PressureSystem {
     const int slot = slot_of(stored, label);
     for_each_box(level, [&](int b, const IndexBox& cells) {
       const auto from = stored.view(slot, 0, b);
-      const RealView& v = to.views()[static_cast<std::size_t>(b)];
+      const RealView& v = to.views()[b];
       for_each_cell(cells, [&](IntVec3 c) { v(c) = volume * from(c); });
     });
   }
@@ -76,17 +76,15 @@ class SeveralLevels final : public PressureSystem {
     take(level, l.matrix_cell, to.own, volume);
     const Warehouse& stored = level.outputs();
     for (int d = 0; d < 3; ++d) {
-      const auto n = static_cast<std::size_t>(d);
-      if (!level.level().active[n]) continue;
+      if (!level.level().active[d]) continue;
       const int slot = slot_of(stored, l.matrix_face[d]);
       for_each_box(level, [&](int b, const IndexBox& cells) {
         const auto face = stored.view(slot, 0, b);
-        const auto box = static_cast<std::size_t>(b);
         for_each_cell(cells, [&](IntVec3 c) {
           IntVec3 above = c;
           ++above[d];
-          to.low[n].views()[box](c) = volume * face(c);
-          to.high[n].views()[box](c) = volume * face(above);
+          to.low[d].views()[b](c) = volume * face(c);
+          to.high[d].views()[b](c) = volume * face(above);
         });
       });
     }
@@ -98,7 +96,7 @@ class SeveralLevels final : public PressureSystem {
     const int slot = slot_of(level.state(), label);
     for_each_box(level, [&](int b, const IndexBox& cells) {
       const RealView d = level.state().view(slot, 0, b);
-      const RealView& from = numbers_[l].views()[static_cast<std::size_t>(b)];
+      const RealView& from = numbers_[l].views()[b];
       for_each_cell(cells, [&](IntVec3 c) { d(c) = from(c); });
     });
   }

@@ -122,8 +122,8 @@ void add_cell_system(TaskList& list, const SchemeVariables& v, const SchemeOptio
   const In rho = task.read(v.rho), sound = task.read(v.sound);
   std::array<In, 3> face_velocity;
   for (int axis = 0; axis < D; ++axis) {
-    const auto a = static_cast<std::size_t>(axis);
-    face_velocity[a] = task.read(v.face_velocity[a], Stencil::along(o.axes.direction[axis], 0, 1));
+    face_velocity[axis] =
+        task.read(v.face_velocity[axis], Stencil::along(o.axes.direction[axis], 0, 1));
   }
   const Out out = task.write(list.output(labels().right_side, 0));
   task.kernel([=, axes = o.axes](const Row& row) {
@@ -132,8 +132,8 @@ void add_cell_system(TaskList& list, const SchemeVariables& v, const SchemeOptio
     const double *low[D], *high[D];
     double l[D];
     for (int d = 0; d < D; ++d) {
-      low[d] = row(face_velocity[static_cast<std::size_t>(d)]);
-      high[d] = row(face_velocity[static_cast<std::size_t>(d)], 0, d, 1);
+      low[d] = row(face_velocity[d]);
+      high[d] = row(face_velocity[d], 0, d, 1);
       l[d] = row.step().dt / row.step().spacing[axes.direction[d]];
     }
     double* R = row(out);
@@ -187,7 +187,6 @@ void add_solved_face_states(TaskList& list, const SchemeVariables& v, const Sche
   for (int axis = 0; axis < o.axes.count; ++axis) {
     const int direction = o.axes.direction[axis];
     const Stencil both = Stencil::along(direction, 1, 0);
-    const auto a = static_cast<std::size_t>(axis);
     TaskBuilder task = list.task(names[axis], effect);
     Handles h;
     h.rho = task.read(v.rho, both);
@@ -195,13 +194,13 @@ void add_solved_face_states(TaskList& list, const SchemeVariables& v, const Sche
     h.increment = task.read(v.solve.increment, both);
     h.velocity = task.read(v.velocity, both);
     h.sound = task.read(v.sound, both);
-    h.prediction = task.read(v.solve.prediction[a]);
+    h.prediction = task.read(v.solve.prediction[axis]);
     if (o.meets_finer) {
-      h.finer_velocity = task.read(v.solve.finer_velocity[a]);
-      h.finer_pressure = task.read(v.solve.finer_pressure[a]);
+      h.finer_velocity = task.read(v.solve.finer_velocity[axis]);
+      h.finer_pressure = task.read(v.solve.finer_pressure[axis]);
     }
-    h.face_velocity = task.write(v.face_velocity[a]);
-    h.face_pressure = task.write(v.face_pressure[a]);
+    h.face_velocity = task.write(v.face_velocity[axis]);
+    h.face_pressure = task.write(v.face_pressure[axis]);
     task.kernel([=](const Row& row) {
       const FaceConstants k = face_constants(row, o, direction);
       inner_faces(row, h, axis, k);

@@ -69,24 +69,20 @@ std::vector<FaceMean> of_all_ranks(const std::vector<FaceMean>& own) {
 void take_finer_faces(LevelSolver& coarser, LevelSolver& finer) {
   // Before faces were stored for the first time nothing asks for them.
   for (int d = 0; d < 3; ++d)
-    if (finer.level().active[static_cast<std::size_t>(d)] &&
-        slot_of(finer.outputs(), labels().face_pressure[d]) < 0)
-      return;
+    if (finer.level().active[d] && slot_of(finer.outputs(), labels().face_pressure[d]) < 0) return;
   const CellMap fine_map(finer.level()), coarse_map(coarser.level());
   std::vector<FaceMean> means;
   const std::vector<GridBox>& boxes = finer.state().local_boxes();
   for (int b = 0; b < static_cast<int>(boxes.size()); ++b)
     for (int d = 0; d < 3; ++d)
-      if (finer.level().active[static_cast<std::size_t>(d)])
+      if (finer.level().active[d])
         for (const bool plus : {false, true})
-          add_means_of_side(finer, fine_map, b, boxes[static_cast<std::size_t>(b)].cells, d, plus,
-                            means);
+          add_means_of_side(finer, fine_map, b, boxes[b].cells, d, plus, means);
   Warehouse& state = coarser.state();
   const auto put = [&](Label label, IntVec3 cell, double value) {
     const int slot = slot_of(state, label);
     for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b)
-      if (state.local_boxes()[static_cast<std::size_t>(b)].cells.contains(cell))
-        state.view(slot, 0, b)(cell) = value;
+      if (state.local_boxes()[b].cells.contains(cell)) state.view(slot, 0, b)(cell) = value;
   };
   for (const FaceMean& mean : of_all_ranks(means)) {
     const IntVec3 cell = coarse_map.image(mean.cell);
@@ -94,7 +90,7 @@ void take_finer_faces(LevelSolver& coarser, LevelSolver& finer) {
     put(labels().finer_face_pressure[mean.direction], cell, mean.pressure);
   }
   for (int d = 0; d < 3; ++d)
-    if (coarser.level().active[static_cast<std::size_t>(d)]) {
+    if (coarser.level().active[d]) {
       coarser.fill_work_ghosts(labels().finer_face_velocity[d]);
       coarser.fill_work_ghosts(labels().finer_face_pressure[d]);
     }

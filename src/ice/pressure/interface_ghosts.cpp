@@ -31,7 +31,7 @@ void InterfaceGhosts::fill(const RealView& d, const IndexBox& cells) const {
 double InterfaceGhosts::value(IntVec3 ghost) const {
   for (int away = 1; away <= most_layers; ++away)
     for (int d = 0; d < 3; ++d) {
-      if (!fine_.active[static_cast<std::size_t>(d)]) continue;
+      if (!fine_.active[d]) continue;
       for (const int inward : {1, -1}) {
         IntVec3 f1 = ghost;
         f1[d] += inward * away;
@@ -60,7 +60,7 @@ double InterfaceGhosts::around(IntVec3 g, int d) const {
   const double c = coarse(parent);
   double sum = c;
   for (int t = 0; t < 3; ++t) {
-    if (t == d || !fine_.active[static_cast<std::size_t>(t)]) continue;
+    if (t == d || !fine_.active[t]) continue;
     const double o = (image[t] - parent[t] * fine_.ratio[t] + 0.5) / fine_.ratio[t] - 0.5;
     IntVec3 low = parent, high = parent;
     --low[t];

@@ -36,7 +36,7 @@ class InterfaceGhosts {
   }
   double fine(IntVec3 cell) const { return number(fine_map_, fine_numbers_, cell); }
   static double number(const CellMap& map, const solve::AllBoxes& numbers, IntVec3 cell) {
-    return numbers.views()[static_cast<std::size_t>(map.box_of(cell))](map.image(cell));
+    return numbers.views()[map.box_of(cell)](map.image(cell));
   }
 
   const Level& fine_;

@@ -68,16 +68,15 @@ std::vector<Level> nested(const Problem& p, int cells) {
     IndexBox box = level.domain;
     level.spacing = {1, 1, 1};
     for (int d = 0; d < p.dimensions; ++d) {
-      const auto a = static_cast<std::size_t>(d);
-      level.active[a] = true;
-      level.periodic[a] = p.sides == Sides::periodic;
+      level.active[d] = true;
+      level.periodic[d] = p.sides == Sides::periodic;
       level.domain.upper[d] = n;
       level.spacing[d] = 1.0 / n;
       level.ratio[d] = p.ratio;
       box.lower[d] = low;
       box.upper[d] = high;
     }
-    for (int d = p.dimensions; d < 3; ++d) level.active[static_cast<std::size_t>(d)] = false;
+    for (int d = p.dimensions; d < 3; ++d) level.active[d] = false;
     level.boxes = {{box, 0, 0}};
   }
   return all;
@@ -138,9 +137,8 @@ class Corrected {
     for_each_cell(box(level), [&](IntVec3 cell) {
       c.own.views()[0](cell) = own_ * level.cell_volume();
       for (int d = 0; d < p_.dimensions; ++d) {
-        const auto n = static_cast<std::size_t>(d);
-        c.low[n].views()[0](cell) = weight(level, d) * at_side(level, cell, d, -1);
-        c.high[n].views()[0](cell) = weight(level, d) * at_side(level, cell, d, 1);
+        c.low[d].views()[0](cell) = weight(level, d) * at_side(level, cell, d, -1);
+        c.high[d].views()[0](cell) = weight(level, d) * at_side(level, cell, d, 1);
       }
     });
   }

@@ -171,8 +171,7 @@ void add_viscous_force(TaskList& list, const SchemeVariables& v, const SchemeOpt
   TaskBuilder task = list.task("viscous force", effect);
   std::array<In, 3> stress;
   for (int t = 0; t < o.axes.count; ++t) {
-    const auto a = static_cast<std::size_t>(t);
-    stress[a] = task.read(v.stress[a], Stencil::along(o.axes.direction[t], 0, 1));
+    stress[t] = task.read(v.stress[t], Stencil::along(o.axes.direction[t], 0, 1));
   }
   const Out force = task.write(v.solve.force);
   task.kernel([=, axes = o.axes](const Row& row) {
@@ -183,8 +182,8 @@ void add_viscous_force(TaskList& list, const SchemeVariables& v, const SchemeOpt
       const double* high[3] = {};
       double per_dx[3] = {0, 0, 0};
       for (int t = 0; t < axes.count; ++t) {
-        low[t] = row(stress[static_cast<std::size_t>(t)], d);
-        high[t] = row(stress[static_cast<std::size_t>(t)], d, t, 1);
+        low[t] = row(stress[t], d);
+        high[t] = row(stress[t], d, t, 1);
         per_dx[t] = 1.0 / row.step().spacing[axes.direction[t]];
       }
       for (int i = 0; i < n; ++i) F[i] = per_dx[0] * (high[0][i] - low[0][i]);
@@ -214,7 +213,7 @@ void add_predictions(TaskList& list, const SchemeVariables& v, const SchemeOptio
       h.shock_slope = task.read(v.shock_slope, both);
       h.pi = task.read(v.pi, both);
     }
-    h.prediction = task.write(v.solve.prediction[static_cast<std::size_t>(axis)]);
+    h.prediction = task.write(v.solve.prediction[axis]);
     dispatch(o.axes.count, o.components, [&]<int D, int C>() {
       task.kernel([=](const Row& row) {
         o.viscous ? predict<D, true>(row, h, axis, o) : predict<D, false>(row, h, axis, o);

@@ -52,7 +52,7 @@ void fill_slot(LevelSolver& level, Label label, double value) {
 PressureSolve::PressureSolve(const ImplicitSettings& settings, int first_maximum,
                              std::shared_ptr<SolveHistory> history)
     : settings_(settings),
-      volume_error_(static_cast<std::size_t>(first_maximum + StepSlots::volume_error)),
+      volume_error_(first_maximum + StepSlots::volume_error),
       told_(std::move(history)) {}
 
 PressureSystem& PressureSolve::system_on(const StageScope& scope) {

@@ -10,7 +10,7 @@ namespace {
 // the ghost is 0.
 void add_faces(const Level& level, int d, const IndexBox& cells, const ConstRealView& face,
                const RealView& diagonal, const RealView& low) {
-  const bool wraps = level.periodic[static_cast<std::size_t>(d)];
+  const bool wraps = level.periodic[d];
   for_each_cell(cells, [&](IntVec3 c) {
     IntVec3 above = c;
     ++above[d];
@@ -33,14 +33,13 @@ class OneLevel final : public PressureSystem {
     const Labels& l = labels();
     const Level& cells_of = level.level();
     for_each_box(level, [&](int b, const IndexBox& cells) {
-      const auto n = static_cast<std::size_t>(b);
-      const RealView& diagonal = matrix_.diagonal()[n];
+      const RealView& diagonal = matrix_.diagonal()[b];
       const auto own = stored.view(slot_of(stored, l.matrix_cell), 0, b);
       for_each_cell(cells, [&](IntVec3 c) { diagonal(c) = own(c); });
       for (int d = 0; d < 3; ++d)
-        if (cells_of.active[static_cast<std::size_t>(d)])
+        if (cells_of.active[d])
           add_faces(cells_of, d, cells, stored.view(slot_of(stored, l.matrix_face[d]), 0, b),
-                    diagonal, matrix_.low(d)[n]);
+                    diagonal, matrix_.low(d)[b]);
     });
     solver_->follow(matrix_);
   }
@@ -50,11 +49,10 @@ class OneLevel final : public PressureSystem {
     const Warehouse& stored = level.outputs();
     const int from = slot_of(stored, right_side);
     for_each_box(level, [&](int b, const IndexBox& cells) {
-      const auto n = static_cast<std::size_t>(b);
       const auto R = stored.view(from, 0, b);
       for_each_cell(cells, [&](IntVec3 c) {
-        right_side_.views()[n](c) = R(c);
-        change_.views()[n](c) = 0.0;
+        right_side_.views()[b](c) = R(c);
+        change_.views()[b](c) = 0.0;
       });
     });
     const solve::SolveReport report = solver_->solve(right_side_.values(), change_.views());
@@ -62,7 +60,7 @@ class OneLevel final : public PressureSystem {
     const int last_slot = slot_of(level.state(), labels().pressure_correction);
     for_each_box(level, [&](int b, const IndexBox& cells) {
       const RealView d = level.state().view(slot, 0, b);
-      const RealView& e = change_.views()[static_cast<std::size_t>(b)];
+      const RealView& e = change_.views()[b];
       const RealView last = level.state().view(last_slot, 0, b);
       for_each_cell(cells, [&](IntVec3 c) {
         d(c) += e(c);

@@ -38,7 +38,7 @@ inline int slot_of(const Warehouse& fields, Label label) {
 template <class F>
 void for_each_box(LevelSolver& level, F&& f) {
   for (int b = 0; b < static_cast<int>(level.state().local_boxes().size()); ++b)
-    f(b, level.state().local_boxes()[static_cast<std::size_t>(b)].cells);
+    f(b, level.state().local_boxes()[b].cells);
 }
 
 }  // namespace sluice::ice::pressure

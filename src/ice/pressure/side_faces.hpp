@@ -13,7 +13,7 @@ template <class F>
 void for_each_side_face(const Row& row, const SchemeOptions& o, int axis, F&& f) {
   if (o.boundary == nullptr) return;
   const int d = o.axes.direction[axis];
-  if (o.periodic[static_cast<std::size_t>(d)]) return;
+  if (o.periodic[d]) return;
   for (const bool plus : {false, true}) {
     const Side side = side_of(d, plus);
     const int face = plus ? o.domain.upper[d] : o.domain.lower[d];

@@ -29,13 +29,12 @@ namespace {
 
 void add_open_coefficient(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
                           int axis, int effect) {
-  const auto n = static_cast<std::size_t>(axis);
   const int direction = o.axes.direction[axis];
   const std::string name = "coefficients of whole faces " + std::to_string(axis);
   const VariableId of_whole = list.temporary(name, 1, direction);
   add_face_coefficient(list, v, o, axis, of_whole, effect);
   TaskBuilder task = list.task("coefficients of open faces " + std::to_string(axis), effect);
-  const In whole = task.read(of_whole), covered = task.read(v.walls.mean_covered[n]);
+  const In whole = task.read(of_whole), covered = task.read(v.walls.mean_covered[axis]);
   const In fraction = task.read(v.walls.fraction, Stencil::along(direction, 1, 0));
   const Out out = task.write(list.output(labels().matrix_face[direction], 0));
   task.kernel([=](const Row& row) {
@@ -56,9 +55,7 @@ void add_cell_coefficient(TaskList& list, const SchemeVariables& v, const Scheme
   const In after = task.read(v.walls.next);
   std::array<In, 3> covered;
   for (int a = 0; a < o.axes.count; ++a)
-    covered[static_cast<std::size_t>(a)] =
-        task.read(v.walls.mean_covered[static_cast<std::size_t>(a)],
-                  Stencil::along(o.axes.direction[a], 0, 1));
+    covered[a] = task.read(v.walls.mean_covered[a], Stencil::along(o.axes.direction[a], 0, 1));
   const Out out = task.write(list.output(labels().matrix_cell, 0));
   task.kernel([=, axes = o.axes](const Row& row) {
     const double al = solve_constants(row.step()).al;
@@ -67,7 +64,7 @@ void add_cell_coefficient(TaskList& list, const SchemeVariables& v, const Scheme
     for (int i = 0; i < row.count(); ++i) {
       bool closed = true;
       for (int a = 0; a < axes.count && theta[i] < 1; ++a) {
-        const In A = covered[static_cast<std::size_t>(a)];
+        const In A = covered[a];
         closed &= (row(A)[i] >= 1 || row(fraction, 0, a, -1)[i] >= 1) &&
                   (row(A, 0, a, 1)[i] >= 1 || row(fraction, 0, a, 1)[i] >= 1);
       }
@@ -115,16 +112,15 @@ void add_right_side(TaskList& list, const SchemeVariables& v, const SchemeOption
   const VolumeReads h = read_volumes(task, v, o);
   std::array<In, 3> flow;
   for (int a = 0; a < D; ++a)
-    flow[static_cast<std::size_t>(a)] = task.read(v.walls.flow[static_cast<std::size_t>(a)],
-                                                  Stencil::along(o.axes.direction[a], 0, 1));
+    flow[a] = task.read(v.walls.flow[a], Stencil::along(o.axes.direction[a], 0, 1));
   const Out out = task.write(list.output(labels().right_side, 0));
   task.kernel([=, axes = o.axes](const Row& row) {
     const double *theta = row(h.fraction), *after = row(h.next);
     const double *low[D], *high[D];
     double l[D];
     for (int d = 0; d < D; ++d) {
-      low[d] = row(flow[static_cast<std::size_t>(d)]);
-      high[d] = row(flow[static_cast<std::size_t>(d)], 0, d, 1);
+      low[d] = row(flow[d]);
+      high[d] = row(flow[d], 0, d, 1);
       l[d] = row.step().dt / row.step().spacing[axes.direction[d]];
     }
     const auto stretch = [&](int i) {

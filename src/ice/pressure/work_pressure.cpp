@@ -25,14 +25,13 @@ void declare_variables(TaskList& list, const SchemeOptions& o, SchemeVariables& 
   if (o.meets_coarser) x.interface = list.old_state(l.interface_pressure, 0, 1);
   if (o.meets_finer)
     for (int a = 0; a < o.axes.count; ++a) {
-      const auto n = static_cast<std::size_t>(a);
       const int d = o.axes.direction[a];
-      x.finer_velocity[n] = list.old_state(l.finer_face_velocity[d], 0, 1);
-      x.finer_pressure[n] = list.old_state(l.finer_face_pressure[d], 0, 1);
+      x.finer_velocity[a] = list.old_state(l.finer_face_velocity[d], 0, 1);
+      x.finer_pressure[a] = list.old_state(l.finer_face_pressure[d], 0, 1);
     }
   for (int a = 0; a < o.axes.count; ++a)
-    x.prediction[static_cast<std::size_t>(a)] = list.temporary(
-        "prediction of axis " + std::to_string(a), prediction_count, o.axes.direction[a]);
+    x.prediction[a] = list.temporary("prediction of axis " + std::to_string(a), prediction_count,
+                                     o.axes.direction[a]);
 }
 
 void add_work_pressure(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,

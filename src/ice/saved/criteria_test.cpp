@@ -63,7 +63,7 @@ class Criteria : public testing::Test {
     double sum = 0;
     for (int c = 0; c < component_count(q.info().type); ++c)
       for (int d = 0; d < 3; ++d) {
-        if (!level().active[static_cast<std::size_t>(d)]) continue;
+        if (!level().active[d]) continue;
         const double slope =
             (value(q, cell + step(d), c) - value(q, cell - step(d), c)) / (2 * level().spacing[d]);
         sum += slope * slope;

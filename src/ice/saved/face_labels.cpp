@@ -78,7 +78,7 @@ void declare_face_labels(TaskList& list, const SchemeVariables& v, const SchemeO
     for (int d = 0; d < 3; ++d) {
       save_temperature(list, o, m, temperature, d, effect);
       const int axis = axis_along(o, d);
-      const auto share = axis >= 0 ? m.passing[static_cast<std::size_t>(axis)] : std::nullopt;
+      const auto share = axis >= 0 ? m.passing[axis] : std::nullopt;
       save_copy(list, labels().face_volume_fraction[d], m.index, effect, share.value_or(m.volume));
     }
   }

@@ -31,17 +31,16 @@ VariableId declare_energy(TaskList& list, const Variables& v, int m) {
 // material. Nothing passes: mean of the two cells.
 VariableId declare_passing(TaskList& list, const Variables& v, const SchemeOptions& o, int m,
                            int axis) {
-  const auto a = static_cast<std::size_t>(axis);
   const int d = o.axes.direction[axis];
   const std::string name =
       of_material("share of what passes", m) + ", axis " + std::to_string(axis);
   const VariableId share = list.temporary(name, 1, d);
   TaskBuilder task = list.task(name, effect_saved_intermediates);
   const In pure = task.read(v.pure, Stencil::along(d, 1, 0));
-  const In volume = task.read(v.volume[static_cast<std::size_t>(m)], Stencil::along(d, 1, 0));
-  const In flux = task.read(v.flux[a]);
+  const In volume = task.read(v.volume[m], Stencil::along(d, 1, 0));
+  const In flux = task.read(v.flux[axis]);
   const In velocity =
-      task.read(o.own_velocities ? v.slip.face_velocity[a] : v.common.face_velocity[a]);
+      task.read(o.own_velocities ? v.slip.face_velocity[axis] : v.common.face_velocity[axis]);
   const int own = o.own_velocities ? m : 0;
   const Out out = task.write(share);
   task.kernel([=](const Row& row) {
@@ -100,23 +99,22 @@ MaterialsOfStep materials_of_step(TaskList& list, const Variables& v, const Sche
   MaterialsOfStep materials;
   materials.density_new = v.end;
   for (int m = 0; m < static_cast<int>(o.fluids.size()); ++m) {
-    const auto k = static_cast<std::size_t>(m);
     MaterialOfStep one{m,
-                       o.fluids[k],
-                       v.mass[k],
-                       v.volume[k],
-                       v.energy[k],
-                       v.mass_new[k],
-                       v.volume_new[k],
-                       v.energy_new[k],
+                       o.fluids[m],
+                       v.mass[m],
+                       v.volume[m],
+                       v.energy[m],
+                       v.mass_new[m],
+                       v.volume_new[m],
+                       v.energy_new[m],
                        declare_energy(list, v, m),
                        {},
                        {}};
     for (int axis = 0; axis < o.axes.count; ++axis)
-      one.passing[static_cast<std::size_t>(axis)] = declare_passing(list, v, o, m, axis);
+      one.passing[axis] = declare_passing(list, v, o, m, axis);
     if (o.own_velocities) {
       one.motion =
-          OwnMotion{v.slip.slip[k], v.slip.slip_new[k], v.slip.velocity_L, m * o.components, {}};
+          OwnMotion{v.slip.slip[m], v.slip.slip_new[m], v.slip.velocity_L, m * o.components, {}};
       if (o.viscous) one.motion->friction = declare_friction(list, v, o, m);
     }
     materials.each.push_back(std::move(one));

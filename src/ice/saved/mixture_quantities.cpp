@@ -67,11 +67,10 @@ class Declarer {
       if (m > 0) q_.add(labels().velocity, m, velocity_);
       return velocity_;
     }
-    const auto k = static_cast<std::size_t>(m);
     const VariableId to = q_.fresh(labels().velocity, m);
     TaskBuilder t = q_.task(labels().velocity, m);
     const In rho = t.read(v_.common.rho), momentum = t.read(v_.common.momentum);
-    const In mass = t.read(v_.mass[k]), slip = t.read(v_.slip.slip[k]);
+    const In mass = t.read(v_.mass[m]), slip = t.read(v_.slip.slip[m]);
     const Out out = t.write(to);
     t.kernel([=, components = o_.components, direction = o_.direction](const Row& row) {
       const int n = row.count();
@@ -79,7 +78,7 @@ class Declarer {
       for (int d = 0; d < 3; ++d) std::fill(row(out, d), row(out, d) + n, 0.0);
       for (int c = 0; c < components; ++c) {
         const double *P = row(momentum, c), *S = row(slip, c);
-        double* u = row(out, direction[static_cast<std::size_t>(c)]);
+        double* u = row(out, direction[c]);
         for (int i = 0; i < n; ++i) u[i] = P[i] / r[i] + (M[i] > 0.0 ? S[i] / M[i] : 0.0);
       }
     });
@@ -116,8 +115,7 @@ class Declarer {
       double* value = row(out);
       Fluid room;
       for (int i = 0; i < row.count(); ++i)
-        value[i] =
-            r[i] > 0.0 ? f(laws.at(row, static_cast<std::size_t>(m), i, room), r[i], e[i]) : 0.0;
+        value[i] = r[i] > 0.0 ? f(laws.at(row, m, i, room), r[i], e[i]) : 0.0;
     });
     return to;
   }
@@ -134,10 +132,9 @@ class Declarer {
     t.kernel([=](const Row& row) {
       Fluid room;
       const auto own = [&](int k, int i) {
-        return laws.at(row, static_cast<std::size_t>(k), i, room)
-            .temperature(row(density, k)[i], row(energy, k)[i]);
+        return laws.at(row, k, i, room).temperature(row(density, k)[i], row(energy, k)[i]);
       };
-      const double *M = row(mass[static_cast<std::size_t>(m)]), *rho = row(total);
+      const double *M = row(mass[m]), *rho = row(total);
       double* T = row(out);
       for (int i = 0; i < row.count(); ++i) {
         if (M[i] == 0.0 || has_temperature(M[i], rho[i])) {
@@ -156,7 +153,7 @@ class Declarer {
   // Molecular and subgrid viscosity of a material and their sum, 0 where it is absent.
   void declare_viscosities(int m) {
     const Labels& l = labels();
-    const double constant = o_.viscosities[static_cast<std::size_t>(m)];
+    const double constant = o_.viscosities[m];
     const VariableId molecular =
         o_.own_viscosity_varies()
             ? single(v_.own_viscosity, m, l.viscosity, m)
@@ -191,15 +188,14 @@ class Declarer {
 
   // Of the molecules, 0 where the material is absent.
   void declare_conductivity(int m) {
-    const auto k = static_cast<std::size_t>(m);
     const VariableId to = q_.fresh(labels().thermal_conductivity, m);
     TaskBuilder t = q_.task(labels().thermal_conductivity, m);
     const In density = t.read(v_.density);
     const LawsOfCells laws(t, q_.list(), mixture_);
     const Out out = t.write(to);
-    t.kernel([=, given = o_.conductivities[k]](const Row& row) {
+    t.kernel([=, given = o_.conductivities[m]](const Row& row) {
       const double* r = row(density, m);
-      const LawRow law = laws.of(row, k);
+      const LawRow law = laws.of(row, m);
       double* value = row(out);
       for (int i = 0; i < row.count(); ++i)
         value[i] = r[i] > 0.0 ? law.conductivity(i, given) : 0.0;
@@ -208,9 +204,8 @@ class Declarer {
 
   void declare_material(int m) {
     const Labels& l = labels();
-    const auto k = static_cast<std::size_t>(m);
-    q_.add(l.rho, m, v_.mass[k]);
-    q_.add(l.volume_fraction, m, v_.volume[k]);
+    q_.add(l.rho, m, v_.mass[m]);
+    q_.add(l.volume_fraction, m, v_.volume[m]);
     single(v_.density, m, l.rho_micro, m);
     closure(l.specific_volume, m, [](double r, double) { return 1.0 / r; });
     const VariableId T = temperature(m);
@@ -226,9 +221,9 @@ class Declarer {
                 [](const Fluid& law, double r, double e) { return law.heat_capacity_ratio(r, e); });
     law_closure(l.specific_heat, m,
                 [](const Fluid& law, double r, double e) { return law.heat_capacity(r, e); });
-    q_.slopes(v_.mass[k], l.gradient_rho, m);
+    q_.slopes(v_.mass[m], l.gradient_rho, m);
     q_.slopes(T, l.gradient_temperature, m);
-    q_.slopes(v_.volume[k], l.gradient_volume_fraction, m);
+    q_.slopes(v_.volume[m], l.gradient_volume_fraction, m);
   }
 
   // Of F behind a prescribed front.
@@ -237,8 +232,7 @@ class Declarer {
     if (!front) return;
     const VariableId share = q_.list().temporary("burned share of a front");
     TaskBuilder t = q_.list().task("burned share of a front", effect_diagnostics);
-    const In from = t.read(v_.mass[static_cast<std::size_t>(front->first)]),
-             to = t.read(v_.mass[static_cast<std::size_t>(front->second)]);
+    const In from = t.read(v_.mass[front->first]), to = t.read(v_.mass[front->second]);
     const Out out = t.write(share);
     t.kernel([=](const Row& row) {
       const double *reactant = row(from), *product = row(to);
@@ -267,10 +261,9 @@ class Declarer {
     for (int m = 0; m < static_cast<int>(o_.fluids.size()); ++m) declare_share(sum, m);
   }
   void declare_share(VariableId of_all, int m) {
-    const auto k = static_cast<std::size_t>(m);
     const VariableId share = q_.fresh(labels().compressibility_share, m);
     TaskBuilder t = q_.task(labels().compressibility_share, m);
-    const In volume = t.read(v_.volume[k]), own = t.read(compressibility_[k]), all = t.read(of_all);
+    const In volume = t.read(v_.volume[m]), own = t.read(compressibility_[m]), all = t.read(of_all);
     const Out out = t.write(share);
     t.kernel([=](const Row& row) {
       const double *V = row(volume), *each = row(own), *sum = row(all);

@@ -34,9 +34,8 @@ Handles read_motion(TaskBuilder& task, const SchemeVariables& v, const SchemeOpt
   h.momentum = task.read(v.momentum);
   h.impulse = task.read(v.impulse);
   for (int axis = 0; axis < o.axes.count; ++axis) {
-    const auto a = static_cast<std::size_t>(axis);
-    h.face_pressure[a] =
-        task.read(v.face_pressure[a], Stencil::along(o.axes.direction[axis], 0, 1));
+    h.face_pressure[axis] =
+        task.read(v.face_pressure[axis], Stencil::along(o.axes.direction[axis], 0, 1));
   }
   h.own = m.motion.has_value();
   if (!h.own) return h;
@@ -60,10 +59,10 @@ class MotionOfRow {
         slip_(h.own ? row(h.slip, c) : nullptr),
         velocity_L_(h.own ? row(h.velocity_L, h.first + c) : nullptr),
         friction_(h.rubs ? row(h.friction, c) : nullptr) {
-    const int d = o.direction[static_cast<std::size_t>(c)];
+    const int d = o.direction[c];
     force_ = row.step().dt * o.force[d];
     if (c >= o.axes.count) return;
-    const In pressure = h.face_pressure[static_cast<std::size_t>(c)];
+    const In pressure = h.face_pressure[c];
     l_ = row.step().dt / row.step().spacing[d];
     low_ = row(pressure);
     high_ = row(pressure, 0, c, 1);
@@ -115,7 +114,7 @@ void save_motion(TaskList& list, const SchemeVariables& v, const SchemeOptions& 
     const double size = amount ? cell_volume(row) : 1.0;
     for (int c = 0; c < o.components; ++c) {
       const MotionOfRow motion(row, h, o, c);
-      double* to = row(h.out, o.direction[static_cast<std::size_t>(c)]);
+      double* to = row(h.out, o.direction[c]);
       for (int i = 0; i < row.count(); ++i) to[i] = motion.of(part, i) * size;
     }
   });
@@ -149,7 +148,7 @@ void save_rate(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
   task.kernel([=](const Row& row) {
     clear(row, out);
     for (int c = 0; c < o.components; ++c) {
-      double* to = row(out, o.direction[static_cast<std::size_t>(c)]);
+      double* to = row(out, o.direction[c]);
       const Velocity u(row, before, c), u_new(row, after, c);
       for (int i = 0; i < row.count(); ++i)
         if (u.mass[i] > 0.0 && u_new.mass[i] > 0.0) to[i] = (u_new.at(i) - u.at(i)) / row.step().dt;

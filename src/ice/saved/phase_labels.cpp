@@ -19,15 +19,14 @@ VariableId declare_dilation(TaskList& list, const SchemeVariables& v, const Sche
   TaskBuilder task = list.task("dilation", effect);
   std::array<In, 3> velocity;
   for (int axis = 0; axis < o.axes.count; ++axis) {
-    const auto a = static_cast<std::size_t>(axis);
-    velocity[a] = task.read(v.face_velocity[a], Stencil::along(o.axes.direction[axis], 0, 1));
+    velocity[axis] = task.read(v.face_velocity[axis], Stencil::along(o.axes.direction[axis], 0, 1));
   }
   const Out out = task.write(dilation);
   task.kernel([=, axes = o.axes](const Row& row) {
     double* to = row(out);
     std::fill_n(to, row.count(), 0.0);
     for (int axis = 0; axis < axes.count; ++axis) {
-      const In face = velocity[static_cast<std::size_t>(axis)];
+      const In face = velocity[axis];
       const double *low = row(face), *high = row(face, 0, axis, 1);
       const double l = row.step().dt / row.step().spacing[axes.direction[axis]];
       for (int i = 0; i < row.count(); ++i) to[i] += l * (high[i] - low[i]);
@@ -69,7 +68,7 @@ double Thermometer::at(double M, double V, double E, double f) const {
 }
 
 Thermometer thermometer_of(const MaterialOfStep& m, const SchemeOptions& o) {
-  const bool composed = is_mixed(o, static_cast<std::size_t>(m.index));
+  const bool composed = is_mixed(o, m.index);
   return {m.fluid, composed ? o.mixed : nullptr};
 }
 

@@ -17,7 +17,7 @@ VariableId QuantityList::velocity(VariableId rho_id, VariableId momentum_id) {
     }
     for (int c = 0; c < components; ++c) {
       const double* __restrict m = row(momentum, c);
-      double* __restrict u = row(velocity, direction[static_cast<std::size_t>(c)]);
+      double* __restrict u = row(velocity, direction[c]);
       for (int i = 0; i < n; ++i) u[i] = m[i] / r[i];
     }
   });

@@ -72,9 +72,7 @@ class LabelsOfAStep : public ::testing::TestWithParam<Case> {
   }
   double dt() const { return run_->time() - start_; }
   // Of the start of the step.
-  double share(IntVec3 cell, int m) const {
-    return share_[static_cast<std::size_t>(2 * (cell.x + 24 * cell.y) + m)];
-  }
+  double share(IntVec3 cell, int m) const { return share_[2 * (cell.x + 24 * cell.y) + m]; }
   template <class F>
   double sum(F f) const {
     double all = 0;

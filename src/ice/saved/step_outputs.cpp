@@ -35,7 +35,7 @@ void inactive_face_task(TaskList& list, const SchemeVariables& v, const SchemeOp
   TaskBuilder task = list.task("save " + label.name(), effect_saved_intermediates);
   int carried = -1;
   for (int c = o.axes.count; c < o.components; ++c)
-    if (o.direction[static_cast<std::size_t>(c)] == d) carried = c;
+    if (o.direction[c] == d) carried = c;
   const In in = task.read(pressure ? v.pressure : v.velocity);
   const Out out = task.write(list.output(label, 0));
   task.kernel([=](const Row& row) {
@@ -72,10 +72,9 @@ void declare_step_outputs(TaskList& list, const SchemeVariables& v, const Scheme
       inactive_face_task(list, v, o, d, l.face_pressure[d], true);
       continue;
     }
-    const auto n = static_cast<std::size_t>(axis);
-    save(l.face_velocity[d], v.face_velocity[n]);
-    save(l.face_velocity_exchanged[d], v.face_velocity[n]);
-    save(l.face_pressure[d], v.face_pressure[n]);
+    save(l.face_velocity[d], v.face_velocity[axis]);
+    save(l.face_velocity_exchanged[d], v.face_velocity[axis]);
+    save(l.face_pressure[d], v.face_pressure[axis]);
   }
 }
 

@@ -20,12 +20,12 @@ void face_stress_task(TaskList& list, const SchemeVariables& v, const SchemeOpti
   TaskBuilder task = list.task("save " + label.name(), effect_saved_intermediates);
   const int axis = axis_along(o, d);
   const bool any = o.viscous && axis >= 0;
-  const In in = any ? task.read(v.stress[static_cast<std::size_t>(axis)]) : task.read(v.rho);
+  const In in = any ? task.read(v.stress[axis]) : task.read(v.rho);
   const Out out = task.write(list.output(label, 0));
   task.kernel([=](const Row& row) {
     clear(row, out, 3);
     for (int c = 0; any && c < o.components; ++c)
-      std::copy_n(row(in, c), row.count(), row(out, o.direction[static_cast<std::size_t>(c)]));
+      std::copy_n(row(in, c), row.count(), row(out, o.direction[c]));
   });
 }
 
@@ -36,8 +36,7 @@ void viscous_source_task(TaskList& list, const SchemeVariables& v, const SchemeO
   std::array<In, 3> stress;
   const In rho = task.read(v.rho);  // a task must read something
   for (int a = 0; o.viscous && a < o.axes.count; ++a)
-    stress[static_cast<std::size_t>(a)] =
-        task.read(v.stress[static_cast<std::size_t>(a)], Stencil::along(o.axes.direction[a], 0, 1));
+    stress[a] = task.read(v.stress[a], Stencil::along(o.axes.direction[a], 0, 1));
   const Out out = task.write(list.output(label, 0));
   static_cast<void>(rho);
   task.kernel([=](const Row& row) {
@@ -45,10 +44,10 @@ void viscous_source_task(TaskList& list, const SchemeVariables& v, const SchemeO
     if (!o.viscous) return;
     const Vec3 dx = row.step().spacing;
     for (int c = 0; c < o.components; ++c) {
-      double* to = row(out, o.direction[static_cast<std::size_t>(c)]);
+      double* to = row(out, o.direction[c]);
       for (int a = 0; a < o.axes.count; ++a) {
         const double area = dx.x * dx.y * dx.z / dx[o.axes.direction[a]];
-        const In t = stress[static_cast<std::size_t>(a)];
+        const In t = stress[a];
         const double *minus = row(t, c), *plus = row(t, c, a, 1);
         for (int i = 0; i < row.count(); ++i) to[i] += area * (plus[i] - minus[i]);
       }
@@ -63,8 +62,7 @@ void heat_source_task(TaskList& list, const SchemeVariables& v, const SchemeOpti
   std::array<In, 3> flux;
   const In rho = task.read(v.rho);
   for (int a = 0; o.conducting && a < o.axes.count; ++a)
-    flux[static_cast<std::size_t>(a)] = task.read(v.heat_flux[static_cast<std::size_t>(a)],
-                                                  Stencil::along(o.axes.direction[a], 0, 1));
+    flux[a] = task.read(v.heat_flux[a], Stencil::along(o.axes.direction[a], 0, 1));
   const Out out = task.write(list.output(label, 0));
   static_cast<void>(rho);
   task.kernel([=](const Row& row) {
@@ -74,7 +72,7 @@ void heat_source_task(TaskList& list, const SchemeVariables& v, const SchemeOpti
     double* to = row(out);
     for (int a = 0; a < o.axes.count; ++a) {
       const double scale = row.step().dt * dx.x * dx.y * dx.z / dx[o.axes.direction[a]];
-      const In q = flux[static_cast<std::size_t>(a)];
+      const In q = flux[a];
       const double *minus = row(q), *plus = row(q, 0, a, 1);
       for (int i = 0; i < row.count(); ++i) to[i] += scale * (minus[i] - plus[i]);
     }

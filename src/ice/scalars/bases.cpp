@@ -165,13 +165,13 @@ void add_bases(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
   for (const ScalarVariables::Each& e : v.scalars.each) {
     h.q.push_back(task.read(e.old, Stencil::box(1)));
     h.mass.push_back(task.read(e.mass, Stencil::box(1)));
-    const models::TransportedScalar& scalar = o.scalars[static_cast<std::size_t>(e.index)];
+    const models::TransportedScalar& scalar = o.scalars[e.index];
     diffusivity.push_back(scalar.spreads_by_law ? 1.0 : scalar.diffusivity);
     h.moves.push_back(o.mixture && o.own_velocities ? scalar.material * o.components : 0);
   }
   for (const ScalarVariables::Each& e : v.scalars.each) {
-    h.by_volume.push_back(o.scalars[static_cast<std::size_t>(e.index)].by_volume ? 1 : 0);
-    h.law.push_back(o.scalars[static_cast<std::size_t>(e.index)].spreads_by_law ? 1 : 0);
+    h.by_volume.push_back(o.scalars[e.index].by_volume ? 1 : 0);
+    h.law.push_back(o.scalars[e.index].spreads_by_law ? 1 : 0);
   }
   if (o.mixed != nullptr) {
     h.rho_L = task.read(v.rho_L);

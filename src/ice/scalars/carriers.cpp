@@ -13,11 +13,10 @@ void add_carriers(TaskList& list, const SchemeVariables& v, const SchemeOptions&
   static const char* names[] = {"mass with scalars of axis 0", "mass with scalars of axis 1",
                                 "mass with scalars of axis 2"};
   for (int axis = 0; axis < o.axes.count; ++axis) {
-    const auto a = static_cast<std::size_t>(axis);
     TaskBuilder task = list.task(names[axis], effect);
-    const In flux = task.read(v.flux[a]), materials = task.read(v.material_flux[a]);
+    const In flux = task.read(v.flux[axis]), materials = task.read(v.material_flux[axis]);
     const In pure = task.read(v.pure, Stencil::along(o.axes.direction[axis], 1, 0));
-    const Out out = task.write(v.scalars.carrier[a]);
+    const Out out = task.write(v.scalars.carrier[axis]);
     task.kernel([=, carried = v.scalars.materials](const Row& row) {
       const int n = row.count();
       const double* __restrict below = row(pure, 0, axis, -1);
@@ -72,10 +71,9 @@ SchemeVariables add_own_motion(TaskList& list, const mixture::Variables& m, cons
                                 "velocity with scalars of axis 2"};
   const int count = static_cast<int>(v.scalars.materials.size());
   for (int axis = 0; axis < o.axes.count; ++axis) {
-    const auto a = static_cast<std::size_t>(axis);
-    v.face_velocity[a] = list.temporary(names[axis], count, o.axes.direction[axis]);
-    add_choice(list, names[axis], m, effect, o, axis, m.common.face_velocity[a],
-               m.slip.face_velocity[a], v.face_velocity[a]);
+    v.face_velocity[axis] = list.temporary(names[axis], count, o.axes.direction[axis]);
+    add_choice(list, names[axis], m, effect, o, axis, m.common.face_velocity[axis],
+               m.slip.face_velocity[axis], v.face_velocity[axis]);
   }
   v.courant = list.temporary("outflow with scalars", count);
   add_choice(list, "outflow with scalars", m, effect, o, -1, m.common.courant, m.slip.outflow,

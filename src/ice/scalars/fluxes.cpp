@@ -200,7 +200,6 @@ void open_row(const Row& row, const Handles& h, const Each& e) {
 
 Handles declare(TaskBuilder& task, const SchemeVariables& v, const SchemeOptions& o, int axis) {
   const int direction = o.axes.direction[axis];
-  const auto a = static_cast<std::size_t>(axis);
   const Stencil both = Stencil::along(direction, 1, 0);
   const Stencil four = Stencil::along(direction, 2, 1);
   Handles h;
@@ -213,28 +212,28 @@ Handles declare(TaskBuilder& task, const SchemeVariables& v, const SchemeOptions
     each.carrier = e.carrier;
     each.motion = o.mixture && o.own_velocities ? e.carrier : 0;
     each.place = static_cast<int>(h.each.size());
-    each.law = o.scalars[static_cast<std::size_t>(e.index)].spreads_by_law;
-    each.diffusivity = each.law ? 1.0 : o.scalars[static_cast<std::size_t>(e.index)].diffusivity;
-    each.by_volume = o.scalars[static_cast<std::size_t>(e.index)].by_volume;
+    each.law = o.scalars[e.index].spreads_by_law;
+    each.diffusivity = each.law ? 1.0 : o.scalars[e.index].diffusivity;
+    each.by_volume = o.scalars[e.index].by_volume;
     h.each.push_back(each);
   }
   if (o.spreads_species) h.diffusivity = task.read(v.scalars.diffusivity, both);
-  h.face_velocity = task.read(v.face_velocity[a]);
+  h.face_velocity = task.read(v.face_velocity[axis]);
   if (o.second_order || v.scalars.diffusive) h.courant = task.read(v.courant, both);
   if (o.second_order) {
-    h.carrier = task.read(v.scalars.carrier[a]);
+    h.carrier = task.read(v.scalars.carrier[axis]);
     h.inverse_J = task.read(v.inverse_J, both);
     h.base = task.read(v.scalars.base, both);
     if (v.scalars.diffusive) h.half = task.read(v.scalars.half, both);
     if (v.scalars.walled)
-      h.mask = task.read(v.scalars.axis_slopes[a], both);
+      h.mask = task.read(v.scalars.axis_slopes[axis], both);
     else if (o.masked)
       h.mask = task.read(v.mask, both);
   }
   if (o.mixture && o.mixed != nullptr) h.pure = task.read(v.pure, both);
-  if (v.scalars.walled && v.scalars.diffusive) h.open = task.read(v.scalars.open_share[a]);
-  h.face = task.write(v.scalars.face[a]);
-  if (v.scalars.diffusive) h.spread = task.write(v.scalars.spread[a]);
+  if (v.scalars.walled && v.scalars.diffusive) h.open = task.read(v.scalars.open_share[axis]);
+  h.face = task.write(v.scalars.face[axis]);
+  if (v.scalars.diffusive) h.spread = task.write(v.scalars.spread[axis]);
   return h;
 }
 

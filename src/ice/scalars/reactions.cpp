@@ -73,12 +73,12 @@ struct Carried {
 
   Carried(const SchemeVariables& v, const SchemeOptions& o) {
     for (const ScalarVariables::Each& e : v.scalars.each)
-      if (o.scalars[static_cast<std::size_t>(e.index)].of_species) each.push_back(&e);
+      if (o.scalars[e.index].of_species) each.push_back(&e);
   }
 };
 
 void save_change(TaskList& list, const ScalarVariables::Each& e, const SchemeOptions& o) {
-  const models::TransportedScalar& s = o.scalars[static_cast<std::size_t>(e.index)];
+  const models::TransportedScalar& s = o.scalars[e.index];
   TaskBuilder task = list.task("save " + s.source().name(), effect_saved_intermediates);
   const In before = task.read(e.now), after = task.read(e.after_reactions);
   const Out out = task.write(list.output(s.source(), s.material));

@@ -69,18 +69,17 @@ void transport_row(const Row& row, const Handles& h, const Each& e, bool second_
   const int n = row.count();
   const double *Fm[D], *Fp[D], *qm[D], *qp[D];
   for (int d = 0; d < D; ++d) {
-    const auto a = static_cast<std::size_t>(d);
-    Fm[d] = row(h.carrier[a], e.carrier);
-    Fp[d] = row(h.carrier[a], e.carrier, d, 1);
-    qm[d] = row(h.face[a], e.place);
-    qp[d] = row(h.face[a], e.place, d, 1);
+    Fm[d] = row(h.carrier[d], e.carrier);
+    Fp[d] = row(h.carrier[d], e.carrier, d, 1);
+    qm[d] = row(h.face[d], e.place);
+    qp[d] = row(h.face[d], e.place, d, 1);
   }
   double low[most_cells], high[most_cells], spread[most_cells];
   own_bounds<D>(row, h, e, second_order, low, high);
   for (int i = 0; i < n; ++i) spread[i] = 0.0;
   for (int d = 0; diffusive && d < D; ++d) {
-    const double* Gm = row(h.spread[static_cast<std::size_t>(d)], e.place);
-    const double* Gp = row(h.spread[static_cast<std::size_t>(d)], e.place, d, 1);
+    const double* Gm = row(h.spread[d], e.place);
+    const double* Gp = row(h.spread[d], e.place, d, 1);
     for (int i = 0; i < n; ++i) {
       spread[i] += Gm[i] - Gp[i];
       low[i] = -infinity;
@@ -160,15 +159,14 @@ void amount_row(const Row& row, const Handles& h, const Each& e, bool diffusive,
     left[i] = M[i];
   }
   for (int d = 0; d < D; ++d) {
-    const auto a = static_cast<std::size_t>(d);
-    const double *Fm = row(h.carrier[a], e.carrier), *Fp = row(h.carrier[a], e.carrier, d, 1);
-    const double *qm = row(h.face[a], e.place), *qp = row(h.face[a], e.place, d, 1);
+    const double *Fm = row(h.carrier[d], e.carrier), *Fp = row(h.carrier[d], e.carrier, d, 1);
+    const double *qm = row(h.face[d], e.place), *qp = row(h.face[d], e.place, d, 1);
     for (int i = 0; i < n; ++i) {
       amount[i] += Fm[i] * qm[i] - Fp[i] * qp[i];
       left[i] += Fm[i] - Fp[i];
     }
     if (!diffusive) continue;
-    const double *Gm = row(h.spread[a], e.place), *Gp = row(h.spread[a], e.place, d, 1);
+    const double *Gm = row(h.spread[d], e.place), *Gp = row(h.spread[d], e.place, d, 1);
     for (int i = 0; i < n; ++i) amount[i] += Gm[i] - Gp[i];
   }
 }
@@ -199,7 +197,7 @@ void law_rates(const Row& row, const Handles& h, const SchemeOptions& o) {
 
 Each declare_each(TaskBuilder& task, const ScalarVariables::Each& e, const SchemeOptions& o,
                   int place, bool saved = false) {
-  const models::TransportedScalar& scalar = o.scalars[static_cast<std::size_t>(e.index)];
+  const models::TransportedScalar& scalar = o.scalars[e.index];
   Each each;
   each.q = task.read(e.old);
   each.mass = task.read(e.mass);
@@ -221,11 +219,10 @@ Each declare_each(TaskBuilder& task, const ScalarVariables::Each& e, const Schem
 // What all scalars' updates read of faces.
 void read_faces(TaskBuilder& task, const SchemeVariables& v, const SchemeOptions& o, Handles& h) {
   for (int axis = 0; axis < o.axes.count; ++axis) {
-    const auto a = static_cast<std::size_t>(axis);
     const Stencil both = Stencil::along(o.axes.direction[axis], 0, 1);
-    h.carrier[a] = task.read(v.scalars.carrier[a], both);
-    h.face[a] = task.read(v.scalars.face[a], both);
-    if (v.scalars.diffusive) h.spread[a] = task.read(v.scalars.spread[a], both);
+    h.carrier[axis] = task.read(v.scalars.carrier[axis], both);
+    h.face[axis] = task.read(v.scalars.face[axis], both);
+    if (v.scalars.diffusive) h.spread[axis] = task.read(v.scalars.spread[axis], both);
   }
   if (o.second_order) h.base = task.read(v.scalars.base);
   if (v.scalars.walled) h.touched = task.read(v.scalars.touched);
@@ -236,7 +233,7 @@ void read_faces(TaskBuilder& task, const SchemeVariables& v, const SchemeOptions
 void save_source(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
                  std::size_t scalar) {
   const ScalarVariables::Each& e = v.scalars.each[scalar];
-  const models::TransportedScalar& of = o.scalars[static_cast<std::size_t>(e.index)];
+  const models::TransportedScalar& of = o.scalars[e.index];
   if (of.plain_name || (o.releases_heat && of.of_species)) return;  // reactions.cpp
   TaskBuilder task = list.task("save " + of.source().name(), effect_saved_intermediates);
   Handles h;

@@ -15,7 +15,7 @@ void declare_variables(TaskList& list, const SchemeOptions& o, SchemeVariables& 
   for (std::size_t n = 0; n < o.scalars.size(); ++n) {
     const models::TransportedScalar& scalar = o.scalars[n];
     if (!o.mixture && scalar.material != o.material) continue;
-    const auto m = static_cast<std::size_t>(o.mixture ? scalar.material : 0);
+    const std::size_t m = o.mixture ? scalar.material : 0;
     ScalarVariables::Each e;
     e.index = static_cast<int>(n);
     e.old = list.old_state(scalar.state(), scalar.material, 1);
@@ -45,14 +45,13 @@ void declare_variables(TaskList& list, const SchemeOptions& o, SchemeVariables& 
   if (o.spreads_species) s.diffusivity = list.temporary("diffusivity of species", count);
   if (o.second_order && s.diffusive) s.half = list.temporary("scalars at half the step", count);
   for (int a = 0; a < o.axes.count; ++a) {
-    const auto axis = static_cast<std::size_t>(a);
     const int d = o.axes.direction[a];
     const std::string name = " of axis " + std::to_string(a);
-    s.carrier[axis] =
+    s.carrier[a] =
         o.mixture ? list.temporary("mass with scalars" + name, static_cast<int>(carriers.size()), d)
-                  : v.flux[axis];
-    s.face[axis] = list.temporary("scalars on faces" + name, count, d);
-    if (s.diffusive) s.spread[axis] = list.temporary("scalar diffusion" + name, count, d);
+                  : v.flux[a];
+    s.face[a] = list.temporary("scalars on faces" + name, count, d);
+    if (s.diffusive) s.spread[a] = list.temporary("scalar diffusion" + name, count, d);
   }
 }
 

@@ -26,8 +26,7 @@ void account_cells(const Row& row, In change, const SchemeOptions& o, int first,
     add_cells(row, change, layout.of(m, C::mass), o.first_source_sum + material + m, first, end);
     for (int c = 0; c < o.components; ++c)
       add_cells(row, change, layout.of(m, C::momentum) + c,
-                beside + SourceSums::momentum + o.direction[static_cast<std::size_t>(c)], first,
-                end);
+                beside + SourceSums::momentum + o.direction[c], first, end);
   }
   constexpr std::pair<C::OfCell, int> of_cells[] = {
       {C::total_energy, SourceSums::total_energy},
@@ -58,7 +57,7 @@ void save(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int 
     const double volume = cell_volume(row);
     for (int c = 0; c < (vector ? o.components : 1); ++c) {
       const double* from = row(change, layout.of(local, s.what) + c);
-      double* to = row(out, vector ? o.direction[static_cast<std::size_t>(c)] : 0);
+      double* to = row(out, vector ? o.direction[c] : 0);
       for (int i = 0; i < row.count(); ++i) to[i] = from[i] * volume;
     }
   });

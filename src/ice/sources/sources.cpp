@@ -15,26 +15,25 @@ double* change_row(const SourceRows& r, int component) {
 
 double density_at(const SourceRows& r, int i) {
   double rho = 0;
-  for (int m = 0; m < r.layout.materials; ++m) rho += r.mass[static_cast<std::size_t>(m)][i];
+  for (int m = 0; m < r.layout.materials; ++m) rho += r.mass[m][i];
   return rho;
 }
 
 // Velocity of a material relative to the mixture.
 double drift(const SourceRows& r, std::size_t m, int c, int i) {
   if (!r.own_velocities() || r.mass[m][i] == 0.0) return 0.0;
-  return r.slip[m][static_cast<std::size_t>(c)][i] / r.mass[m][i];
+  return r.slip[m][c][i] / r.mass[m][i];
 }
 
 // Material k comes to have mass M and velocity v, the others (of mass `others` together) keep
 // theirs: momentum and slips of component c. `mean`: the velocity of the mixture before.
 void move_apart(const SourceRows& r, std::size_t k, int c, int i, double mean, double others,
                 double M, double v) {
-  const auto n = static_cast<std::size_t>(c);
-  double& own = r.slip[k][n][i];
+  double& own = r.slip[k][c][i];
   const double momentum = others > 0 ? (others * mean - own) + M * v : M * v;
   const double now = momentum / (others + M);
   for (std::size_t m = 0; m < static_cast<std::size_t>(r.layout.materials); ++m)
-    if (m != k && r.mass[m][i] != 0.0) r.slip[m][n][i] += r.mass[m][i] * (mean - now);
+    if (m != k && r.mass[m][i] != 0.0) r.slip[m][c][i] += r.mass[m][i] * (mean - now);
   own = others > 0 ? M * (v - now) : 0.0;
   r.momentum[c][i] = momentum;
 }
@@ -48,7 +47,7 @@ Sources::Sources(const models::ModelList& models, const std::vector<models::Adde
   double volume = 1;
   int count = 0;
   for (int d = 2; d >= 0; --d)
-    if (level.active[static_cast<std::size_t>(d)]) {
+    if (level.active[d]) {
       volume *= level.spacing[d];
       along_ = d;
       ++count;
@@ -62,7 +61,7 @@ Sources::Sources(const models::ModelList& models, const std::vector<models::Adde
   for (const models::AddedHeat& h : heat)
     if (h.power != 0) heat_.push_back(h);
   for (const models::FixedValues& f : models.fixed_values) {
-    const Fluid& fluid = fluids[static_cast<std::size_t>(f.material)];
+    const Fluid& fluid = fluids[f.material];
     Fixed fixed{f.material, f.density, fluid.energy_from_temperature(f.density, f.temperature),
                 {},         f.when,    CellRuns(*f.region, level)};
     for (std::size_t c = 0; c < 3; ++c) fixed.velocity[c] = f.velocity[direction[c]];
@@ -117,7 +116,7 @@ void Sources::apply(const SourceRows& r) const {
 // What passes is what the rest differs by: nothing is lost to rounding on the way.
 Sources::Passed Sources::pass(const SourceRows& r, int giver, int taker, int i,
                               double share) const {
-  const auto from = static_cast<std::size_t>(giver), to = static_cast<std::size_t>(taker);
+  const std::size_t from = giver, to = taker;
   using C = SourceChange;
   const double rho = density_at(r, i), V = r.volume[from][i], receiver = r.mass[to][i];
   if (r.mass[from][i] == 0.0) return {};
@@ -182,7 +181,7 @@ template <class Burned>
 void Sources::burn(const SourceRows& r, const models::MassExchange& x, double heat,
                    Burned&& burned) const {
   using C = SourceChange;
-  const auto from = static_cast<std::size_t>(x.from), to = static_cast<std::size_t>(x.to);
+  const std::size_t from = x.from, to = x.to;
   const auto row_of = [&](C::OfCell q) { return change_row(r, r.layout.of(q)); };
   for (int i = 0; i < r.row->count(); ++i) {
     const double M = r.mass[from][i], product = r.mass[to][i];
@@ -202,7 +201,7 @@ void Sources::burn(const SourceRows& r, const models::MassExchange& x, double he
 
 void Sources::burn_by_pressure(const SourceRows& r, const models::MassExchange& x) const {
   const models::JwlPp& law = *x.by_pressure;
-  const auto from = static_cast<std::size_t>(x.from), to = static_cast<std::size_t>(x.to);
+  const std::size_t from = x.from, to = x.to;
   const double dt = r.row->step().dt;
   burn(r, x, law.heat, [&](int i) {
     if (!(r.volume[from][i] > law.least_volume_fraction)) return 0.0;
@@ -214,7 +213,7 @@ void Sources::burn_by_pressure(const SourceRows& r, const models::MassExchange& 
 
 void Sources::burn_by_front(const SourceRows& r, const models::MassExchange& x) const {
   const models::LightTime& law = *x.by_front;
-  const auto from = static_cast<std::size_t>(x.from), to = static_cast<std::size_t>(x.to);
+  const std::size_t from = x.from, to = x.to;
   const double end = r.row->step().time + r.row->step().dt;
   burn(r, x, law.heat, [&](int i) {
     if (!law.in_mixed_cells && !(r.volume[from][i] + r.volume[to][i] > law.full)) return 0.0;
@@ -231,15 +230,15 @@ void Sources::tell_shares(const SourceRows& r, const models::MassExchange& x) co
   double* share = change_row(r, r.layout.of(SourceChange::burned_share));
   const auto mass_of = [&](int material, int i) {
     const int m = material - r.first_material;
-    return m >= 0 && m < r.layout.materials ? r.mass[static_cast<std::size_t>(m)][i] : 0.0;
+    return m >= 0 && m < r.layout.materials ? r.mass[m][i] : 0.0;
   };
   for (int i = 0; i < r.row->count(); ++i)
     share[i] = models::JwlPp::share(mass_of(x.from, i), mass_of(x.to, i));
 }
 
 void Sources::heat(const SourceRows& r, int m, double q) const {
-  const double* M = r.mass[static_cast<std::size_t>(m)];
-  double* E = r.energy[static_cast<std::size_t>(m)];
+  const double* M = r.mass[m];
+  double* E = r.energy[m];
   double* total = change_row(r, r.layout.of(SourceChange::total_energy));
   double* heat = change_row(r, r.layout.of(SourceChange::heat));
   for (int i = 0; i < r.row->count(); ++i) {
@@ -253,38 +252,36 @@ void Sources::heat(const SourceRows& r, int m, double q) const {
 void Sources::fix(const SourceRows& r, const Fixed& f, int first, int end) const {
   using C = SourceChange;
   const int m = f.material - r.first_material, materials = r.layout.materials;
-  const auto k = static_cast<std::size_t>(m);
   const auto row_of = [&](int component) { return change_row(r, component); };
   for (int i = first; i < end; ++i) {
-    const double V = r.volume[k] != nullptr ? r.volume[k][i] : 1.0;
-    if (!(V > models::FixedValues::least_volume_fraction) || r.mass[k][i] == 0.0) continue;
-    const double rho = density_at(r, i), M0 = r.mass[k][i], M1 = V * f.density;
-    const double E0 = r.energy[k][i], E1 = V * f.energy;
+    const double V = r.volume[m] != nullptr ? r.volume[m][i] : 1.0;
+    if (!(V > models::FixedValues::least_volume_fraction) || r.mass[m][i] == 0.0) continue;
+    const double rho = density_at(r, i), M0 = r.mass[m][i], M1 = V * f.density;
+    const double E0 = r.energy[m][i], E1 = V * f.energy;
     double others = 0;
     for (int n = 0; n < materials; ++n)
-      if (n != m) others += r.mass[static_cast<std::size_t>(n)][i];
+      if (n != m) others += r.mass[n][i];
     double gain = 0, slip = 0;  // of kinetic energy; |u - u_f|^2
     for (int c = 0; c < r.layout.components; ++c) {
-      const double mean = r.momentum[c][i] / rho, v = f.velocity[static_cast<std::size_t>(c)];
-      const double u = mean + drift(r, k, c, i);
+      const double mean = r.momentum[c][i] / rho, v = f.velocity[c];
+      const double u = mean + drift(r, m, c, i);
       row_of(r.layout.of(m, C::momentum) + c)[i] += M1 * v - M0 * u;
       gain += 0.5 * (M1 * v * v - M0 * u * u);
       slip += (u - v) * (u - v);
       if (r.own_velocities())
-        move_apart(r, k, c, i, mean, others, M1, v);
+        move_apart(r, m, c, i, mean, others, M1, v);
       else
         r.momentum[c][i] = others > 0 ? others * u + M1 * v : M1 * v;
     }
-    r.mass[k][i] = M1;
-    r.energy[k][i] = E1;
+    r.mass[m][i] = M1;
+    r.energy[m][i] = E1;
     row_of(r.layout.of(m, C::mass))[i] += M1 - M0;
     row_of(r.layout.of(m, C::energy))[i] += E1 - E0;
     row_of(r.layout.of(C::total_energy))[i] += (E1 - E0) + gain;
     if (!(others > 0) || r.own_velocities()) continue;
     const double lost = 0.5 * slip * others * M1 / ((others + M1) * (others + M1));  // per mass
     for (int n = 0; n < materials; ++n) {
-      const auto j = static_cast<std::size_t>(n);
-      r.energy[j][i] += lost * r.mass[j][i];
+      r.energy[n][i] += lost * r.mass[n][i];
     }
   }
 }

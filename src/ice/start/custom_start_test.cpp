@@ -81,7 +81,7 @@ TEST(CustomStart, PairsOfVorticesTurnInTurnAndRestAtTheSides) {
     for (const bool swapped : {false, true}) {
       Level level = cube();
       const int a = (axis + 1) % 3, b = (axis + 2) % 3;
-      level.periodic[static_cast<std::size_t>(swapped ? a : b)] = true;
+      level.periodic[swapped ? a : b] = true;
       const int across = swapped ? b : a, along = swapped ? a : b;
       const auto velocity = [&](double y, double z) {
         CellStart cell{{2.5, 2.5, 2.5}, 2.0, 300.0, {}, 0, 0, false};

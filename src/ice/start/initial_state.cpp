@@ -168,7 +168,7 @@ Keeps what_is_kept(const IceMaterial& m, double density, double temperature,
 
 void size_fill(const IndexBox& cells, PrimitiveFill& fill) {
   fill.cells = cells;
-  const auto count = static_cast<std::size_t>(cells.volume());
+  const std::size_t count = cells.volume();
   for (std::vector<double>* v : {&fill.density, &fill.temperature, &fill.pressure,
                                  &fill.velocity[0], &fill.velocity[1], &fill.velocity[2]})
     v->assign(count, 0.0);
@@ -185,7 +185,7 @@ IndexBox cells_to_fill(const IceScene& scene, const PhysicalConstants& constants
 Vec3 carried_gravity(const PhysicalConstants& constants, const Level& level) {
   Vec3 g = constants.gravity;
   for (int d = 0; d < 3; ++d)
-    if (level.periodic[static_cast<std::size_t>(d)]) g[d] = 0;
+    if (level.periodic[d]) g[d] = 0;
   return g;
 }
 
@@ -275,7 +275,7 @@ PrimitiveFill cut(const PrimitiveFill& from, const IndexBox& cells) {
 }
 
 void apply_flame(const models::FlameStart& start, const Level& level, PrimitiveFill& fill) {
-  const auto along = static_cast<std::size_t>(start.velocity.axis);
+  const std::size_t along = start.velocity.axis;
   for_each_cell(fill.cells, [&](IntVec3 c) {
     const std::size_t n = fill.offset(c);
     const Vec3 x = level.centre(c);

@@ -15,10 +15,7 @@ struct PrimitiveFill {
 
   std::size_t offset(IntVec3 c) const {
     const IntVec3 n = cells.size(), r = c - cells.lower;
-    return static_cast<std::size_t>(r.x) +
-           static_cast<std::size_t>(n.x) *
-               (static_cast<std::size_t>(r.y) +
-                static_cast<std::size_t>(n.y) * static_cast<std::size_t>(r.z));
+    return r.x + n.x * (r.y + static_cast<std::size_t>(n.y) * r.z);
   }
 };
 

@@ -26,7 +26,7 @@ namespace {
         m, scene.materials[m].name, f.volume_fraction[n], f.density[n], f.temperature[n],
         f.pressure[n], fluid.lowest_pressure() + 0.0);  // no "-0"
   }
-  const IceMaterial& material = scene.materials[static_cast<std::size_t>(failed)];
+  const IceMaterial& material = scene.materials[failed];
   throw DeckError(
       material.where,
       fmt::format("initial state: the materials of cell [{}, {}, {}] of level {} have no common "
@@ -78,7 +78,7 @@ void Start::one_material(Warehouse& state) const {
             energy_slot = state.find(labels().energy, options_.place(0));
   Fluid room;
   for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
-    const IndexBox cells = state.local_boxes()[static_cast<std::size_t>(b)].cells;
+    const IndexBox cells = state.local_boxes()[b].cells;
     const PrimitiveFill fill = fill_primitives(ice_, scene_->constants, m,
                                                scene_->grid.levels.front(), state.level(), cells);
     std::size_t n = 0;
@@ -88,7 +88,7 @@ void Start::one_material(Warehouse& state) const {
           energy(0, law(0, state.level().centre(cell), room), fill, n);
       for (int c = 0; c < options_.components; ++c)
         state.view(momentum, c, b)(cell) =
-            fill.density[n] * fill.velocity[options_.direction[static_cast<std::size_t>(c)]][n];
+            fill.density[n] * fill.velocity[options_.direction[c]][n];
       ++n;
     });
   }
@@ -131,7 +131,7 @@ void Start::materials(Warehouse& state) const {
   const int momentum_slot = state.find(labels().momentum, options_.place(0));
   Fluid room;
   for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
-    const IndexBox cells = state.local_boxes()[static_cast<std::size_t>(b)].cells;
+    const IndexBox cells = state.local_boxes()[b].cells;
     const MixtureFill fill = fill_materials(ice_, scene_->constants, scene_->grid.levels.front(),
                                             state.level(), cells, weight);
     std::size_t n = 0;
@@ -158,11 +158,10 @@ void Start::materials(Warehouse& state) const {
         put(state.view(slots[m].energy, 0, b)(cell), E[m]);
       }
       for (int c = 0; c < options_.components; ++c)
-        state.view(momentum_slot, c, b)(cell) =
-            momentum[options_.direction[static_cast<std::size_t>(c)]];
+        state.view(momentum_slot, c, b)(cell) = momentum[options_.direction[c]];
       for (std::size_t m = 0; m < fill.materials.size() && options_.own_velocities; ++m)
         for (int c = 0; c < options_.components; ++c) {
-          const int d = options_.direction[static_cast<std::size_t>(c)];
+          const int d = options_.direction[c];
           const double u = fill.materials[m].velocity[d][n];
           const bool apart = M[m] > 0 && M[m] != rho;
           put(state.view(slots[m].slip, c, b)(cell), apart ? M[m] * (u - momentum[d] / rho) : 0.0);
@@ -183,7 +182,7 @@ void Start::scalars(Warehouse& state) const {
     for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
       const RealView value = state.view(state.find(s.state(), options_.place(s.material)), 0, b);
       const RealView mass = state.view(state.find(labels().mass, options_.place(s.material)), 0, b);
-      for_each_cell(state.local_boxes()[static_cast<std::size_t>(b)].cells, [&](IntVec3 cell) {
+      for_each_cell(state.local_boxes()[b].cells, [&](IntVec3 cell) {
         const double start = mass(cell) > 0.0 ? at_start(s, state.level().centre(cell)) : 0.0;
         if (value(cell) != start) value(cell) = start;
       });

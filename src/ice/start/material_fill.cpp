@@ -161,12 +161,12 @@ void close_fractions(const IceScene& scene, const Level& level, MixtureFill& fil
 void balance_weight(const IceScene& scene, const PhysicalConstants& constants,
                     const Level& coarsest, const Level& level, const WeightProfile& weight,
                     MixtureFill& fill) {
-  PrimitiveFill surrounding = fill.materials[static_cast<std::size_t>(scene.surrounding().index)];
+  PrimitiveFill surrounding = fill.materials[scene.surrounding().index];
   if (weight.direction < 0)
     apply_hydrostatics(constants, scene.surrounding(), coarsest, level, surrounding);
   else
     for_each_cell(fill.cells, [&](IntVec3 c) {
-      const auto j = static_cast<std::size_t>(c[weight.direction] - weight.first);
+      const std::size_t j = c[weight.direction] - weight.first;
       surrounding.pressure[fill.offset(c)] = weight.pressure[j];
     });
   for (std::size_t m = 0; m < fill.materials.size(); ++m)

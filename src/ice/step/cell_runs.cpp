@@ -11,7 +11,7 @@ namespace {
 
 int first_active(const Level& level) {
   for (int d = 0; d < 3; ++d)
-    if (level.active[static_cast<std::size_t>(d)]) return d;
+    if (level.active[d]) return d;
   return 0;
 }
 
@@ -66,9 +66,8 @@ CellRuns::CellRuns(const GeometryPiece& piece, const Level& level)
 
 std::size_t CellRuns::row_of(IntVec3 cell) const {
   const int b = (along_ + 1) % 3, c = (along_ + 2) % 3;
-  return static_cast<std::size_t>(cell[c] - box_.lower[c]) *
-             static_cast<std::size_t>(box_.upper[b] - box_.lower[b]) +
-         static_cast<std::size_t>(cell[b] - box_.lower[b]);
+  return static_cast<std::size_t>(cell[c] - box_.lower[c]) * (box_.upper[b] - box_.lower[b]) +
+         (cell[b] - box_.lower[b]);
 }
 
 std::span<const CellRuns::Run> CellRuns::runs(IntVec3 cell) const {

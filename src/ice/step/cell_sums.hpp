@@ -37,7 +37,7 @@ void add_to_sum(const Row& row, int slot, int first, int end, Value value) {
   for (int begin = first; begin < end; begin += chunk) {
     const int n = std::min(chunk, end - begin);
     for (int i = 0; i < n; ++i) values[i] = value(begin + i);
-    row.reductions().sum(slot).add(values, static_cast<std::size_t>(n));
+    row.reductions().sum(slot).add(values, n);
   }
 }
 

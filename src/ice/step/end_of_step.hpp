@@ -132,7 +132,7 @@ void outflow_rate_row(const Row& row, const RateHandles& h, const RateConstants&
   const double* cp[3];
   const double* c = row(h.sound);
   for (int d = 0; d < D; ++d) {
-    const In faces = h.face_velocity[static_cast<std::size_t>(d)];
+    const In faces = h.face_velocity[d];
     um[d] = row(faces);
     up[d] = row(faces, 0, d, 1);
     cm[d] = row(h.sound, 0, d, -1);

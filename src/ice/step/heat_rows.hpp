@@ -26,7 +26,7 @@ void viscous_work_rows(const Row& row, const FrictionReads& h, const double* __r
     u[c] = row(h.velocity, c);
     dp[c] = row(h.impulse, c);
     for (int d = 0; d < D; ++d) {
-      const In stress = h.stress[static_cast<std::size_t>(d)];
+      const In stress = h.stress[d];
       tm[d][c] = row(stress, c);
       tp[d][c] = row(stress, c, d, 1);
       um[d][c] = row(h.velocity, c, d, -1);
@@ -78,8 +78,8 @@ void conduction_rows(const Row& row, const std::array<In, 3>& heat_flux, const I
   const int n = row.count();
   const double *qm[D], *qp[D];
   for (int d = 0; d < D; ++d) {
-    qm[d] = row(heat_flux[static_cast<std::size_t>(d)]);
-    qp[d] = row(heat_flux[static_cast<std::size_t>(d)], 0, d, 1);
+    qm[d] = row(heat_flux[d]);
+    qp[d] = row(heat_flux[d], 0, d, 1);
   }
 #pragma GCC ivdep
   for (int i = 0; i < n; ++i) {

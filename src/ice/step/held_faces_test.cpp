@@ -114,7 +114,7 @@ class PipeRun : public DeckRun {
     std::vector<double> all;
     const Warehouse& state = hierarchy().level(0).state();
     for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b)
-      for_each_cell(state.local_boxes()[static_cast<std::size_t>(b)].cells, [&](IntVec3 c) {
+      for_each_cell(state.local_boxes()[b].cells, [&](IntVec3 c) {
         all.push_back(state.view(state.find(label, material), component, b)(c));
       });
     return all;

@@ -24,9 +24,9 @@ struct ImpulseConstants {
 inline ImpulseConstants impulse_constants(const SchemeOptions& o, const StepConstants& step) {
   ImpulseConstants s;
   for (int c = 0; c < o.components; ++c) {
-    s.l[c] = step.dt / step.spacing[o.direction[static_cast<std::size_t>(c)]];
-    s.kick[c] = step.dt * o.gravity[o.direction[static_cast<std::size_t>(c)]];
-    s.push[c] = step.dt * o.force[o.direction[static_cast<std::size_t>(c)]];
+    s.l[c] = step.dt / step.spacing[o.direction[c]];
+    s.kick[c] = step.dt * o.gravity[o.direction[c]];
+    s.push[c] = step.dt * o.force[o.direction[c]];
   }
   return s;
 }
@@ -37,8 +37,8 @@ void add_pull(const Row& row, const ImpulseHandles& h, const ImpulseConstants& s
   const int n = row.whole_vectors();
   const double *tm[D], *tp[D];
   for (int d = 0; d < D; ++d) {
-    tm[d] = row(h.stress[static_cast<std::size_t>(d)], c);
-    tp[d] = row(h.stress[static_cast<std::size_t>(d)], c, d, 1);
+    tm[d] = row(h.stress[d], c);
+    tp[d] = row(h.stress[d], c, d, 1);
   }
   double* __restrict dp = row(h.impulse, c);
 #pragma GCC ivdep
@@ -58,8 +58,8 @@ void impulse_rows(const Row& row, const ImpulseHandles& h, const ImpulseConstant
   const double *pm[D], *pp[D];
   double* dp[C];
   for (int d = 0; d < D; ++d) {
-    pm[d] = row(h.face_pressure[static_cast<std::size_t>(d)]);
-    pp[d] = row(h.face_pressure[static_cast<std::size_t>(d)], 0, d, 1);
+    pm[d] = row(h.face_pressure[d]);
+    pp[d] = row(h.face_pressure[d], 0, d, 1);
   }
   for (int c = 0; c < C; ++c) dp[c] = row(h.impulse, c);
 #pragma GCC ivdep

@@ -9,7 +9,7 @@ namespace sluice::ice {
 LawsOfCells::LawsOfCells(TaskBuilder& task, TaskList& list, const SchemeOptions& o, When when,
                          Stencil stencil)
     : fluids_(o.mixture ? o.fluids : std::vector{o.fluid}),
-      first_(o.mixture ? 0 : static_cast<std::size_t>(o.material)),
+      first_(o.mixture ? 0 : o.material),
       gas_(o.mixed) {
   if (gas_ == nullptr) return;
   for (const models::TransportedScalar* f : fractions_of(o))

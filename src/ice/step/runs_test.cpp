@@ -17,7 +17,7 @@ std::vector<double> keys_of(unsigned seed, int n) {
     const double key = static_cast<double>(random() % 3) - 1.0;
     keys.insert(keys.end(), 1 + random() % (random() % 2 == 0 ? 3 : 90), key);
   }
-  keys.resize(static_cast<std::size_t>(n));
+  keys.resize(n);
   return keys;
 }
 
@@ -46,10 +46,10 @@ TEST(Runs, CoverTheRowAndEndWhereTheKeyChanges) {
     for_each_run(runs.row(), n, [&](int first, int count, double key) {
       ASSERT_EQ(first, next);
       ASSERT_GT(count, 0);
-      for (int i = first; i < first + count; ++i) ASSERT_EQ(keys[static_cast<std::size_t>(i)], key);
+      for (int i = first; i < first + count; ++i) ASSERT_EQ(keys[i], key);
       next = first + count;
       if (next < n) {
-        EXPECT_NE(keys[static_cast<std::size_t>(next)], key);
+        EXPECT_NE(keys[next], key);
       }
     });
     EXPECT_EQ(next, n);
@@ -64,8 +64,7 @@ TEST(Runs, FacesBetweenUnlikeKeysAreMixed) {
     const Runs low(a, 20), high(b, 77);
     for_each_face_run(low.row(), high.row(), n, [&](int first, int count, double key) {
       for (int i = first; i < first + count; ++i) {
-        const auto k = static_cast<std::size_t>(i);
-        EXPECT_EQ(key, a[k] == b[k] ? a[k] : -1.0);
+        EXPECT_EQ(key, a[i] == b[i] ? a[i] : -1.0);
       }
       next = first + count;
     });
@@ -81,18 +80,17 @@ TEST(Runs, PiecesHoldAllThatIsPure) {
       const std::vector<double> keys = keys_of(seed, n);
       const Runs runs(keys);
       const auto kind = [&](std::size_t m) { return alike ? 7 : static_cast<int>(m); };
-      std::vector<int> met(static_cast<std::size_t>(n), 0);
+      std::vector<int> met(n, 0);
       for_each_pure_piece([&](auto&& f) { for_each_run(runs.row(), n, f); }, kind,
                           [&](int first, int count, int of) {
                             for (int i = first; i < first + count; ++i) {
-                              const auto k = static_cast<std::size_t>(i);
-                              ++met[k];
-                              if (keys[k] >= 0) {
-                                EXPECT_EQ(of, kind(static_cast<std::size_t>(keys[k])));
+                              ++met[i];
+                              if (keys[i] >= 0) {
+                                EXPECT_EQ(of, kind(static_cast<std::size_t>(keys[i])));
                               }
                             }
-                            EXPECT_GE(keys[static_cast<std::size_t>(first)], 0);
-                            EXPECT_GE(keys[static_cast<std::size_t>(first + count - 1)], 0);
+                            EXPECT_GE(keys[first], 0);
+                            EXPECT_GE(keys[first + count - 1], 0);
                           });
       for (std::size_t k = 0; k < keys.size(); ++k)
         if (keys[k] >= 0) {
@@ -113,7 +111,7 @@ TEST(Runs, PiecesCoverTheRow) {
                      ASSERT_EQ(first, next);
                      ASSERT_NE(of, kind);
                      for (int i = first; i < first + count; ++i) {
-                       const double key = runs.keys[static_cast<std::size_t>(i)];
+                       const double key = runs.keys[i];
                        EXPECT_TRUE(key < 0 || key == of);
                      }
                      next = first + count;
@@ -138,7 +136,7 @@ TEST(Runs, NeighbourhoodsArePureWhereAllRowsHoldOneMaterialAllAround) {
     }
     for (const Runs& r : around) views.push_back(r.row());
     const int room = n + static_cast<int>(seed % 8);  // runs may leave whole vectors in it
-    std::vector<double> pure(static_cast<std::size_t>(room)), left(pure);
+    std::vector<double> pure(room), left(pure);
     write_pure(views.data(), rows, n, pure.data(), left.data(), room);
     pure.resize(n);
     left.resize(n);
@@ -163,7 +161,7 @@ TEST(Runs, CellsAreNearWhereAnyRowIsMixed) {
       around.emplace_back(keys_of(100 * seed + r, n), static_cast<int>(seed));
     for (const Runs& r : around) views.push_back(r.row());
     const int room = n + static_cast<int>(seed % 8);
-    std::vector<double> near(static_cast<std::size_t>(room)), left(near);
+    std::vector<double> near(room), left(near);
     write_near(views.data(), static_cast<int>(views.size()), n, near.data(), left.data(), room);
     near.resize(n);
     left.resize(n);

@@ -14,11 +14,9 @@ void take_directions(const Scene& scene, SchemeOptions& o) {
   const Level& level = scene.grid.levels.front();
   o.axes = active_axes(level);
   o.components = 0;
-  for (int a = 0; a < o.axes.count; ++a)
-    o.direction[static_cast<std::size_t>(o.components++)] = o.axes.direction[a];
+  for (int a = 0; a < o.axes.count; ++a) o.direction[o.components++] = o.axes.direction[a];
   for (int d = 0; d < 3; ++d)
-    if (scene.directions[static_cast<std::size_t>(d)].velocity == VelocityComponent::carried)
-      o.direction[static_cast<std::size_t>(o.components++)] = d;
+    if (scene.directions[d].velocity == VelocityComponent::carried) o.direction[o.components++] = d;
   o.domain = level.domain;
   o.periodic = level.periodic;
 }
@@ -64,7 +62,7 @@ void take_mixed_gas(const models::MixedGas& gas, SchemeOptions& o) {
   o.mixed = &gas;
   o.releases_heat = gas.releases_heat();
   o.density_bound = DensityBound::as_energy;
-  Fluid& fluid = o.fluids[static_cast<std::size_t>(gas.material)];
+  Fluid& fluid = o.fluids[gas.material];
   fluid = ideal_gas(gas.highest_gamma(), gas.lowest_specific_heat());
   if (o.fluids.size() == 1) o.fluid = fluid;
   // What spreads of the fractions carries enthalpy.
@@ -72,8 +70,7 @@ void take_mixed_gas(const models::MixedGas& gas, SchemeOptions& o) {
   if (o.spreads_species) o.viscous = o.viscosity_varies = true;
   o.conducting = o.conducting || o.spreads_species || fraction_of(o).diffusivity > 0;
   const bool several = o.fluids.size() > 1;
-  const bool conducts =
-      several ? o.conductivities[static_cast<std::size_t>(gas.material)] > 0 : o.conducting;
+  const bool conducts = several ? o.conductivities[gas.material] > 0 : o.conducting;
   o.conductivity_varies = o.conductivity_varies || (gas.species ? o.spreads_species : conducts);
 }
 

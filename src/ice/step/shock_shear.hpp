@@ -82,8 +82,7 @@ template <int D>
 MarkedRows<D> sheared_rows(const Row& row, const ShockShearReads& h) {
   MarkedRows<D> rows;
   for (int d = 0; d < D; ++d)
-    rows[static_cast<std::size_t>(d)] =
-        row.at_offset(h.marks, 0, {0, d == 1 ? 1 : 0, d == 2 ? 1 : 0});
+    rows[d] = row.at_offset(h.marks, 0, {0, d == 1 ? 1 : 0, d == 2 ? 1 : 0});
   return rows;
 }
 
@@ -128,7 +127,7 @@ void take_shear(const Row& whole, const ShockShearReads& h) {
   for_each_sheared_part<D>(whole, h, [&](const Row& row) {
     const int n = row.count();
     std::array<ShearedFaces, D> faces;
-    for (int d = 0; d < D; ++d) faces[static_cast<std::size_t>(d)] = {row, h, d};
+    for (int d = 0; d < D; ++d) faces[d] = {row, h, d};
     for (int c = 0; c < C; ++c) {
       double* __restrict dp = row(h.impulse, c);
       const double *u = row(h.velocity, c), *um[D], *up[D];
@@ -141,7 +140,7 @@ void take_shear(const Row& whole, const ShockShearReads& h) {
         double pull = 0;  // of all axes first: the order of two does not show in the bits
 #pragma GCC unroll 3
         for (int d = 0; d < D; ++d) {
-          const ShearedFaces& f = faces[static_cast<std::size_t>(d)];
+          const ShearedFaces& f = faces[d];
           if (d != c) pull += f.above(i) * (up[d][i] - u[i]) - f.below(i) * (u[i] - um[d][i]);
         }
         dp[i] -= pull;
@@ -156,7 +155,7 @@ void add_heat_of_shear(const Row& row, const ShockShearReads& h, const double* w
                        double* __restrict energy) {
   const double *um[D][C], *up[D][C], *u[C], *dp[C];
   std::array<ShearedFaces, D> faces;
-  for (int d = 0; d < D; ++d) faces[static_cast<std::size_t>(d)] = {row, h, d};
+  for (int d = 0; d < D; ++d) faces[d] = {row, h, d};
   for (int c = 0; c < C; ++c) {
     u[c] = row(h.velocity, c);
     dp[c] = row(h.impulse, c);
@@ -171,7 +170,7 @@ void add_heat_of_shear(const Row& row, const ShockShearReads& h, const double* w
     double work = 0;
 #pragma GCC unroll 3
     for (int d = 0; d < D; ++d) {
-      const ShearedFaces& f = faces[static_cast<std::size_t>(d)];
+      const ShearedFaces& f = faces[d];
       const double above = f.above(i), below = f.below(i);
       double along = 0, carried = 0;
 #pragma GCC unroll 3

@@ -15,14 +15,13 @@ void declare_step_temporaries(TaskList& list, const SchemeOptions& o, SchemeVari
   v.sound = list.temporary("sound speed");
   v.inverse_rho = list.temporary("1/rho");
   for (int a = 0; a < o.axes.count; ++a) {
-    const auto n = static_cast<std::size_t>(a);
     const int d = o.axes.direction[a];
     const std::string axis = " of axis " + std::to_string(a);
-    v.face_velocity[n] = list.temporary("face velocity" + axis, 1, d);
-    v.face_pressure[n] = list.temporary("face pressure" + axis, 1, d);
-    v.stress[n] = list.temporary("stress" + axis, C, d);
-    if (o.conducting) v.heat_flux[n] = list.temporary("heat flux" + axis, 1, d);
-    v.flux[n] = list.temporary("flux" + axis, 2 + C, d);
+    v.face_velocity[a] = list.temporary("face velocity" + axis, 1, d);
+    v.face_pressure[a] = list.temporary("face pressure" + axis, 1, d);
+    v.stress[a] = list.temporary("stress" + axis, C, d);
+    if (o.conducting) v.heat_flux[a] = list.temporary("heat flux" + axis, 1, d);
+    v.flux[a] = list.temporary("flux" + axis, 2 + C, d);
   }
   if (o.shears_shocks) {
     v.jumps = list.temporary("jumps of pressure", 2 * o.axes.count);
@@ -70,8 +69,7 @@ void declare_conservative_temporaries(TaskList& list, const SchemeOptions& o, Sc
   v.predicted_pressure = list.temporary("predicted pressure");
   v.transverse_velocity = list.temporary("transverse advection", D);
   for (int a = 0; a < D; ++a)
-    v.base[static_cast<std::size_t>(a)] =
-        list.temporary("remap base of axis " + std::to_string(a), 2 + C);
+    v.base[a] = list.temporary("remap base of axis " + std::to_string(a), 2 + C);
   v.inverse_J = list.temporary("1/J");
   v.rho_L = list.temporary("Lagrangian density");
   v.energy_L = list.temporary("Lagrangian energy");

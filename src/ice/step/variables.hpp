@@ -102,7 +102,7 @@ struct SchemeOptions {
   int place(int m) const { return places.material_of(m); }
   // Whether a material of a mixture conducts heat, in itself or into another.
   bool conducts(int m) const {
-    return conductivity_varies || conductivities[static_cast<std::size_t>(m)] > 0 ||
+    return conductivity_varies || conductivities[m] > 0 ||
            (convective && (convective->fluid == m || convective->solid == m));
   }
   // Whether the molecular viscosity is a cell field: of a mixture it always is.

@@ -173,8 +173,7 @@ class Stepper {
     const Warehouse& state = solver_->state();
     const int slot = state.find(label, 0);
     for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b)
-      if (state.local_boxes()[static_cast<std::size_t>(b)].cells.contains(cell))
-        return state.view(slot, component, b);
+      if (state.local_boxes()[b].cells.contains(cell)) return state.view(slot, component, b);
     throw std::logic_error("no box holds the cell");
   }
   double value(Label label, int component, IntVec3 cell) const {

@@ -151,7 +151,7 @@ class MixtureBox {
     double sum = 0, weight = 0;
     for (int m = 0; m < count(); ++m) {
       if (mass(m, c) == 0) continue;
-      const Fluid& fluid = fluids_[static_cast<std::size_t>(m)];
+      const Fluid& fluid = fluids_[m];
       const double V = volume(m, c), rho = mass(m, c) / V;
       const double p = fluid.pressure(rho, energy(m, c) / V);
       const double w = V / fluid.bulk_modulus(rho, p);
@@ -177,8 +177,7 @@ class MixtureBox {
     const Warehouse& state = solver_->state();
     const int slot = state.find(label, material);
     for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b)
-      if (state.local_boxes()[static_cast<std::size_t>(b)].cells.contains(cell))
-        return state.view(slot, component, b);
+      if (state.local_boxes()[b].cells.contains(cell)) return state.view(slot, component, b);
     throw std::logic_error("no box holds the cell");
   }
 
@@ -188,13 +187,12 @@ class MixtureBox {
       const MixtureCell s = start(level().centre(c));
       double rho = 0;
       for (int m = 0; m < count(); ++m) {
-        const auto k = static_cast<std::size_t>(m);
-        const double V = s.volume[k], r = s.density[k];
+        const double V = s.volume[m], r = s.density[m];
         const double M = V > 0 ? V * r : 0.0;
         view(labels().mass, m, 0, c)(c) = M;
         if (count() > 1) view(labels().volume, m, 0, c)(c) = V;
         view(labels().energy, m, 0, c)(c) =
-            V > 0 ? V * fluids_[k].energy_from_pressure(r, s.pressure[k], 300.0) : 0.0;
+            V > 0 ? V * fluids_[m].energy_from_pressure(r, s.pressure[m], 300.0) : 0.0;
         rho += M;
       }
       const int slot = solver_->state().find(labels().momentum, 0);
@@ -202,12 +200,11 @@ class MixtureBox {
         view(labels().momentum, 0, d, c)(c) = rho * s.velocity[d];
       if (s.slip.empty()) return;
       double sum = 0;
-      for (int m = 0; m < count(); ++m) sum += mass(m, c) * s.slip[static_cast<std::size_t>(m)];
+      for (int m = 0; m < count(); ++m) sum += mass(m, c) * s.slip[m];
       view(labels().momentum, 0, 0, c)(c) += sum;
       for (int m = 0; m < count(); ++m) {
         const double M = mass(m, c);
-        view(labels().slip, m, 0, c)(c) =
-            M == rho ? 0.0 : M * (s.slip[static_cast<std::size_t>(m)] - sum / rho);
+        view(labels().slip, m, 0, c)(c) = M == rho ? 0.0 : M * (s.slip[m] - sum / rho);
       }
     });
     solver_->touch();

@@ -16,8 +16,7 @@ class MixtureState {
   MixtureState(const IndexBox& box, const TransferCase& c, std::size_t materials,
                bool own_velocities = false)
       : box_(box), layout_{materials, static_cast<std::size_t>(c.components), own_velocities} {
-    data_.assign(layout_.quantities(),
-                 std::vector<double>(static_cast<std::size_t>(box.volume()), 0.0));
+    data_.assign(layout_.quantities(), std::vector<double>(box.volume(), 0.0));
     const BoxState shape(box, c);
     for (std::vector<double>& values : data_) {
       RealView v = shape.views().front();

@@ -22,7 +22,7 @@ struct TransferCase {
   TransferGeometry geometry() const { return {ratio, active}; }
   friend void PrintTo(const TransferCase& c, std::ostream* out) {
     for (int d = 0; d < 3; ++d)
-      if (c.active[static_cast<std::size_t>(d)]) *out << "xyz"[d] << c.ratio[d] << " ";
+      if (c.active[d]) *out << "xyz"[d] << c.ratio[d] << " ";
     *out << c.components << " components";
   }
 };
@@ -39,16 +39,16 @@ inline std::vector<TransferCase> transfer_cases() {
 class BoxState {
  public:
   BoxState(const IndexBox& box, const TransferCase& c) : box_(box), components_(c.components) {
-    const auto n = static_cast<std::size_t>(box.volume());
-    data_.assign(static_cast<std::size_t>(components_ + 2), std::vector<double>(n, 0.0));
+    const std::size_t n = box.volume();
+    data_.assign(components_ + 2, std::vector<double>(n, 0.0));
     for (std::vector<double>& values : data_) {
       RealView v;
       v.data = values.data();
       v.box = box;
       std::ptrdiff_t stride = 1;
       for (int d = 0; d < 3; ++d) {
-        v.stride[d] = c.active[static_cast<std::size_t>(d)] ? stride : 0;
-        if (c.active[static_cast<std::size_t>(d)]) stride *= box.size()[d];
+        v.stride[d] = c.active[d] ? stride : 0;
+        if (c.active[d]) stride *= box.size()[d];
       }
       views_.push_back(v);
     }
@@ -60,7 +60,7 @@ class BoxState {
   const StateViews& views() const { return views_; }
   int components() const { return components_; }
   int quantities() const { return components_ + 2; }
-  double& at(int q, IntVec3 cell) const { return views_[static_cast<std::size_t>(q)](cell); }
+  double& at(int q, IntVec3 cell) const { return views_[q](cell); }
   double& rho(IntVec3 cell) const { return at(0, cell); }
   double& momentum(int c, IntVec3 cell) const { return at(1 + c, cell); }
   double& energy(IntVec3 cell) const { return at(1 + components_, cell); }
@@ -87,7 +87,7 @@ class BoxState {
 inline IndexBox coarse_cells(const TransferCase& c, int n) {
   IndexBox box{{0, 0, 0}, {1, 1, 1}};
   for (int d = 0; d < 3; ++d)
-    if (c.active[static_cast<std::size_t>(d)]) {
+    if (c.active[d]) {
       box.lower[d] = -2;
       box.upper[d] = n - 2 + d;
     }
@@ -96,7 +96,7 @@ inline IndexBox coarse_cells(const TransferCase& c, int n) {
 
 inline IndexBox with_layer(const IndexBox& cells, const TransferCase& c) {
   IntVec3 layer{};
-  for (int d = 0; d < 3; ++d) layer[d] = c.active[static_cast<std::size_t>(d)] ? 1 : 0;
+  for (int d = 0; d < 3; ++d) layer[d] = c.active[d] ? 1 : 0;
   return cells.grown(layer);
 }
 
@@ -140,14 +140,14 @@ struct Conserved {
 inline Conserved mean_of(const BoxState& state, const IndexBox& cells) {
   Conserved m;
   const int energy = state.components() + 1;
-  m.value.assign(static_cast<std::size_t>(energy + 1), 0);
+  m.value.assign(energy + 1, 0);
   m.magnitude = m.value;
   const auto n = static_cast<long double>(cells.volume());
   for_each_cell(cells, [&](IntVec3 cell) {
     for (int q = 0; q <= energy; ++q) {
       const long double x = q == energy ? state.total_energy(cell) : state.at(q, cell);
-      m.value[static_cast<std::size_t>(q)] += x / n;
-      m.magnitude[static_cast<std::size_t>(q)] += std::fabs(x) / n;
+      m.value[q] += x / n;
+      m.magnitude[q] += std::fabs(x) / n;
     }
   });
   return m;

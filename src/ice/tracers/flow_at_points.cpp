@@ -14,7 +14,7 @@ FlowAtPoints::FlowAtPoints(const Warehouse& state, int box, int material, const 
     std::vector<Component> list;
     const int slot = state.find(label, flow.places.material_of(of_material));
     for (std::size_t c = 0; c < flow.directions.size(); ++c)
-      if (level_->active[static_cast<std::size_t>(flow.directions[c])])
+      if (level_->active[flow.directions[c]])
         list.push_back({flow.directions[c], state.view(slot, static_cast<int>(c), box)});
     return list;
   };
@@ -24,13 +24,13 @@ FlowAtPoints::FlowAtPoints(const Warehouse& state, int box, int material, const 
     const int place = flow.places.material_of(0);
     fraction_ = state.view(state.find(labels().solid_fraction, place), 0, box);
     for (int d = 0; d < 3; ++d)
-      if (level_->active[static_cast<std::size_t>(d)])
+      if (level_->active[d])
         solids_.push_back(
             {d, walls.view(walls.find(labels().solid_face_velocity[d], place), 0, box)});
   }
   if (!flow.own_velocities) return;
   slip_ = components(labels().slip, material);
-  own_mass_ = masses_[static_cast<std::size_t>(material)];
+  own_mass_ = masses_[material];
 }
 
 }  // namespace sluice::ice

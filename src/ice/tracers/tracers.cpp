@@ -152,12 +152,12 @@ Tracers::Ids Tracers::number(const models::TracerParticles& t) const {
 // Scalars begin as their cells do.
 void Tracers::add(int kind, const Level& level, Vec3 point, std::int64_t id,
                   ParticleSet& particles) const {
-  const models::TracerParticles& t = (*list_)[static_cast<std::size_t>(kind)];
-  const Columns& c = columns_[static_cast<std::size_t>(kind)];
+  const models::TracerParticles& t = (*list_)[kind];
+  const Columns& c = columns_[kind];
   particles.add(point, id);
   const std::size_t last = particles.size() - 1;
   const auto put = [&](int column, double value) {
-    if (column >= 0) particles.attribute(static_cast<std::size_t>(column), last) = value;
+    if (column >= 0) particles.attribute(column, last) = value;
   };
   if (t.scalar) {
     put(c.scalar, t.scalar->initial);
@@ -169,13 +169,13 @@ void Tracers::add(int kind, const Level& level, Vec3 point, std::int64_t id,
 }
 
 void Tracers::take_clones(int kind, const ParticleStep& step, ParticleSet& particles) const {
-  const Columns& c = columns_[static_cast<std::size_t>(kind)];
+  const Columns& c = columns_[kind];
   const Level& level = step.new_state->level();
   for (std::size_t n = 0; n < c.clones.size(); ++n) {
     const models::TransportedScalar& s = *c.clones[n];
     const int slot = step.new_state->find(s.state(), flow_.places.material_of(s.material));
     const ConstRealView q = step.new_state->view(slot, 0, step.box);
-    const auto column = static_cast<std::size_t>(c.first_clone) + n;
+    const std::size_t column = c.first_clone + n;
     for (std::size_t p = 0; p < particles.size(); ++p) {
       const IntVec3 cell = cell_at(level, particles.position(p));
       if (q.box.contains(cell)) particles.attribute(column, p) = q(cell);
@@ -185,12 +185,11 @@ void Tracers::take_clones(int kind, const ParticleStep& step, ParticleSet& parti
 
 void Tracers::start(int kind, const Level& level, const IndexBox& cells,
                     ParticleSet& particles) const {
-  const models::TracerParticles& t = (*list_)[static_cast<std::size_t>(kind)];
+  const models::TracerParticles& t = (*list_)[kind];
   for (std::size_t r = 0; r < t.start.size(); ++r) {
     const models::TracerRegion& region = t.start[r];
     const CellPoints points(level, region.number);
-    const std::int64_t first =
-        ids_[static_cast<std::size_t>(kind)].start[r][static_cast<std::size_t>(level.index)];
+    const std::int64_t first = ids_[kind].start[r][level.index];
     for_each_cell(cells_of(*region.piece, level, cells), [&](IntVec3 cell) {
       const int count = points.count(cell);
       for (int n = 0; n < count; ++n) {
@@ -204,16 +203,15 @@ void Tracers::start(int kind, const Level& level, const IndexBox& cells,
 
 void Tracers::emit(int kind, const ParticleStep& step, std::vector<double>& born,
                    ParticleSet& particles) const {
-  const models::TracerParticles& t = (*list_)[static_cast<std::size_t>(kind)];
-  const Ids& ids = ids_[static_cast<std::size_t>(kind)];
+  const models::TracerParticles& t = (*list_)[kind];
+  const Ids& ids = ids_[kind];
   const Level& level = step.new_state->level();
   for (std::size_t r = 0; r < t.sources.size(); ++r) {
     const models::TracerRegion& source = t.sources[r];
     const std::int64_t end = emitted(t, source, step.end);
     for (std::int64_t n = emitted(t, source, step.begin); n < end; ++n) {
       const double time = t.window.start + (static_cast<double>(n) + 0.5) / source.number;
-      const std::int64_t first = ids.first_of_sources + n * ids.stride +
-                                 ids.source[r][static_cast<std::size_t>(level.index)];
+      const std::int64_t first = ids.first_of_sources + n * ids.stride + ids.source[r][level.index];
       for (const IndexBox& part : step.cells)
         for_each_cell(cells_of(*source.piece, level, part), [&](IntVec3 cell) {
           const Vec3 point = spread_point(level, cell, n);
@@ -226,14 +224,14 @@ void Tracers::emit(int kind, const ParticleStep& step, std::vector<double>& born
 }
 
 void Tracers::advance(int kind, const ParticleStep& step, ParticleSet& particles) const {
-  const models::TracerParticles& t = (*list_)[static_cast<std::size_t>(kind)];
+  const models::TracerParticles& t = (*list_)[kind];
   const std::size_t earlier = particles.size();
   std::vector<double> born;
   emit(kind, step, born, particles);
   if (particles.empty()) return;
   const FlowInTime flow(step, t.material, flow_);
-  const Columns& c = columns_[static_cast<std::size_t>(kind)];
-  const auto column = [&](int n) { return particles.column(static_cast<std::size_t>(n)); };
+  const Columns& c = columns_[kind];
+  const auto column = [&](int n) { return particles.column(n); };
   const models::Decay decay = t.scalar ? t.scalar->decay : models::Decay{};
   for (std::size_t n = 0; n < particles.size(); ++n) {
     const double begin = n < earlier ? step.begin : born[n - earlier], dt = step.end - begin;
@@ -256,7 +254,7 @@ void Tracers::advance(int kind, const ParticleStep& step, ParticleSet& particles
 }
 
 bool Tracers::reflects(int /*kind*/, int level, Side side, IntVec3 cell) const {
-  return (*boundaries_)[static_cast<std::size_t>(level)]->is_wall(side, cell);
+  return (*boundaries_)[level]->is_wall(side, cell);
 }
 
 }  // namespace sluice::ice

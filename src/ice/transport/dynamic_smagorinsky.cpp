@@ -43,8 +43,7 @@ void product_row(const Row& row, In rho, In velocity, Out out, const SchemeOptio
   using P = Products<C>;
   const VelocityRows<D, C> u(row, velocity, o, by_direction);
   const double* here[C];
-  for (int c = 0; c < C; ++c)
-    here[c] = row(velocity, by_direction ? o.direction[static_cast<std::size_t>(c)] : c);
+  for (int c = 0; c < C; ++c) here[c] = row(velocity, by_direction ? o.direction[c] : c);
   const double* r = row(rho);
   double* q[P::count];
   for (int k = 0; k < P::count; ++k) q[k] = row(out, k);

@@ -20,7 +20,7 @@ void stress_row(const Row& row, const VelocityRows<D, C>& u, const SchemeOptions
                 In eddy, Out normal, Out shear) {
   const int n = row.count();
   const double *r = row(rho), *mu_t = row(eddy);
-  const auto direction = [&](int c) { return o.direction[static_cast<std::size_t>(c)]; };
+  const auto direction = [&](int c) { return o.direction[c]; };
   for (int d = 0; d < 3; ++d) {
     double* R = row(normal, d);
     std::fill_n(row(shear, d), n, 0.0);

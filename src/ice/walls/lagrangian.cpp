@@ -43,13 +43,12 @@ struct FaceRows {
 
   FaceRows(const Row& row, const Handles& h) {
     for (int d = 0; d < D; ++d) {
-      const auto n = static_cast<std::size_t>(d);
-      pm[d] = row(h.face_pressure[n]);
-      pp[d] = row(h.face_pressure[n], 0, d, 1);
-      wm[d] = row(h.flow[n]);
-      wp[d] = row(h.flow[n], 0, d, 1);
-      am[d] = row(h.covered[n]);
-      ap[d] = row(h.covered[n], 0, d, 1);
+      pm[d] = row(h.face_pressure[d]);
+      pp[d] = row(h.face_pressure[d], 0, d, 1);
+      wm[d] = row(h.flow[d]);
+      wp[d] = row(h.flow[d], 0, d, 1);
+      am[d] = row(h.covered[d]);
+      ap[d] = row(h.covered[d], 0, d, 1);
     }
   }
 };
@@ -63,11 +62,11 @@ struct Sides {
     const IntVec3 cell = row.cell();
     for (int a = 1; a < o.axes.count; ++a) {
       const int d = o.axes.direction[a];
-      if (o.periodic[static_cast<std::size_t>(d)]) continue;
+      if (o.periodic[d]) continue;
       all |= cell[d] == o.domain.lower[d] || cell[d] == o.domain.upper[d] - 1;
     }
     const int d = o.axes.direction[0];
-    if (o.periodic[static_cast<std::size_t>(d)]) return;
+    if (o.periodic[d]) return;
     first = o.domain.lower[d] - cell[d];
     last = o.domain.upper[d] - 1 - cell[d];
   }
@@ -81,7 +80,7 @@ void pull_row(const Row& row, const Handles& h, const ImpulseConstants& s, int c
   const int n = row.whole_vectors();
   const double *tm[D], *tp[D];
   for (int d = 0; d < D; ++d) {
-    const In t = h.stress[static_cast<std::size_t>(d)];
+    const In t = h.stress[d];
     tm[d] = row(t, c);
     tp[d] = row(t, c, d, 1);
   }
@@ -243,7 +242,7 @@ void mask_rows(const Row& row, const Handles& h) {
   double* __restrict whole = row(h.base_mask);
   for (int d = 0; d < D; ++d) {
     const double* open = row(h.open, d);
-    double* __restrict mask = row(h.remap_mask[static_cast<std::size_t>(d)]);
+    double* __restrict mask = row(h.remap_mask[d]);
 #pragma GCC ivdep
     for (int i = 0; i < n; ++i) mask[i] = whole[i] * open[i];
   }
@@ -284,14 +283,13 @@ void add_lagrangian(TaskList& list, const SchemeVariables& v, const SchemeOption
   h.wall_pressure = task.read(w.pressure);
   h.open = task.read(w.open);
   for (int axis = 0; axis < o.axes.count; ++axis) {
-    const auto a = static_cast<std::size_t>(axis);
     const Stencil both = Stencil::along(o.axes.direction[axis], 0, 1);
-    h.face_pressure[a] = task.read(v.face_pressure[a], both);
-    h.flow[a] = task.read(w.flow[a], both);
-    h.covered[a] = task.read(w.covered[a], both);
-    if (o.viscous) h.stress[a] = task.read(v.stress[a], both);
-    if (o.conducting) h.heat_flux[a] = task.read(v.heat_flux[a], both);
-    h.remap_mask[a] = task.write(w.remap_mask[a]);
+    h.face_pressure[axis] = task.read(v.face_pressure[axis], both);
+    h.flow[axis] = task.read(w.flow[axis], both);
+    h.covered[axis] = task.read(w.covered[axis], both);
+    if (o.viscous) h.stress[axis] = task.read(v.stress[axis], both);
+    if (o.conducting) h.heat_flux[axis] = task.read(v.heat_flux[axis], both);
+    h.remap_mask[axis] = task.write(w.remap_mask[axis]);
   }
   h.inverse_J = task.write(v.inverse_J);
   h.rho_L = task.write(v.rho_L);

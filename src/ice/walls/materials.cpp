@@ -18,17 +18,16 @@ MaterialVariables declare_materials(TaskList& list, const SchemeOptions& o, mixt
   v.touched_energy = x.energy_L;
   v.old_momentum = v.common.momentum;
   for (int a = 0; a < o.axes.count; ++a) {
-    const auto n = static_cast<std::size_t>(a);
     const std::string axis = " of whole cells, axis " + std::to_string(a);
     const int d = o.axes.direction[a];
-    x.whole_flux[n] = list.temporary("flux" + axis, 2 + o.components, d);
-    x.whole_flux_of_each[n] = list.temporary("flux of each material" + axis, 3 * M, d);
+    x.whole_flux[a] = list.temporary("flux" + axis, 2 + o.components, d);
+    x.whole_flux_of_each[a] = list.temporary("flux of each material" + axis, 3 * M, d);
     if (o.conducting)
-      x.whole_heat_of_each[n] = list.temporary("heat through contacts" + axis, 2 * M, d);
+      x.whole_heat_of_each[a] = list.temporary("heat through contacts" + axis, 2 * M, d);
     if (!o.own_velocities) continue;
-    x.whole_velocity[n] = list.temporary("velocity of each material" + axis, M * o.components, d);
+    x.whole_velocity[a] = list.temporary("velocity of each material" + axis, M * o.components, d);
     if (o.viscous)
-      v.slip.stress[n] =
+      v.slip.stress[a] =
           list.temporary("friction of each material on open faces, axis " + std::to_string(a),
                          M * o.components, d);
   }
@@ -74,21 +73,20 @@ void add_touched(TaskList& list, const mixture::Variables& v, const SchemeOption
 void add_stress_of_open_faces(TaskList& list, const mixture::Variables& whole,
                               const mixture::Variables& v, const SchemeOptions& o, int effect) {
   for (int axis = 0; axis < o.axes.count && o.viscous; ++axis) {
-    const auto n = static_cast<std::size_t>(axis);
-    add_open_share(
-        list, v.common, o, axis,
-        {whole.slip.stress[n], v.slip.stress[n], static_cast<int>(o.fluids.size()) * o.components},
-        "friction of each material on open faces " + std::to_string(axis), effect);
+    add_open_share(list, v.common, o, axis,
+                   {whole.slip.stress[axis], v.slip.stress[axis],
+                    static_cast<int>(o.fluids.size()) * o.components},
+                   "friction of each material on open faces " + std::to_string(axis), effect);
   }
 }
 
 void add_heat_of_open_faces(TaskList& list, const mixture::Variables& v, const MaterialVariables& x,
                             const SchemeOptions& o, int effect) {
   for (int axis = 0; axis < o.axes.count && o.conducting; ++axis) {
-    const auto n = static_cast<std::size_t>(axis);
-    add_open_share(list, v.common, o, axis,
-                   {x.whole_heat_of_each[n], v.heat_flux[n], 2 * static_cast<int>(o.fluids.size())},
-                   "heat through contacts of open faces " + std::to_string(axis), effect);
+    add_open_share(
+        list, v.common, o, axis,
+        {x.whole_heat_of_each[axis], v.heat_flux[axis], 2 * static_cast<int>(o.fluids.size())},
+        "heat through contacts of open faces " + std::to_string(axis), effect);
   }
 }
 
@@ -119,13 +117,11 @@ void add_shares_of_each(TaskList& list, const mixture::Variables& v, const Mater
   const In star = task.read(v.common.energy_star), energy = task.read(v.common.energy);
   std::array<In, 3> flow;
   for (int a = 0; a < o.axes.count; ++a)
-    flow[static_cast<std::size_t>(a)] =
-        task.read(w.flow[static_cast<std::size_t>(a)], Stencil::along(o.axes.direction[a], 0, 1));
+    flow[a] = task.read(w.flow[a], Stencil::along(o.axes.direction[a], 0, 1));
   const Out volume = task.write(x.volume_L), E_L = task.write(x.energy_L);
   const int materials = static_cast<int>(o.fluids.size());
   std::vector<In> slip;
-  for (int m = 0; m < materials && o.own_velocities; ++m)
-    slip.push_back(task.read(v.slip.slip[static_cast<std::size_t>(m)]));
+  for (int m = 0; m < materials && o.own_velocities; ++m) slip.push_back(task.read(v.slip.slip[m]));
   task.kernel([=](const Row& row) {
     const int n = row.count();
     const double *before = row(theta), *next = row(after), *p = row(p_in), *inverse = row(w_in);
@@ -134,14 +130,13 @@ void add_shares_of_each(TaskList& list, const mixture::Variables& v, const Mater
     for (int i = 0; i < n; ++i) V_L[i] = 1.0 - next[i];
     for (int a = 0; a < o.axes.count; ++a) {
       const double l = row.step().dt / row.step().spacing[o.axes.direction[a]];
-      const In f = flow[static_cast<std::size_t>(a)];
+      const In f = flow[a];
       const double *low = row(f), *high = row(f, 0, a, 1);
       for (int i = 0; i < n; ++i) V_L[i] += l * (high[i] - low[i]);
     }
     for (int m = 0; m < materials; ++m) {
-      const auto k = static_cast<std::size_t>(m);
-      const double *M_m = row(state.mass[k]), *V_m = row(state.volume[k]),
-                   *E_m = row(state.energy[k]);
+      const double *M_m = row(state.mass[m]), *V_m = row(state.volume[m]),
+                   *E_m = row(state.energy[m]);
       double* to = row(E_L, m);
       for (int i = 0; i < n; ++i) {
         const double V = 1.0 - before[i];
@@ -153,8 +148,7 @@ void add_shares_of_each(TaskList& list, const mixture::Variables& v, const Mater
     for (int i = 0; i < n; ++i) {
       const double heat = (1.0 - before[i]) * inverse[i] * energy_of_slip(row, state, slip, o, i);
       if (heat == 0) continue;
-      for (int m = 0; m < materials; ++m)
-        row(E_L, m)[i] += heat * row(state.mass[static_cast<std::size_t>(m)])[i];
+      for (int m = 0; m < materials; ++m) row(E_L, m)[i] += heat * row(state.mass[m])[i];
     }
   });
 }
@@ -206,10 +200,9 @@ class TouchedFaces {
     const double V_L = 1.0 / cell(h_.inverse_J, 0, b)[i];
     const bool old = cell(h_.gives_old, 0, b)[i] != 0;
     for (int m = 0; m < materials_; ++m) {
-      const auto k = static_cast<std::size_t>(m);
-      const double share = cell(h_.state.volume[k], 0, b)[i];
-      const double M = cell(h_.state.mass[k], 0, b)[i];
-      const double E = old ? cell(h_.state.energy[k], 0, b)[i] : cell(h_.energy_L, m, b)[i] / V_L;
+      const double share = cell(h_.state.volume[m], 0, b)[i];
+      const double M = cell(h_.state.mass[m], 0, b)[i];
+      const double E = old ? cell(h_.state.energy[m], 0, b)[i] : cell(h_.energy_L, m, b)[i] / V_L;
       const double density = old ? M : M * V / V_L;
       take(m, share > 0 ? Carried{H * share, H * density, H * E} : Carried{});
     }
@@ -289,8 +282,8 @@ void add_passed_on(TaskList& list, const mixture::Variables& v, const MaterialVa
   std::vector<FluxHandles> of_axis;
   for (int axis = 0; axis < o.axes.count; ++axis) {
     const int d = o.axes.direction[axis];
-    of_axis.push_back(read_fluxes(task, v, x, static_cast<std::size_t>(axis),
-                                  Stencil::along(d, 1, 1), Stencil::along(d, 0, 1)));
+    of_axis.push_back(
+        read_fluxes(task, v, x, axis, Stencil::along(d, 1, 1), Stencil::along(d, 0, 1)));
   }
   const Out out = task.write(x.passed_on);
   const int materials = static_cast<int>(o.fluids.size());
@@ -315,15 +308,14 @@ void add_passed_on(TaskList& list, const mixture::Variables& v, const MaterialVa
         face.donor_is_touched(i) ? face.give(i, take) : face.give_whole(i, take);
       };
       for (int axis = 0; axis < o.axes.count; ++axis) {
-        const FluxHandles& h = of_axis[static_cast<std::size_t>(axis)];
+        const FluxHandles& h = of_axis[axis];
         take_in(TouchedFaces(row, h, o, axis, 0), 1);
         take_in(TouchedFaces(row, h, o, axis, 1), -1);
       }
       // From others without fluid alone: the mean of the states around, which is what they hold.
       const mixture::StateReads& state = of_axis.front().state;
       for (int m = 0; m < materials; ++m) {
-        const auto k = static_cast<std::size_t>(m);
-        const In own[] = {state.volume[k], state.mass[k], state.energy[k]};
+        const In own[] = {state.volume[m], state.mass[m], state.energy[m]};
         for (const mixture::Carried q : {mixture::of_volume, mixture::of_mass, mixture::of_energy})
           to(m, q, i) = all > 0 ? to(m, q, i) / all : row(own[q])[i];
       }
@@ -362,16 +354,15 @@ void add_fluxes_of_touched(TaskList& list, const mixture::Variables& v, const Ma
                            const SchemeOptions& o, int effect) {
   add_passed_on(list, v, x, o, effect);
   for (int axis = 0; axis < o.axes.count; ++axis) {
-    const auto a = static_cast<std::size_t>(axis);
     const Stencil both = Stencil::along(o.axes.direction[axis], 1, 0);
     TaskBuilder task = list.task("fluxes beside solids " + std::to_string(axis), effect);
-    FluxHandles h = read_fluxes(task, v, x, a, both, Stencil::point());
+    FluxHandles h = read_fluxes(task, v, x, axis, both, Stencil::point());
     h.passed_on = task.read(x.passed_on, both);
-    h.flux = task.write(v.common.flux[a]);
-    h.each = task.write(v.flux[a]);
+    h.flux = task.write(v.common.flux[axis]);
+    h.each = task.write(v.flux[axis]);
     if (o.own_velocities) {
-      h.whole_velocity = task.read(x.whole_velocity[a]);
-      h.velocity = task.write(v.common.material_velocity[a]);
+      h.whole_velocity = task.read(x.whole_velocity[axis]);
+      h.velocity = task.write(v.common.material_velocity[axis]);
     }
     task.kernel([=](const Row& row) {
       const int n = row.count();

@@ -57,7 +57,7 @@ void outflow_row(const Row& row, In fraction, In next, const std::array<In, 3>& 
     double sum = (1.0 - after[i]) / dt;
     int wet = 0;
     for (int a = 0; a < o.axes.count; ++a) {
-      const In w = flow[static_cast<std::size_t>(a)];
+      const In w = flow[a];
       const double inverse_dx = 1.0 / row.step().spacing[o.axes.direction[a]];
       sum += (row(w, 0, a, 1)[i] - row(w)[i]) * inverse_dx;
       wet += (row(fraction, 0, a, -1)[i] < 1) + (row(fraction, 0, a, 1)[i] < 1);
@@ -88,7 +88,6 @@ void add_open_faces(TaskList& list, const SchemeVariables& fluid, const SchemeVa
                     const SchemeOptions& o, int effect) {
   constexpr double round_off = 1e-12;  // of a cell's volume
   for (int axis = 0; axis < o.axes.count; ++axis) {
-    const auto n = static_cast<std::size_t>(axis);
     const int d = o.axes.direction[axis];
     const Stencil both = Stencil::along(d, 1, 0);
     TaskBuilder task = list.task("faces with solids " + std::to_string(axis), effect);
@@ -96,14 +95,14 @@ void add_open_faces(TaskList& list, const SchemeVariables& fluid, const SchemeVa
     h.fraction = task.read(v.walls.fraction, both);
     h.next = task.read(v.walls.next, both);
     h.pressure = task.read(v.walls.pressure, both);
-    h.mean = task.read(v.walls.mean_covered[n]);
-    h.swept = task.read(v.walls.swept[n]);
-    h.solid = task.read(v.walls.solid_velocity[n]);
-    h.u = task.read(fluid.face_velocity[n]);
-    h.p = task.read(fluid.face_pressure[n]);
-    h.u_f = task.write(v.face_velocity[n]);
-    h.p_f = task.write(v.face_pressure[n]);
-    h.flow = task.write(v.walls.raw_flow[n]);
+    h.mean = task.read(v.walls.mean_covered[axis]);
+    h.swept = task.read(v.walls.swept[axis]);
+    h.solid = task.read(v.walls.solid_velocity[axis]);
+    h.u = task.read(fluid.face_velocity[axis]);
+    h.p = task.read(fluid.face_pressure[axis]);
+    h.u_f = task.write(v.face_velocity[axis]);
+    h.p_f = task.write(v.face_pressure[axis]);
+    h.flow = task.write(v.walls.raw_flow[axis]);
     task.kernel(
         [=](const Row& row) { face_row(row, h, axis, row.step().spacing[d] / row.step().dt); });
   }
@@ -112,19 +111,17 @@ void add_open_faces(TaskList& list, const SchemeVariables& fluid, const SchemeVa
   const In next = closing.read(v.walls.next);
   std::array<In, 3> flows;
   for (int axis = 0; axis < o.axes.count; ++axis)
-    flows[static_cast<std::size_t>(axis)] =
-        closing.read(v.walls.raw_flow[static_cast<std::size_t>(axis)],
-                     Stencil::along(o.axes.direction[axis], 0, 1));
+    flows[axis] =
+        closing.read(v.walls.raw_flow[axis], Stencil::along(o.axes.direction[axis], 0, 1));
   const Out outflow = closing.write(v.walls.outflow);
   closing.kernel([=](const Row& row) { outflow_row(row, fraction, next, flows, outflow, o); });
   for (int axis = 0; axis < o.axes.count; ++axis) {
-    const auto n = static_cast<std::size_t>(axis);
     const int d = o.axes.direction[axis];
     const Stencil both = Stencil::along(d, 1, 0);
     TaskBuilder task = list.task("volume flow " + std::to_string(axis), effect);
-    const In theta = task.read(v.walls.fraction, both), raw = task.read(v.walls.raw_flow[n]);
+    const In theta = task.read(v.walls.fraction, both), raw = task.read(v.walls.raw_flow[axis]);
     const In out = task.read(v.walls.outflow, both);
-    const Out flow = task.write(v.walls.flow[n]);
+    const Out flow = task.write(v.walls.flow[axis]);
     task.kernel([=](const Row& row) {
       const double dx = row.step().spacing[d];
       close_row(row, theta, raw, out, flow, axis, dx, round_off * dx / row.step().dt);
@@ -136,8 +133,7 @@ void add_open_share(TaskList& list, const SchemeVariables& v, const SchemeOption
                     const FaceShare& of, const std::string& name, int effect) {
   TaskBuilder task = list.task(name, effect);
   const In theta = task.read(v.walls.fraction, Stencil::along(o.axes.direction[axis], 1, 0));
-  const In covered = task.read(v.walls.covered[static_cast<std::size_t>(axis)]),
-           in = task.read(of.whole);
+  const In covered = task.read(v.walls.covered[axis]), in = task.read(of.whole);
   const Out out = task.write(of.open);
   task.kernel([=, components = of.components](const Row& row) {
     const double *ta = row(theta, 0, axis, -1), *tb = row(theta), *a = row(covered);
@@ -159,12 +155,11 @@ void add_open_share(TaskList& list, const SchemeVariables& v, const SchemeOption
 void add_shares(TaskList& list, const SchemeVariables& whole, const SchemeVariables& v,
                 const SchemeOptions& o, int effect) {
   for (int axis = 0; axis < o.axes.count; ++axis) {
-    const auto n = static_cast<std::size_t>(axis);
     if (o.viscous)
-      add_open_share(list, v, o, axis, {whole.stress[n], v.stress[n], o.components},
+      add_open_share(list, v, o, axis, {whole.stress[axis], v.stress[axis], o.components},
                      "stress of open faces " + std::to_string(axis), effect);
     if (o.conducting)
-      add_open_share(list, v, o, axis, {whole.heat_flux[n], v.heat_flux[n]},
+      add_open_share(list, v, o, axis, {whole.heat_flux[axis], v.heat_flux[axis]},
                      "heat flux of open faces " + std::to_string(axis), effect);
   }
 }

@@ -9,8 +9,7 @@ void add_openness(TaskList& list, const SchemeVariables& v, const SchemeOptions&
   const In fraction = task.read(v.walls.fraction, Stencil::box(1));
   std::array<In, 3> covered;
   for (int a = 0; a < o.axes.count; ++a)
-    covered[static_cast<std::size_t>(a)] = task.read(v.walls.covered[static_cast<std::size_t>(a)],
-                                                     Stencil::along(o.axes.direction[a], 0, 1));
+    covered[a] = task.read(v.walls.covered[a], Stencil::along(o.axes.direction[a], 0, 1));
   In mask;
   if (o.masked) mask = task.read(v.mask);
   const Out open = task.write(v.walls.open);
@@ -19,8 +18,8 @@ void add_openness(TaskList& list, const SchemeVariables& v, const SchemeOptions&
     const double* here = row(fraction);
     for (int a = 0; a < o.axes.count; ++a) {
       const double *below = row(fraction, 0, a, -1), *above = row(fraction, 0, a, 1);
-      const double* low = row(covered[static_cast<std::size_t>(a)]);
-      const double* high = row(covered[static_cast<std::size_t>(a)], 0, a, 1);
+      const double* low = row(covered[a]);
+      const double* high = row(covered[a], 0, a, 1);
       double* __restrict to = row(open, a);
 #pragma GCC ivdep
       for (int i = 0; i < n; ++i) {

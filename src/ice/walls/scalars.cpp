@@ -23,10 +23,9 @@ void declare_scalar_walls(TaskList& list, const SchemeOptions& o, SchemeVariable
   }
   if (o.second_order) s.slopes = list.temporary("weight of slopes of scalars");
   for (int a = 0; a < o.axes.count; ++a) {
-    const auto n = static_cast<std::size_t>(a);
     const std::string axis = " of axis " + std::to_string(a);
-    if (o.second_order) s.axis_slopes[n] = list.temporary("weight of slopes of scalars" + axis);
-    if (s.diffusive) s.open_share[n] = list.temporary("open share" + axis, 1, o.axes.direction[a]);
+    if (o.second_order) s.axis_slopes[a] = list.temporary("weight of slopes of scalars" + axis);
+    if (s.diffusive) s.open_share[a] = list.temporary("open share" + axis, 1, o.axes.direction[a]);
   }
 }
 
@@ -60,8 +59,7 @@ void add_cells(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
   const In touches = weights.read(s.touched), open = weights.read(v.walls.open);
   const Out whole = weights.write(s.slopes);
   std::array<Out, 3> along;
-  for (int a = 0; a < o.axes.count; ++a)
-    along[static_cast<std::size_t>(a)] = weights.write(s.axis_slopes[static_cast<std::size_t>(a)]);
+  for (int a = 0; a < o.axes.count; ++a) along[a] = weights.write(s.axis_slopes[a]);
   weights.kernel([=, axes = o.axes.count](const Row& row) {
     const int n = row.count();
     const double* here = row(touches);
@@ -69,7 +67,7 @@ void add_cells(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
     for (int i = 0; i < n; ++i) all[i] = 1.0 - here[i];
     for (int a = 0; a < axes; ++a) {
       const double* o_a = row(open, a);
-      double* to = row(along[static_cast<std::size_t>(a)]);
+      double* to = row(along[a]);
       for (int i = 0; i < n; ++i) to[i] = (1.0 - here[i]) * o_a[i];
       for (int i = 0; i < n; ++i) all[i] *= o_a[i];
     }
@@ -83,11 +81,10 @@ void add_scalar_walls(TaskList& list, const SchemeVariables& v, const SchemeOpti
   if (v.scalars.each.empty()) return;
   add_cells(list, v, o, effect);
   for (int axis = 0; axis < o.axes.count && v.scalars.diffusive; ++axis) {
-    const auto n = static_cast<std::size_t>(axis);
     TaskBuilder task = list.task("open share with scalars " + std::to_string(axis), effect);
     const In fraction = task.read(v.walls.fraction, Stencil::along(o.axes.direction[axis], 1, 0));
-    const In covered = task.read(v.walls.covered[n]);
-    const Out share = task.write(v.scalars.open_share[n]);
+    const In covered = task.read(v.walls.covered[axis]);
+    const Out share = task.write(v.scalars.open_share[axis]);
     task.kernel([=](const Row& row) {
       const double *ta = row(fraction, 0, axis, -1), *tb = row(fraction), *a = row(covered);
       double* __restrict to = row(share);

@@ -23,7 +23,7 @@ void update_cells(const Row& row, const Handles& h) {
   const double *Gm[D], *Gp[D], *v[C];
   double* P[C];
   for (int d = 0; d < D; ++d) {
-    const In flux = h.amounts.flux[static_cast<std::size_t>(d)];
+    const In flux = h.amounts.flux[d];
     Gm[d] = row(flux, 1);
     Gp[d] = row(flux, 1, d, 1);
   }

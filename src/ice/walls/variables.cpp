@@ -15,20 +15,19 @@ void declare_variables(TaskList& list, const SchemeOptions& o, SchemeVariables& 
   w.next = list.old_state(l.solid_fraction_next, 0, 1);
   w.pressure = list.old_state(l.wall_pressure, 0, 1);
   for (int a = 0; a < D; ++a) {
-    const auto n = static_cast<std::size_t>(a);
     const int d = o.axes.direction[a];
     const std::string axis = " of axis " + std::to_string(a);
-    w.covered[n] = list.old_state(l.covered[d], 0, 1);
-    w.mean_covered[n] = list.old_state(l.mean_covered[d], 0, 1);
-    w.swept[n] = list.old_state(l.swept[d], 0, 1);
-    w.solid_velocity[n] = list.old_state(l.solid_face_velocity[d], 0, 1);
-    w.fluid_velocity[n] = list.temporary("velocity between fluid cells" + axis, 1, d);
-    w.fluid_pressure[n] = list.temporary("pressure between fluid cells" + axis, 1, d);
-    w.raw_flow[n] = list.temporary("volume flow before closing" + axis, 1, d);
-    w.flow[n] = list.temporary("volume flow" + axis, 1, d);
-    if (o.viscous) w.whole_stress[n] = list.temporary("stress of open faces" + axis, C, d);
-    if (o.conducting) w.whole_heat_flux[n] = list.temporary("heat flux of open faces" + axis, 1, d);
-    w.remap_mask[n] = list.temporary("weight of slopes" + axis);
+    w.covered[a] = list.old_state(l.covered[d], 0, 1);
+    w.mean_covered[a] = list.old_state(l.mean_covered[d], 0, 1);
+    w.swept[a] = list.old_state(l.swept[d], 0, 1);
+    w.solid_velocity[a] = list.old_state(l.solid_face_velocity[d], 0, 1);
+    w.fluid_velocity[a] = list.temporary("velocity between fluid cells" + axis, 1, d);
+    w.fluid_pressure[a] = list.temporary("pressure between fluid cells" + axis, 1, d);
+    w.raw_flow[a] = list.temporary("volume flow before closing" + axis, 1, d);
+    w.flow[a] = list.temporary("volume flow" + axis, 1, d);
+    if (o.viscous) w.whole_stress[a] = list.temporary("stress of open faces" + axis, C, d);
+    if (o.conducting) w.whole_heat_flux[a] = list.temporary("heat flux of open faces" + axis, 1, d);
+    w.remap_mask[a] = list.temporary("weight of slopes" + axis);
   }
   w.open = list.temporary("where slopes count", D);
   w.outflow = list.temporary("outflow of cells without fluid");
@@ -57,7 +56,7 @@ SchemeVariables of_remap(const SchemeVariables& v, int axis) {
   remap.face_velocity = v.walls.flow;
   remap.inverse_rho = v.walls.inverse_mass;
   remap.velocity_L = v.walls.donor_velocity;
-  remap.mask = v.walls.remap_mask[static_cast<std::size_t>(axis)];
+  remap.mask = v.walls.remap_mask[axis];
   return remap;
 }
 

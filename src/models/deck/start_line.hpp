@@ -18,7 +18,7 @@ struct StartLine {
     const auto above = std::upper_bound(x.begin(), x.end(), along);
     if (above == x.begin()) return values.front();
     if (above == x.end()) return values.back();
-    const auto n = static_cast<std::size_t>(above - x.begin());
+    const std::size_t n = above - x.begin();
     const double weight = (along - x[n - 1]) / (x[n] - x[n - 1]);
     return values[n - 1] + weight * (values[n] - values[n - 1]);
   }

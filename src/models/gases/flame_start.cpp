@@ -53,7 +53,7 @@ class FlameReader {
       if (found == all.end())
         lines_.refuse(
             0, fmt::format("the mechanism has no species '{}' (column '{}')", name, names[n]));
-      species_.push_back(static_cast<std::size_t>(found - all.begin()));
+      species_.push_back(found - all.begin());
     }
   }
 
@@ -91,7 +91,7 @@ class FlameReader {
     add(state.pressure, numbers[4]);
     for (std::size_t k = 0; k < gas_.carried(); ++k) {
       const auto column = std::find(species_.begin(), species_.end(), gas_.species_of(k));
-      const std::size_t n = state_columns + static_cast<std::size_t>(column - species_.begin());
+      const std::size_t n = state_columns + (column - species_.begin());
       add(flame_.fractions[k], column == species_.end() ? 0.0 : numbers[n]);
     }
   }

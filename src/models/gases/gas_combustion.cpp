@@ -92,8 +92,8 @@ std::shared_ptr<const kinetics::SpeciesGas> find_gas(const DeckNode& parameters,
                    fmt::format("<mechanismFile>: {} species; 2 to {} are supported", names.size(),
                                most_species + 1),
                    "a reduced mechanism");
-    return std::make_shared<const kinetics::SpeciesGas>(
-        std::move(mechanism), static_cast<std::size_t>(found - names.begin()));
+    return std::make_shared<const kinetics::SpeciesGas>(std::move(mechanism),
+                                                        found - names.begin());
   } catch (const Error& e) {
     return fault(
         file != nullptr ? *file : parameters,

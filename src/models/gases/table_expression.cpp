@@ -72,7 +72,7 @@ class Parser {
     const char* begin = text_.data() + at_;
     const auto [end, error] = std::from_chars(begin, text_.data() + text_.size(), value);
     if (error != std::errc()) fail("a number, [column], {axis} or '('");
-    at_ += static_cast<std::size_t>(end - begin);
+    at_ += end - begin;
     return value;
   }
   std::string name(char end) {

@@ -61,16 +61,16 @@ CellNumbers::CellNumbers(const Level& level, const std::string& file) {
   for (int d = 0; d < 3; ++d) {
     low_[d] = level.anchor[d] + level.domain.lower[d] * level.spacing[d];
     inverse_[d] = 1 / level.spacing[d];
-    cells *= static_cast<std::size_t>(size_[d]);
+    cells *= size_[d];
   }
   values_.assign(cells, 0.0);
   std::vector<int> points(cells, 0);
   read_table(file, {"x", "y", "z", "coefficient"}, [&](const TableRow& v) {
     std::size_t n = 0;
     for (int d = 2; d >= 0; --d) {
-      const double i = std::floor((v[static_cast<std::size_t>(d)] - low_[d]) * inverse_[d]);
+      const double i = std::floor((v[d] - low_[d]) * inverse_[d]);
       if (!(i >= 0 && i < size_[d])) return;  // beyond the domain
-      n = n * static_cast<std::size_t>(size_[d]) + static_cast<std::size_t>(i);
+      n = n * size_[d] + static_cast<std::size_t>(i);
     }
     values_[n] += v[3];
     ++points[n];

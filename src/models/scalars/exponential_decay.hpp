@@ -26,8 +26,7 @@ class CellNumbers {
     std::size_t n = 0;
     for (int d = 2; d >= 0; --d) {
       const int i = static_cast<int>(std::floor((point[d] - low_[d]) * inverse_[d]));
-      n = n * static_cast<std::size_t>(size_[d]) +
-          static_cast<std::size_t>(std::min(std::max(i, 0), size_[d] - 1));
+      n = n * size_[d] + std::min(std::max(i, 0), size_[d] - 1);
     }
     return values_[n];
   }

@@ -43,17 +43,16 @@ class Face {
         d_(direction_of(side)),
         inward_(is_plus(side) ? -1.0 : 1.0),
         spacing_(level.spacing),
-        half_(carried.half[static_cast<std::size_t>(d_)]) {
+        half_(carried.half[d_]) {
     const int edge = is_plus(side) ? level.domain.upper[d_] : level.domain.lower[d_];
     place_ = level.anchor[d_] + edge * level.spacing[d_];
     const Columns& c = carried.columns;
-    if (c.half >= 0) halves_ = set.column(static_cast<std::size_t>(c.half + d_));
+    if (c.half >= 0) halves_ = set.column(c.half + d_);
     F_ = read_columns<9>(set, c.F);
     size_ = read_columns<9>(set, c.size);
     corners_ = corners_of(set, c);
     for (int d = 0; d < 3; ++d)
-      if (level.active[static_cast<std::size_t>(d)])
-        active_.list[static_cast<std::size_t>(active_.count++)] = d;
+      if (level.active[d]) active_.list[active_.count++] = d;
   }
 
   // Of a particle at x: cells into the domain.
@@ -91,8 +90,7 @@ class Face {
     for (std::size_t c = 0; c < 3; ++c)
       for (int i = 0; i < 3; ++i)
         for (int k = 0; k < 3; ++k)
-          edge[c][i] += F_[static_cast<std::size_t>(3 * i + k)][p] * spacing_[k] *
-                        size_[static_cast<std::size_t>(3 * k) + c][p];
+          edge[c][i] += F_[3 * i + k][p] * spacing_[k] * size_[3 * k + c][p];
     return edge;
   }
 
@@ -108,9 +106,8 @@ class Face {
       Vec3 alpha{};
       for (int k = 0; k < 3; ++k) {
         const double sign = (corner >> k) % 2 == 0 ? -1.0 : 1.0;
-        const auto n = static_cast<std::size_t>(k);
-        at += 0.5 * sign * inward_ * e[n][d_] / spacing_[d_];
-        alpha = alpha + (0.25 * sign / det) * cross_of[n];
+        at += 0.5 * sign * inward_ * e[k][d_] / spacing_[d_];
+        alpha = alpha + (0.25 * sign / det) * cross_of[k];
       }
       const double on = hat(std::fabs(at)).w, beyond = at < 0 ? -at : 0.0;
       share.on += on / 8;
@@ -126,15 +123,14 @@ class Face {
     CornerVolume<D> v;
     read_carried<D>(corners_, active_.list, p, v.x);
     double at[1 << D];
-    for (int c = 0; c < v.count; ++c)
-      at[c] = depth(corners_[static_cast<std::size_t>(3 * c + d_)][p]);
+    for (int c = 0; c < v.count; ++c) at[c] = depth(corners_[3 * c + d_][p]);
     v.find();
     Share share;
     for (int c = 0; c < v.count; ++c) {
       const double on = hat(std::fabs(at[c])).w, beyond = at[c] < 0 ? -at[c] : 0.0;
       share.on += on / v.count;
       for (int a = 0; a < D; ++a) {
-        const int e = active_.list[static_cast<std::size_t>(a)];
+        const int e = active_.list[a];
         share.slope_on[e] += on * v.b[c][a] / v.volume;
         share.slope_beyond[e] += beyond * v.b[c][a] / v.volume;
       }
@@ -178,7 +174,7 @@ void add_face(const MpmScene& solids, const Level& level, Side side, bool mirror
   const Face face(solids, level, side, set, carried);
   const int d = direction_of(side);
   const double* x = set.coordinate(d);
-  const double* volume = set.column(static_cast<std::size_t>(carried.columns.volume));
+  const double* volume = set.column(carried.columns.volume);
   const auto stress = read_columns<6>(set, carried.columns.stress);
   for (std::size_t p = 0; p < set.size(); ++p) {
     const double s = face.depth(x[p]);

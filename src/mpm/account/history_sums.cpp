@@ -31,12 +31,12 @@ void HistorySums::need(HistorySum kind, Side side) {
 
 void HistorySums::add_set(const Entry& entry, const Level& level, int kind, const ParticleSet& set,
                           const Carried& carried, Totals& totals) const {
-  const SolidMaterial& material = solids_->materials[static_cast<std::size_t>(kind)];
+  const SolidMaterial& material = solids_->materials[kind];
   const Columns& c = carried.columns;
   ConservedTotal* to = totals.amounts.data() + entry.first;
-  const double* m = set.column(static_cast<std::size_t>(c.mass));
-  const double* volume = set.column(static_cast<std::size_t>(c.volume));
-  const double* T = set.column(static_cast<std::size_t>(c.temperature));
+  const double* m = set.column(c.mass);
+  const double* volume = set.column(c.volume);
+  const double* T = set.column(c.temperature);
   switch (entry.kind) {
     case HistorySum::centre_of_mass:
       for (int d = 0; d < 3; ++d)
@@ -71,8 +71,7 @@ void HistorySums::add(const ParticleCloud& cloud, const std::vector<Carried>& ca
       const ParticleStore& store = cloud.store(k);
       for (int l = 0; l < store.level_count(); ++l)
         for (int b = 0; b < store.box_count(l); ++b)
-          add_set(e, cloud.level(l), k, store.set(l, b), carried[static_cast<std::size_t>(k)],
-                  totals);
+          add_set(e, cloud.level(l), k, store.set(l, b), carried[k], totals);
     }
 }
 

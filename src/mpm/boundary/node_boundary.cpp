@@ -12,19 +12,16 @@ NodeBoundary::NodeBoundary(const Scene& scene, const MpmScene& solids, const Lev
       gaps_(level.index == 0 && has_gaps(level)),
       mirror_(solids.materials.size()) {
   for (const SolidBoundary& b : solids.boundaries) {
-    if (b.kind != SolidBoundary::Kind::symmetric ||
-        !level.active[static_cast<std::size_t>(direction_of(b.side))])
-      continue;
+    if (b.kind != SolidBoundary::Kind::symmetric || !level.active[direction_of(b.side)]) continue;
     for (std::size_t m = 0; m < mirror_.size(); ++m)
-      if (b.material < 0 || b.material == static_cast<int>(m))
-        mirror_[m][static_cast<std::size_t>(b.side)] = true;
+      if (b.material < 0 || b.material == static_cast<int>(m)) mirror_[m][index_of(b.side)] = true;
   }
 }
 
 bool NodeBoundary::meets(IntVec3 lower, IntVec3 edge) const {
   if (gaps_) return true;
   for (int d = 0; d < 3; ++d)
-    if (level_.active[static_cast<std::size_t>(d)] &&
+    if (level_.active[d] &&
         (lower[d] <= level_.domain.lower[d] || lower[d] + edge[d] > level_.domain.upper[d]))
       return true;
   return false;
@@ -35,19 +32,18 @@ GivenVelocity NodeBoundary::at(IntVec3 node, int material) const {
   GivenVelocity g;
   for (const SolidBoundary& b : solids_->boundaries) {
     const int d = direction_of(b.side);
-    if (!level_.active[static_cast<std::size_t>(d)] || (b.material >= 0 && b.material != material))
-      continue;
+    if (!level_.active[d] || (b.material >= 0 && b.material != material)) continue;
     const bool on =
         is_plus(b.side) ? node[d] >= level_.domain.upper[d] : node[d] <= level_.domain.lower[d];
     if (!on) continue;
     if (b.kind == SolidBoundary::Kind::symmetric) {
-      g.given[static_cast<std::size_t>(d)] = true;
+      g.given[d] = true;
       g.value[d] = 0;
     } else if (b.kind == SolidBoundary::Kind::velocity) {
       if (b.region > 0) {
         Vec3 place = level_.anchor + to_real(node) * level_.spacing;
         const BoundarySide& side = scene_->boundary.side(b.side);
-        if (!side.regions[static_cast<std::size_t>(b.region)].shape.contains(d, place)) continue;
+        if (!side.regions[b.region].shape.contains(d, place)) continue;
       }
       g.given = {true, true, true};
       g.value = b.value;
@@ -59,45 +55,42 @@ GivenVelocity NodeBoundary::at(IntVec3 node, int material) const {
 }
 
 bool NodeBoundary::is_image(IntVec3 node, int material) const {
-  const auto& mirror = mirror_[static_cast<std::size_t>(material)];
+  const auto& mirror = mirror_[material];
   for (int d = 0; d < 3; ++d) {
-    const auto n = static_cast<std::size_t>(d);
-    if (!level_.active[n]) continue;
+    if (!level_.active[d]) continue;
     const int low = level_.domain.lower[d], high = level_.domain.upper[d];
-    if (level_.periodic[n]
+    if (level_.periodic[d]
             ? node[d] < low || node[d] >= high
-            : (mirror[2 * n] && node[d] < low) || (mirror[2 * n + 1] && node[d] > high))
+            : (mirror[2 * d] && node[d] < low) || (mirror[2 * d + 1] && node[d] > high))
       return true;
   }
   return false;
 }
 
 std::array<bool, 3> NodeBoundary::on_mirror(IntVec3 node, int material) const {
-  const auto& mirror = mirror_[static_cast<std::size_t>(material)];
+  const auto& mirror = mirror_[material];
   std::array<bool, 3> on{};
   for (int d = 0; d < 3; ++d) {
-    const auto n = static_cast<std::size_t>(d);
-    on[n] = (mirror[2 * n] && node[d] == level_.domain.lower[d]) ||
-            (mirror[2 * n + 1] && node[d] == level_.domain.upper[d]);
+    on[d] = (mirror[2 * d] && node[d] == level_.domain.lower[d]) ||
+            (mirror[2 * d + 1] && node[d] == level_.domain.upper[d]);
   }
   return on;
 }
 
 NodeBoundary::Image NodeBoundary::image(IntVec3 node, int material) const {
-  const auto& mirror = mirror_[static_cast<std::size_t>(material)];
+  const auto& mirror = mirror_[material];
   Image image{node, {}};
   for (int d = 0; d < 3; ++d) {
-    const auto n = static_cast<std::size_t>(d);
-    if (!level_.active[n]) continue;
+    if (!level_.active[d]) continue;
     const int low = level_.domain.lower[d], high = level_.domain.upper[d], cells = high - low;
-    if (level_.periodic[n]) {
+    if (level_.periodic[d]) {
       image.of[d] = low + ((node[d] - low) % cells + cells) % cells;
-    } else if (mirror[2 * n] && node[d] < low) {
+    } else if (mirror[2 * d] && node[d] < low) {
       image.of[d] = 2 * low - node[d];
-      image.flipped[n] = true;
-    } else if (mirror[2 * n + 1] && node[d] > high) {
+      image.flipped[d] = true;
+    } else if (mirror[2 * d + 1] && node[d] > high) {
       image.of[d] = 2 * high - node[d];
-      image.flipped[n] = true;
+      image.flipped[d] = true;
     }
   }
   return image;
@@ -143,8 +136,7 @@ void NodeBoundary::fold(int material, BlockTable& table, NodeLanes& nodes, bool 
     for (int l = 0; l < count_lane; ++l) {
       std::int64_t value = wrapped_difference(from[l], count);
       for (int d = 0; d < 3; ++d)
-        if (vectors && to.flipped[static_cast<std::size_t>(d)] &&
-            (l == first_lane[0] + d || l == first_lane[1] + d))
+        if (vectors && to.flipped[d] && (l == first_lane[0] + d || l == first_lane[1] + d))
           value = -value;
       sums[l] = wrapped_sum(sums[l], wrapped_sum(value, count));
     }
@@ -175,7 +167,7 @@ void NodeBoundary::unfold(int material, const BlockTable& table, NodeLanes& node
     std::int64_t* to = nodes.sums(b) + n * lanes;
     for (int l = 0; l < lanes; ++l) to[l] = from[l];
     for (int d = 0; d < 3; ++d)
-      if (vectors && of.flipped[static_cast<std::size_t>(d)])
+      if (vectors && of.flipped[d])
         for (const int first : {0, 4}) to[first + d] = as_bits(-as_real(from[first + d]));
   });
 }

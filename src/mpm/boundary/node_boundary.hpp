@@ -25,8 +25,8 @@ class NodeBoundary {
   GivenVelocity at(IntVec3 node, int material) const;
   // Is a side normal to this direction a mirror for the material.
   bool mirrored(int d, int material) const {
-    const auto& m = mirror_[static_cast<std::size_t>(material)];
-    return m[static_cast<std::size_t>(2 * d)] || m[static_cast<std::size_t>(2 * d + 1)];
+    const auto& m = mirror_[material];
+    return m[2 * d] || m[2 * d + 1];
   }
 
   // The node in the domain of which this one, beyond a mirror or a periodic side, is the image; and

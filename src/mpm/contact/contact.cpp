@@ -44,7 +44,7 @@ double mean_half(const std::array<double, 3>& half, const Level& level) {
 
 double friction_of(const ContactRule& rule, const MpmScene& scene) {
   if (rule.friction_of_colour.empty()) return rule.friction;
-  const SolidMaterial& master = scene.materials[static_cast<std::size_t>(rule.master)];
+  const SolidMaterial& master = scene.materials[rule.master];
   std::optional<double> colour;
   for (const SeedObject& o : master.objects) {
     if (colour && *colour != o.colour)
@@ -84,7 +84,7 @@ Contact::Contact(const MpmScene& scene, const Level& level)
       if (rule.kind == ContactKind::single_velocity && listed(rule, material)) joins_[m] = true;
     }
     if (!by_master(rule)) continue;
-    const auto master = static_cast<std::size_t>(rule.master);
+    const std::size_t master = rule.master;
     taken_[master] = true;
     if (!scene.materials[master].rigid) leads_[master] = true;
   }
@@ -101,11 +101,11 @@ void Contact::begin_step(double time, double dt) {
   for (auto& m : motion_) m.reset();
   for (const ContactRule& rule : scene_->contacts)
     if (by_master(rule) && is_prescribed(rule, time, dt))
-      motion_[static_cast<std::size_t>(rule.master)] = motion_in_step(rule, time, dt);
+      motion_[rule.master] = motion_in_step(rule, time, dt);
 }
 
 const MasterMotion* Contact::motion_of(int material) const {
-  const auto& m = motion_[static_cast<std::size_t>(material)];
+  const auto& m = motion_[material];
   return m ? &*m : nullptr;
 }
 
@@ -117,7 +117,7 @@ bool Contact::gather(const ContactRule& rule, Meeting& meeting, std::vector<Part
     filled += b.volume;
     if (rule.exclude == b.body) return false;
     if (!listed(rule, b.body)) continue;
-    const auto m = static_cast<std::size_t>(b.body);
+    const std::size_t m = b.body;
     parties.push_back({&b, b.rigid, scene_->materials[m].may_give_normals, &tables_[m]});
   }
   return !(rule.volume_constraint > 0) || filled > rule.volume_constraint * meeting.cell_volume;
@@ -127,7 +127,7 @@ bool Contact::gather(const ContactRule& rule, Meeting& meeting, std::vector<Part
 void Contact::lead(const ContactRule& rule, AtNode& master, std::vector<Party>& parties) const {
   for (Party& p : parties)
     if (p.at == &master) p.held = true;
-  const auto r = static_cast<std::size_t>(&rule - scene_->contacts.data());
+  const std::size_t r = &rule - scene_->contacts.data();
   if (slides(rule)) {
     slide(parties, {rule.normal_only ? 0.0 : friction_[r], scene_->colinear_normals, spacing_});
     return;
@@ -159,7 +159,7 @@ void Contact::act(const ContactRule& rule, Meeting& meeting, std::vector<Party>&
     if (rule.kind == ContactKind::single_velocity) {
       stick(parties);
     } else {
-      const auto r = static_cast<std::size_t>(&rule - scene_->contacts.data());
+      const std::size_t r = &rule - scene_->contacts.data();
       slide(parties, {friction_[r], scene_->colinear_normals, spacing_});
     }
   }

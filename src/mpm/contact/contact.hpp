@@ -24,17 +24,15 @@ class Contact {
 
   bool any() const { return !scene_->contacts.empty(); }
   // Is a material (local number) in some rule, or asked for by one.
-  bool takes(int material) const { return taken_[static_cast<std::size_t>(material)]; }
+  bool takes(int material) const { return taken_[material]; }
   // Does a rule ask for volumes, gradients and places of bodies at nodes.
   bool needs_surfaces() const { return needs_surfaces_; }
   // Does a rule act where this body is alone: a master that deforms.
-  bool leads(int material) const { return leads_[static_cast<std::size_t>(material)]; }
+  bool leads(int material) const { return leads_[material]; }
   // Does a rule give this body and others one velocity for good: single_velocity.
-  bool joins(int material) const { return joins_[static_cast<std::size_t>(material)]; }
+  bool joins(int material) const { return joins_[material]; }
   // Half widths of a material's particles in cells.
-  const std::array<double, 3>& half(int material) const {
-    return halves_[static_cast<std::size_t>(material)];
-  }
+  const std::array<double, 3>& half(int material) const { return halves_[material]; }
 
   void begin_step(double time, double dt);
   // The motion of a master in this step, where a rule prescribes it.

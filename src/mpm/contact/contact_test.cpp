@@ -35,14 +35,13 @@ struct Node {
     }
   }
   void act(Hook hook, double time = 0, double dt = 0.5) {
-    for (AtNode& b : meeting.bodies)
-      b.rigid = scene.materials[static_cast<std::size_t>(b.body)].rigid;
+    for (AtNode& b : meeting.bodies) b.rigid = scene.materials[b.body].rigid;
     meeting.outside = {};
     Contact contact(scene, level);
     contact.begin_step(time, dt);
     contact.act(hook, meeting);
   }
-  Vec3 v(int m) const { return meeting.bodies[static_cast<std::size_t>(m)].v; }
+  Vec3 v(int m) const { return meeting.bodies[m].v; }
 };
 
 TEST(Contact, ActsOnTheMaterialsOfARuleOnly) {
@@ -181,7 +180,7 @@ TEST(MasterMotion, ARotationStaysOnItsCircle) {
   const Vec3 a{0.3, -0.2, 0.7}, b{-0.1, 0.4, 0.2}, change = m.at(a) - m.at(b);
   for (int d = 0; d < 3; ++d) {
     double sum = 0;
-    for (int c = 0; c < 3; ++c) sum += g[static_cast<std::size_t>(3 * d + c)] * (a - b)[c];
+    for (int c = 0; c < 3; ++c) sum += g[3 * d + c] * (a - b)[c];
     EXPECT_NEAR(change[d], sum, 1e-15);
   }
 }

@@ -55,7 +55,7 @@ std::array<double, 9> MasterMotion::gradient() const {
     Vec3 unit{};
     unit[c] = 1;
     const Vec3 column = (1 / dt) * turned_by(spin, dt, unit);
-    for (int r = 0; r < 3; ++r) g[static_cast<std::size_t>(3 * r + c)] = column[r];
+    for (int r = 0; r < 3; ++r) g[3 * r + c] = column[r];
   }
   return g;
 }

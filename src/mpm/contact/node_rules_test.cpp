@@ -57,7 +57,7 @@ TEST(ContactRules, KeepMomentumAndNeverMakeEnergyForTwoToFiveBodies) {
   std::mt19937 random(7);
   int acted = 0;
   for (int run = 0; run < 4000; ++run) {
-    std::vector<AtNode> bodies = some_bodies(random, 2 + static_cast<std::size_t>(run % 4));
+    std::vector<AtNode> bodies = some_bodies(random, 2 + run % 4);
     const std::vector<AtNode> before = bodies;
     std::vector<Party> parties = parties_of(bodies);
     if (run % 5 == 0)

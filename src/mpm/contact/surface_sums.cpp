@@ -24,7 +24,7 @@ void add_particle(double v, const Weights<D>& w, int q, const TransferGrid& grid
                   const SurfaceUnits& u, Window& window) {
   IntVec3 first{};
   for (int a = 0; a < D; ++a) {
-    const int d = grid.active[static_cast<std::size_t>(a)];
+    const int d = grid.active[a];
     first[d] = w[a].first[q] - window.lower()[d];
   }
   const double vg = v * u.gradient, vp = -(v * u.place);
@@ -64,7 +64,7 @@ void add_all(const TransferGrid& grid, const std::array<const double*, 3>& x, co
   for (int at = begin; at < end; at += chunk_size) {
     const int n = std::min(chunk_size, end - at);
     for (int a = 0; a < D; ++a) {
-      const auto d = static_cast<std::size_t>(grid.active[static_cast<std::size_t>(a)]);
+      const std::size_t d = grid.active[a];
       Gimp::weights<true>(grid.axes[d], x[d] + at, grid.half[d], n, weights[a]);
     }
     for (int q = 0; q < n; ++q)
@@ -79,7 +79,7 @@ SurfaceUnits surface_units(const Level& level, bool axisymmetric) {
   u.most_volume = 1;
   double steepest = 0, widest = 0;
   for (int d = 0; d < 3; ++d) {
-    if (level.active[static_cast<std::size_t>(d)]) {
+    if (level.active[d]) {
       u.most_volume *= 2 * level.spacing[d];
       steepest = std::max(steepest, 1 / level.spacing[d]);
       widest = std::max(widest, level.spacing[d]);

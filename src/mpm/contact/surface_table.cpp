@@ -27,7 +27,7 @@ SurfaceTable::SurfaceTable(double half) : reach_(1 + half) {
       sum += w;
       moment += w * u;
     }
-    mean_[static_cast<std::size_t>(n)] = sum > 0 ? moment / sum : low;
+    mean_[n] = sum > 0 ? moment / sum : low;
   }
 }
 

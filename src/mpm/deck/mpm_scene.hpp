@@ -210,7 +210,7 @@ struct MpmScene {
     for (SolidMaterial& m : materials)
       for (SeedObject& o : m.objects)
         for (int d = 0; d < 3; ++d)
-          if (!active[static_cast<std::size_t>(d)]) o.per_cell[d] = 1;
+          if (!active[d]) o.per_cell[d] = 1;
   }
   bool total_lagrangian = false;
   double cpdi_limit = 1e300;  // cells

@@ -42,9 +42,9 @@ std::map<std::string, std::string> says(const DeckNode& material) {
 // A particle has the law and the constants of the material in which it is.
 void warn_of_differences(const std::vector<const DeckNode*>& nodes, const std::vector<int>& members,
                          std::vector<Fault>& faults) {
-  const auto first = says(*nodes[static_cast<std::size_t>(members.front())]);
+  const auto first = says(*nodes[members.front()]);
   for (const int m : members) {
-    const DeckNode& node = *nodes[static_cast<std::size_t>(m)];
+    const DeckNode& node = *nodes[m];
     const auto own = says(node);
     if (own == first) continue;
     std::string tags;
@@ -70,7 +70,7 @@ void leave_alone(MpmScene& s, const std::vector<bool>& meets) {
   for (ContactRule& rule : s.contacts) {
     if (rule.materials.empty())
       for (int m = 0; m < static_cast<int>(meets.size()); ++m) rule.materials.push_back(m);
-    std::erase_if(rule.materials, [&](int m) { return !meets[static_cast<std::size_t>(m)]; });
+    std::erase_if(rule.materials, [&](int m) { return !meets[m]; });
   }
   std::erase_if(s.contacts, [](const ContactRule& rule) { return rule.materials.empty(); });
 }
@@ -82,7 +82,7 @@ GrainFamily family_of(const MpmScene& s, std::vector<int> members) {
                        [&](const ContactRule& rule) { return rule.takes(m); });
   };
   const auto rest = std::stable_partition(members.begin(), members.end(), meets);
-  family.in_contact = static_cast<std::size_t>(rest - members.begin());
+  family.in_contact = rest - members.begin();
   family.members = std::move(members);
   return family;
 }
@@ -118,10 +118,10 @@ void read_grains(const DeckNode& root, MpmScene& s, std::vector<Fault>& faults) 
     s.grains.push_back(family_of(s, members));
     std::vector<SeedObject> guests;
     for (const int m : members) {
-      const auto& own = s.materials[static_cast<std::size_t>(m)].objects;
+      const auto& own = s.materials[m].objects;
       guests.insert(guests.end(), own.begin(), own.end());
     }
-    for (const int m : members) s.materials[static_cast<std::size_t>(m)].guests = guests;
+    for (const int m : members) s.materials[m].guests = guests;
   }
   if (s.grains.empty())
     add_warning(faults, flags->need("DoGranularMPM").where,

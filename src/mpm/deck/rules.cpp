@@ -258,8 +258,7 @@ void check_solid_faces(const DeckNode& root, std::vector<Fault>& faults) {
       if (face->child("BCType") == nullptr) continue;
       for (const auto& [name, value] : face->attributes) {
         const auto side = std::find(std::begin(side_names), std::end(side_names), value);
-        if (side != std::end(side_names))
-          given[static_cast<std::size_t>(side - std::begin(side_names))] = true;
+        if (side != std::end(side_names)) given[side - std::begin(side_names)] = true;
       }
     }
   std::string open;

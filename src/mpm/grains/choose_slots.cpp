@@ -8,8 +8,7 @@ namespace sluice::mpm {
 
 GridParts::GridParts(const Level& level, int width) : level_(&level) {
   for (int d = 0; d < 3; ++d)
-    if (level.active[static_cast<std::size_t>(d)])
-      count_[d] = std::max(1, level.domain.size()[d] / width);
+    if (level.active[d]) count_[d] = std::max(1, level.domain.size()[d] / width);
 }
 
 GridPart GridParts::of(Vec3 place) const {
@@ -32,8 +31,7 @@ std::vector<GridPart> GridParts::around(const GridPart& part) const {
     IntVec3 next = at + IntVec3{n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1};
     bool inside = true;
     for (int d = 0; d < 3; ++d) {
-      if (level_->periodic[static_cast<std::size_t>(d)])
-        next[d] = (next[d] + count_[d]) % count_[d];
+      if (level_->periodic[d]) next[d] = (next[d] + count_[d]) % count_[d];
       inside = inside && next[d] >= 0 && next[d] < count_[d];
     }
     if (inside) found.emplace_back(next.x, next.y, next.z);
@@ -80,9 +78,8 @@ class Choice {
     return family_.in_contact > 0 ? family_.in_contact : family_.members.size();
   }
   std::size_t member_of(int material) const {
-    return static_cast<std::size_t>(
-        std::find(family_.members.begin(), family_.members.end(), material) -
-        family_.members.begin());
+    return std::find(family_.members.begin(), family_.members.end(), material) -
+           family_.members.begin();
   }
   void put(std::size_t n, std::size_t member) {
     result_.slots[n] = family_.members[member];

@@ -22,7 +22,7 @@ class BoxFinder {
       by_cell_[number(cell_of(boxes[n]))].push_back(n);
     }
     for (int d = 0; d < 3; ++d)
-      if (level.active[static_cast<std::size_t>(d)])
+      if (level.active[d])
         reach_[d] = static_cast<int>(std::floor(2 * half[d] / level.spacing[d])) + 1;
   }
 
@@ -42,7 +42,7 @@ class BoxFinder {
   IntVec3 cell_of(const GrainBox& box) const {
     IntVec3 cell{};
     for (int d = 0; d < 3; ++d)
-      if (level_.active[static_cast<std::size_t>(d)])
+      if (level_.active[d])
         cell[d] =
             static_cast<int>(std::floor((box.place[d] - level_.anchor[d]) / level_.spacing[d]));
     return cell;
@@ -53,8 +53,8 @@ class BoxFinder {
     std::int64_t n = 0;
     for (int d = 2; d >= 0; --d) {
       int c = cell[d] - level_.domain.lower[d];
-      if (!level_.active[static_cast<std::size_t>(d)]) continue;
-      if (level_.periodic[static_cast<std::size_t>(d)]) c = ((c % size_[d]) + size_[d]) % size_[d];
+      if (!level_.active[d]) continue;
+      if (level_.periodic[d]) c = ((c % size_[d]) + size_[d]) % size_[d];
       n = n * (size_[d] + 2 * margin) + c + margin;
     }
     return n;
@@ -71,8 +71,7 @@ class BoxFinder {
 bool overlap(const GrainBox& a, const GrainBox& b, const Level& level) {
   for (int d = 0; d < 3; ++d) {
     double apart = a.place[d] - b.place[d];
-    if (level.periodic[static_cast<std::size_t>(d)])
-      apart = std::remainder(apart, level.domain.size()[d] * level.spacing[d]);
+    if (level.periodic[d]) apart = std::remainder(apart, level.domain.size()[d] * level.spacing[d]);
     if (!(std::fabs(apart) <= a.half[d] + b.half[d])) return false;
   }
   return true;

@@ -25,11 +25,11 @@ Level level_of(int directions, bool periodic) {
 std::vector<GrainBox> random_boxes(const Level& level, int count, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> in(0, 1);
-  std::vector<GrainBox> boxes(static_cast<std::size_t>(count));
+  std::vector<GrainBox> boxes(count);
   for (std::size_t n = 0; n < boxes.size(); ++n) {
     boxes[n].id = boxes[n].label = static_cast<std::int64_t>(7 * n + 3);
     for (int d = 0; d < 3; ++d) {
-      if (!level.active[static_cast<std::size_t>(d)]) continue;
+      if (!level.active[d]) continue;
       boxes[n].place[d] = level.anchor[d] + in(random)*level.domain.size()[d] * level.spacing[d];
       boxes[n].half[d] = (0.05 + 0.6 * in(random)) * level.spacing[d];
     }
@@ -114,12 +114,11 @@ std::size_t clusters_of_block(const std::array<double, 4>& F2) {
   for (int i = 0; i < 16; ++i) {
     const double x = 0.05 * (i % 4), y = 0.05 * (i / 4);  // NOLINT(bugprone-integer-division)
     set.add({2 + F2[0] * x + F2[1] * y, 2 + F2[2] * x + F2[3] * y, 2}, i);
-    const auto n = static_cast<std::size_t>(i);
-    for (std::size_t e = 0; e < 4; ++e) set.attribute(3 * (e / 2) + e % 2, n) = F2[e];
-    set.attribute(8, n) = 1;
-    for (std::size_t d = 0; d < 3; ++d) set.attribute(9 + 4 * d, n) = d < 2 ? 0.5 : 1;
-    set.attribute(19, n) = 1;
-    set.attribute(18, n) = F2[0] * F2[3] - F2[1] * F2[2];
+    for (std::size_t e = 0; e < 4; ++e) set.attribute(3 * (e / 2) + e % 2, i) = F2[e];
+    set.attribute(8, i) = 1;
+    for (std::size_t d = 0; d < 3; ++d) set.attribute(9 + 4 * d, i) = d < 2 ? 0.5 : 1;
+    set.attribute(19, i) = 1;
+    set.attribute(18, i) = F2[0] * F2[3] - F2[1] * F2[2];
   }
   std::vector<GrainBox> boxes;
   double corners = 0;

@@ -30,9 +30,8 @@ FamilyBoxes boxes_of(const GrainFamily& family, const MpmScene& solids,
   for (const int m : family.members) {
     const ParticleStore& store = cloud.store(m);
     for (int b = 0; b < store.box_count(0); ++b) {
-      add_grain_boxes(store.set(0, b), carried[static_cast<std::size_t>(m)].columns,
-                      solids.materials[static_cast<std::size_t>(m)].loosest, cloud.level(0),
-                      all.boxes, all.corners);
+      add_grain_boxes(store.set(0, b), carried[m].columns, solids.materials[m].loosest,
+                      cloud.level(0), all.boxes, all.corners);
       all.materials.resize(all.boxes.size(), m);
       all.homes.resize(all.boxes.size(), b);
     }
@@ -44,8 +43,8 @@ FamilyBoxes boxes_of(const GrainFamily& family, const MpmScene& solids,
 bool near_others(const GrainBox& box, const Level& level, const IndexBox& cells) {
   constexpr double farthest = 2.5;  // cells; particles stray from their box by less than half a one
   for (int d = 0; d < 3; ++d) {
-    if (!level.active[static_cast<std::size_t>(d)]) continue;
-    const bool goes_on = level.periodic[static_cast<std::size_t>(d)];
+    if (!level.active[d]) continue;
+    const bool goes_on = level.periodic[d];
     const double at = (box.place[d] - level.anchor[d]) / level.spacing[d];
     const bool inner_low = goes_on || cells.lower[d] > level.domain.lower[d];
     const bool inner_high = goes_on || cells.upper[d] < level.domain.upper[d];
@@ -60,7 +59,7 @@ void label_over_ranks(FamilyBoxes& own, const GrainFamily& family, const Particl
                       Communicator& ranks) {
   const ParticleStore& store = cloud.store(family.members.front());
   const auto rim = [&](const GrainBox& box) {
-    const auto n = static_cast<std::size_t>(&box - own.boxes.data());
+    const std::size_t n = &box - own.boxes.data();
     return near_others(box, cloud.level(0), store.box(0, own.homes[n]).cells);
   };
   label_clusters(own.boxes, cloud.level(0), rim, ranks);
@@ -138,23 +137,22 @@ bool move_particles(const FamilyBoxes& own, const std::vector<Cluster>& clusters
                     ParticleCloud& cloud, std::vector<ExactSum>& left) {
   std::unordered_map<std::int64_t, int> slot;
   for (std::size_t n = 0; n < clusters.size(); ++n) slot[clusters[n].label] = choice.slots[n];
-  const auto kinds = static_cast<std::size_t>(cloud.kind_count());
+  const std::size_t kinds = cloud.kind_count();
   std::vector<std::vector<std::vector<int>>> to;  // by box of cells and kind
   bool any = false;
   for (std::size_t n = 0; n < own.boxes.size(); ++n) {
-    const auto b = static_cast<std::size_t>(own.homes[n]);
-    const auto m = static_cast<std::size_t>(own.materials[n]);
+    const std::size_t b = own.homes[n];
+    const std::size_t m = own.materials[n];
     if (to.size() <= b) to.resize(b + 1, std::vector<std::vector<int>>(kinds));
     const int target = slot.at(own.boxes[n].label);
     to[b][m].push_back(target);
     if (target == own.materials[n]) continue;
     any = true;
-    const double mass =
-        cloud.store(own.materials[n])
-            .set(0, own.homes[n])
-            .column(static_cast<std::size_t>(carried[m].columns.mass))[to[b][m].size() - 1];
+    const double mass = cloud.store(own.materials[n])
+                            .set(0, own.homes[n])
+                            .column(carried[m].columns.mass)[to[b][m].size() - 1];
     left[m].add(mass);
-    left[static_cast<std::size_t>(target)].add(-mass);
+    left[target].add(-mass);
   }
   for (std::size_t b = 0; b < to.size() && any; ++b)
     cloud.change_kinds(0, static_cast<int>(b), to[b]);
@@ -178,7 +176,7 @@ GrainFamily present_members(const MpmScene& solids, const GrainFamily& family, d
   GrainFamily present;
   for (std::size_t n = 0; n < family.members.size(); ++n) {
     const int m = family.members[n];
-    if (!solids.materials[static_cast<std::size_t>(m)].takes_part(time)) continue;
+    if (!solids.materials[m].takes_part(time)) continue;
     present.members.push_back(m);
     present.in_contact += n < family.in_contact;
   }
@@ -222,8 +220,8 @@ bool free_loose_grains(const MpmScene& solids, const std::vector<Carried>& carri
     ParticleStore& store = cloud.store(static_cast<int>(m));
     for (int b = 0; b < store.box_count(0); ++b) {
       ParticleSet& set = store.set(0, b);
-      const double* volume = set.column(static_cast<std::size_t>(c.volume));
-      const double* volume_0 = set.column(static_cast<std::size_t>(c.volume_0));
+      const double* volume = set.column(c.volume);
+      const double* volume_0 = set.column(c.volume_0);
       const auto stress = write_columns<6>(set, c.stress);
       for (std::size_t p = 0; p < set.size(); ++p)
         if (volume[p] > solids.materials[m].loosest * volume_0[p])

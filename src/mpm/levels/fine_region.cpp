@@ -11,7 +11,7 @@ FineRegion::FineRegion(const Level& fine) : level_(fine), finder_(cells_of(fine.
 IndexBox FineRegion::cells_around(IntVec3 low, IntVec3 high) const {
   IndexBox cells{low, high};
   for (int d = 0; d < 3; ++d) {
-    if (!level_.active[static_cast<std::size_t>(d)]) {
+    if (!level_.active[d]) {
       cells.lower[d] = level_.domain.lower[d];
       cells.upper[d] = level_.domain.upper[d];
       continue;

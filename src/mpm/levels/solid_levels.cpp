@@ -32,8 +32,8 @@ void SolidLevels::look_at_levels(const StageScope& scope) {
 
 StageScope SolidLevels::scope_of(const StageScope& scope, int l) {
   StageScope own = scope;
-  own.levels = {scope.levels[static_cast<std::size_t>(l)]};
-  own.maxima = &maxima_[static_cast<std::size_t>(l)];
+  own.levels = {scope.levels[l]};
+  own.maxima = &maxima_[l];
   return own;
 }
 
@@ -86,7 +86,7 @@ void SolidLevels::add_corner_forces(
   for (int m = 0; m < static_cast<int>(kinds); ++m)
     for (int l = 0; l < count(); ++l) {
       const double own = level(l).body(m).most_force;
-      level(l).set_most_force(m, std::max(own, all.maximum(slots[static_cast<std::size_t>(m)])));
+      level(l).set_most_force(m, std::max(own, all.maximum(slots[m])));
     }
 }
 
@@ -111,13 +111,12 @@ void SolidLevels::join_sums(const StageScope& scope, NodeLanes Body::*group) {
   for (int m = 0; m < static_cast<int>(solids_->materials.size()); ++m)
     for (int l = 0; l + 1 < count(); ++l) {
       Body &coarse = level(l).body(m), &fine = level(l + 1).body(m);
-      joints_[static_cast<std::size_t>(l)]->to_fine(coarse.table, coarse.*group, fine.table,
-                                                    fine.*group);
+      joints_[l]->to_fine(coarse.table, coarse.*group, fine.table, fine.*group);
     }
   for (int l = count() - 1; l >= 0; --l) {
     level(l).share_sums(scope_of(scope, l), group);
     if (l == 0) break;
-    const CompositeNodes& joint = *joints_[static_cast<std::size_t>(l) - 1];
+    const CompositeNodes& joint = *joints_[l - 1];
     for (int m = 0; m < static_cast<int>(solids_->materials.size()); ++m) {
       Body &coarse = level(l - 1).body(m), &fine = level(l).body(m);
       joint.add_parents(fine.table, fine.*group, coarse.table, coarse.*group);
@@ -164,13 +163,11 @@ void SolidLevels::spread(NodeLanes Body::*group) {
   for (int m = 0; m < static_cast<int>(solids_->materials.size()); ++m) {
     for (int l = 0; l + 1 < count(); ++l) {
       Body &coarse = level(l).body(m), &fine = level(l + 1).body(m);
-      joints_[static_cast<std::size_t>(l)]->from_coarse(fine.table, fine.*group, coarse.table,
-                                                        coarse.*group);
+      joints_[l]->from_coarse(fine.table, fine.*group, coarse.table, coarse.*group);
     }
     for (int l = count() - 2; l >= 0; --l) {
       Body &coarse = level(l).body(m), &fine = level(l + 1).body(m);
-      joints_[static_cast<std::size_t>(l)]->from_fine(coarse.table, coarse.*group, fine.table,
-                                                      fine.*group);
+      joints_[l]->from_fine(coarse.table, coarse.*group, fine.table, fine.*group);
     }
   }
 }
@@ -208,7 +205,7 @@ Verdict SolidLevels::take_over(const StageScope& scope) {
     bool left = false;
     for (int l = 0; l < count(); ++l) {
       // Those of other parts of a component come after.
-      std::vector<double>& all = (*maxima)[static_cast<std::size_t>(l)];
+      std::vector<double>& all = (*maxima)[l];
       const std::vector<double>& own = level(l).new_rates();
       all.resize(std::max(all.size(), own.size()));
       std::copy(own.begin(), own.end(), all.begin());
@@ -223,7 +220,7 @@ Verdict SolidLevels::take_over(const StageScope& scope) {
     const bool regrouped = solids_->granular && regroup(*cloud, *ranks, {end, sums, events});
     for (int l = 0; l < count() && (split || regrouped); ++l) {  // the bounds of what there is now
       const std::vector<double> rates = cloud->rates(l);
-      std::copy(rates.begin(), rates.end(), (*maxima)[static_cast<std::size_t>(l)].begin());
+      std::copy(rates.begin(), rates.end(), (*maxima)[l].begin());
     }
   });
   return Verdict::good;

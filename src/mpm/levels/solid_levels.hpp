@@ -43,7 +43,7 @@ class SolidLevels {
   };
   static BeforeAndAfter moved(ParticleCloud& cloud, int kind, int level, int box);
 
-  SolidStep& level(int l) { return *steps_[static_cast<std::size_t>(l)]; }
+  SolidStep& level(int l) { return *steps_[l]; }
   int count() const { return static_cast<int>(steps_.size()); }
 
  private:

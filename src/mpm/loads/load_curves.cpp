@@ -33,8 +33,7 @@ LoadCurves::LoadCurves(const MpmScene& solids) : solids_(&solids) {
 }
 
 bool LoadCurves::concerns(const LoadCurve& curve, int material) const {
-  return !curve.material ||
-         *curve.material == solids_->materials[static_cast<std::size_t>(material)].index;
+  return !curve.material || *curve.material == solids_->materials[material].index;
 }
 
 bool LoadCurves::forces(int material) const {
@@ -115,7 +114,7 @@ void LoadCurves::add_forces(double time, const std::vector<double>& counts,
       const auto n = static_cast<std::size_t>(marks[i]) - 1;
       if (loads_[n].curve->kind == LoadCurve::Kind::heat_flux) continue;
       const Vec3 f = force_of(loads_[n], value[n], p, i);
-      for (int d = 0; d < 3; ++d) force[static_cast<std::size_t>(d)][i] += f[d];
+      for (int d = 0; d < 3; ++d) force[d][i] += f[d];
     }
 }
 

@@ -45,7 +45,7 @@ void LoadSurface::set_box(const Bounds& box, const std::array<bool, 3>& active) 
   shape_ = Shape::box;
   box_ = box;
   const Vec3 size = box.upper - box.lower;
-  const auto moves = [&](int d) { return active[static_cast<std::size_t>(d)]; };
+  const auto moves = [&](int d) { return active[d]; };
   while (thin_ < 2 && !moves(thin_)) ++thin_;
   for (int d = thin_ + 1; d < 3; ++d)
     if (moves(d) && size[d] < size[thin_]) thin_ = d;

@@ -54,7 +54,7 @@ struct Marked {
           for (std::size_t d = 0; d < 3; ++d) {
             x[d].push_back(at[static_cast<int>(d)]);
             marks[d].push_back(found[d]);
-            if (found[d] != 0) counts[static_cast<std::size_t>(found[d] - 1)] += 1;
+            if (found[d] != 0) counts[found[d] - 1] += 1;
           }
         }
     one.assign(x[0].size(), 1);
@@ -74,7 +74,7 @@ struct Marked {
   }
   double sum(int d) const {
     double s = 0;
-    for (const double f : force[static_cast<std::size_t>(d)]) s += f;
+    for (const double f : force[d]) s += f;
     return s;
   }
 };
@@ -145,8 +145,7 @@ TEST(Loads, PressureOnASphereActsOutward) {
   double outward = 0;
   for (std::size_t i = 0; i < m.one.size(); ++i) {
     const Vec3 x{m.x[0][i], m.x[1][i], m.x[2][i]};
-    for (int d = 0; d < 3; ++d)
-      outward += m.force[static_cast<std::size_t>(d)][i] * x[d] / std::sqrt(dot(x, x));
+    for (int d = 0; d < 3; ++d) outward += m.force[d][i] * x[d] / std::sqrt(dot(x, x));
   }
   EXPECT_NEAR(outward, 3.0 * 4 * std::numbers::pi * 0.25, 1e-12);
   for (int d = 0; d < 3; ++d) EXPECT_NEAR(m.sum(d), 0, 1e-13);
@@ -205,7 +204,7 @@ std::array<double, 9> gradient(const Manufactured& motion, Vec3 X, double t, dou
     a[k] -= h;
     b[k] += h;
     const Vec3 d = motion.displacement(b, t) - motion.displacement(a, t);
-    for (int i = 0; i < 3; ++i) F[static_cast<std::size_t>(3 * i + k)] += d[i] / (2 * h);
+    for (int i = 0; i < 3; ++i) F[3 * i + k] += d[i] / (2 * h);
   }
   return F;
 }
@@ -240,10 +239,7 @@ TEST_P(ManufacturedForce, BalancesStressAndInertia) {
         high[k] += h;
         const auto p = first_stress(gradient(*motion, high, t, h), lambda, G);
         const auto q = first_stress(gradient(*motion, low, t, h), lambda, G);
-        for (int i = 0; i < 3; ++i)
-          force[i] +=
-              (p[static_cast<std::size_t>(3 * i + k)] - q[static_cast<std::size_t>(3 * i + k)]) /
-              (2 * h);
+        for (int i = 0; i < 3; ++i) force[i] += (p[3 * i + k] - q[3 * i + k]) / (2 * h);
       }
       for (int i = 0; i < 3; ++i)
         EXPECT_NEAR(b[i], bend[i] / (h * h) - force[i] / rho, 2e-4 * (1 + std::sqrt(dot(b, b))));

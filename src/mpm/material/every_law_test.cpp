@@ -297,12 +297,10 @@ TEST_P(EveryLaw, ParticlesOfABatchAreAsAlone) {
       F.push_back(deformation(GetParam().strain * 0.3 * n, 10u + static_cast<unsigned>(i)));
     ASSERT_EQ(together.step(F, 1e-5), std::nullopt);
     for (int i = 0; i < count; ++i) {
-      ASSERT_EQ(alone[static_cast<std::size_t>(i)].step(F[static_cast<std::size_t>(i)], 1e-5),
-                std::nullopt);
-      for (std::size_t k = 0; k < 6; ++k)
-        EXPECT_EQ(together.stress(i)[k], alone[static_cast<std::size_t>(i)].stress()[k]);
-      EXPECT_EQ(together.energy(i), alone[static_cast<std::size_t>(i)].energy());
-      EXPECT_EQ(together.wave_speed(i), alone[static_cast<std::size_t>(i)].wave_speed());
+      ASSERT_EQ(alone[i].step(F[i], 1e-5), std::nullopt);
+      for (std::size_t k = 0; k < 6; ++k) EXPECT_EQ(together.stress(i)[k], alone[i].stress()[k]);
+      EXPECT_EQ(together.energy(i), alone[i].energy());
+      EXPECT_EQ(together.wave_speed(i), alone[i].wave_speed());
     }
   }
 }

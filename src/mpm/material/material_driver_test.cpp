@@ -18,7 +18,7 @@ const std::string folder = SLUICE_SOURCE_DIR "/inputs/mpm/drive/";
 std::size_t column(const DriverTable& table, const std::string& name) {
   const auto at = std::find(table.columns.begin(), table.columns.end(), name);
   EXPECT_NE(at, table.columns.end()) << name;
-  return static_cast<std::size_t>(at - table.columns.begin());
+  return at - table.columns.begin();
 }
 
 DriverTable driven(const std::string& file, const std::vector<std::string>& overrides = {}) {

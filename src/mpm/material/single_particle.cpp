@@ -22,8 +22,8 @@ MaterialSample::MaterialSample(std::shared_ptr<const Material> material,
                                const std::array<double, 3>& place)
     : material_(std::move(material)), count_(count) {
   for (const HistoryColumn& h : material_->history()) history_columns_ += h.components;
-  const auto n = static_cast<std::size_t>(count);
-  now_.values.assign(n * static_cast<std::size_t>(history_at + history_columns_), 0);
+  const std::size_t n = count;
+  now_.values.assign(n * (history_at + history_columns_), 0);
   next_ = now_;
   L_.assign(9 * n, 0);
   temperature_.assign(n, temperature);
@@ -31,8 +31,8 @@ MaterialSample::MaterialSample(std::shared_ptr<const Material> material,
   volume_0_.assign(n, 1);
   heating_.assign(n, 0);
   for (int i = 0; i < count; ++i) id_.push_back(i);
-  old_history_.resize(static_cast<std::size_t>(history_columns_));
-  history_.resize(static_cast<std::size_t>(history_columns_));
+  old_history_.resize(history_columns_);
+  history_.resize(history_columns_);
 
   for (int k = 0; k < 9; ++k) std::fill_n(column(next_, F_at + k), count, k % 4 == 0 ? 1.0 : 0.0);
   Batch b = batch();
@@ -63,8 +63,8 @@ Batch MaterialSample::batch() {
     b.stress[k] = column(next_, stress_at + k);
   }
   for (int k = 0; k < history_columns_; ++k) {
-    old_history_[static_cast<std::size_t>(k)] = column(now_, history_at + k);
-    history_[static_cast<std::size_t>(k)] = column(next_, history_at + k);
+    old_history_[k] = column(now_, history_at + k);
+    history_[k] = column(next_, history_at + k);
   }
   b.old_history = old_history_;
   b.history = history_;
@@ -83,12 +83,11 @@ Batch MaterialSample::batch() {
 
 std::optional<BatchFault> MaterialSample::step(const std::vector<Matrix>& F, double dt) {
   for (int i = 0; i < count_; ++i) {
-    const Matrix& to = F[static_cast<std::size_t>(i)];
+    const Matrix& to = F[i];
     const Matrix f = product(to, inverse(this->F(i)));
     for (int k = 0; k < 9; ++k) {
-      column(next_, F_at + k)[i] = to[static_cast<std::size_t>(k)];
-      L_[static_cast<std::size_t>(k * count_ + i)] =
-          (f[static_cast<std::size_t>(k)] - (k % 4 == 0 ? 1 : 0)) / dt;
+      column(next_, F_at + k)[i] = to[k];
+      L_[k * count_ + i] = (f[k] - (k % 4 == 0 ? 1 : 0)) / dt;
     }
   }
   Batch b = batch();
@@ -103,12 +102,12 @@ std::optional<BatchFault> MaterialSample::step(const std::vector<Matrix>& F, dou
 
 Matrix MaterialSample::F(int i) const {
   Matrix F{};
-  for (int k = 0; k < 9; ++k) F[static_cast<std::size_t>(k)] = value(F_at + k, i);
+  for (int k = 0; k < 9; ++k) F[k] = value(F_at + k, i);
   return F;
 }
 std::array<double, 6> MaterialSample::stress(int i) const {
   std::array<double, 6> s{};
-  for (int k = 0; k < 6; ++k) s[static_cast<std::size_t>(k)] = value(stress_at + k, i);
+  for (int k = 0; k < 6; ++k) s[k] = value(stress_at + k, i);
   return s;
 }
 double MaterialSample::pressure(int i) const {

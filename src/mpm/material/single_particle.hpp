@@ -20,7 +20,7 @@ class MaterialSample {
   // From the present F to these, one for each particle, in dt. A fault leaves the state as it was.
   std::optional<BatchFault> step(const std::vector<Matrix>& F, double dt);
   std::optional<BatchFault> step(const Matrix& F, double dt) {
-    return step(std::vector<Matrix>(static_cast<std::size_t>(count_), F), dt);
+    return step(std::vector<Matrix>(count_, F), dt);
   }
   // Whether heat that the law makes warms the particles (the default).
   void keep_temperature(bool keep) { isothermal_ = keep; }
@@ -35,7 +35,7 @@ class MaterialSample {
   double equivalent(int i = 0) const;  // sqrt(3 J2), von Mises
   double energy(int i = 0) const;      // J per m^3 at the start
   double wave_speed(int i = 0) const;
-  double temperature(int i = 0) const { return temperature_[static_cast<std::size_t>(i)]; }
+  double temperature(int i = 0) const { return temperature_[i]; }
   // A column of the law's history, component after component.
   double history(int column, int i = 0) const;
   int history_columns() const { return history_columns_; }
@@ -46,9 +46,9 @@ class MaterialSample {
     std::vector<double> values;  // column after column
   };
   double* column(State& state, int k) {
-    return state.values.data() + static_cast<std::size_t>(k) * static_cast<std::size_t>(count_);
+    return state.values.data() + static_cast<std::size_t>(k) * count_;
   }
-  double value(int k, int i) const { return now_.values[static_cast<std::size_t>(k * count_ + i)]; }
+  double value(int k, int i) const { return now_.values[k * count_ + i]; }
   Batch batch();
 
   std::shared_ptr<const Material> material_;

@@ -23,7 +23,7 @@ int BlockTable::find(IntVec3 b) const {
   for (std::size_t at = home(b);; at = (at + 1) & (table_.size() - 1)) {
     const std::int32_t n = table_[at];
     if (n < 0) return -1;
-    if (blocks_[static_cast<std::size_t>(n)] == b) return n;
+    if (blocks_[n] == b) return n;
   }
 }
 

@@ -37,7 +37,7 @@ class BlockTable {
 
   const BlockShape& shape() const { return shape_; }
   int count() const { return static_cast<int>(blocks_.size()); }
-  IntVec3 block(int n) const { return blocks_[static_cast<std::size_t>(n)]; }
+  IntVec3 block(int n) const { return blocks_[n]; }
   int find(IntVec3 block) const;  // -1: there is none
   int find_or_add(IntVec3 block);
   void clear();

@@ -22,7 +22,7 @@ std::vector<IndexBox> images_of(const Level& level, IndexBox box, IntVec3 layers
   box.upper += layers;
   std::vector<IndexBox> all;
   const IntVec3 size = level.domain.size();
-  const auto shifts = [&](int d) { return level.periodic[static_cast<std::size_t>(d)] ? 1 : 0; };
+  const auto shifts = [&](int d) { return level.periodic[d] ? 1 : 0; };
   for (int k = -shifts(2); k <= shifts(2); ++k)
     for (int j = -shifts(1); j <= shifts(1); ++j)
       for (int i = -shifts(0); i <= shifts(0); ++i) {
@@ -60,7 +60,7 @@ void pack(const BlockTable& table, int block, std::span<NodeLanes* const> groups
 
 NodeExchange::NodeExchange(const Level& level, Communicator& ranks, bool everywhere)
     : level_(level), ranks_(&ranks), everywhere_(everywhere), finder_(cells_of(level.boxes)) {
-  number_.assign(static_cast<std::size_t>(ranks.size()), -1);
+  number_.assign(ranks.size(), -1);
   if (ranks.size() == 1) return;
   const BlockShape shape = block_shape(level.active);
   IntVec3 layers{};
@@ -71,13 +71,12 @@ NodeExchange::NodeExchange(const Level& level, Communicator& ranks, bool everywh
   for (const GridBox& mine : level.boxes) {
     if (mine.owner != ranks.rank()) continue;
     for (const IndexBox& near : images_of(level, mine.cells, layers))
-      for (const int n : finder_.overlapping(near))
-        found.insert(level.boxes[static_cast<std::size_t>(n)].owner);
+      for (const int n : finder_.overlapping(near)) found.insert(level.boxes[n].owner);
   }
   found.erase(ranks.rank());
   neighbours_.assign(found.begin(), found.end());
   for (std::size_t n = 0; n < neighbours_.size(); ++n)
-    number_[static_cast<std::size_t>(neighbours_[n])] = static_cast<int>(n);
+    number_[neighbours_[n]] = static_cast<int>(n);
 }
 
 bool NodeExchange::fits(const Level& level, bool everywhere) const {
@@ -94,7 +93,7 @@ int NodeExchange::home(const BlockShape& shape, IntVec3 block) const {
   IndexBox around{cell, cell + IntVec3{1, 1, 1}};
   for (int grown = 0; grown < block_layers; ++grown) {
     const std::vector<int> found = finder_.overlapping(around);
-    if (!found.empty()) return level_.boxes[static_cast<std::size_t>(found.front())].owner;
+    if (!found.empty()) return level_.boxes[found.front()].owner;
     around.lower -= shape.edge;
     around.upper += shape.edge;
   }
@@ -131,8 +130,7 @@ void NodeExchange::share(BlockTable& table, std::span<NodeLanes* const> groups) 
   Buffers out(neighbours_.size());
   for (int b = 0; b < table.count(); ++b) {
     const int to = home(table.shape(), table.block(b));
-    if (to != ranks_->rank())
-      pack(table, b, groups, out[static_cast<std::size_t>(number_[static_cast<std::size_t>(to)])]);
+    if (to != ranks_->rank()) pack(table, b, groups, out[number_[to]]);
   }
   const Buffers arrived = swap(out);
   for (const std::vector<double>& from : arrived)

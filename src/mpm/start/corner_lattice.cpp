@@ -10,10 +10,9 @@ template <int D>
 CornerSpan span_in(const std::array<int, 3>& active, const ParticleCorners& corners, Vec3 place) {
   CornerVolume<D> v;
   for (int c = 0; c < v.count; ++c)
-    for (int a = 0; a < D; ++a)
-      v.x[c][a] = corners.place[static_cast<std::size_t>(c)][active[static_cast<std::size_t>(a)]];
+    for (int a = 0; a < D; ++a) v.x[c][a] = corners.place[c][active[a]];
   v.find();
-  for (int a = 0; a < D; ++a) place[active[static_cast<std::size_t>(a)]] = v.middle[a];
+  for (int a = 0; a < D; ++a) place[active[a]] = v.middle[a];
   return {v.volume, place};
 }
 
@@ -27,7 +26,7 @@ CornerSpan span_of(const Level& level, const ParticleCorners& corners, Vec3 plac
   std::array<int, 3> active{};
   int count = 0;
   for (int d = 0; d < 3; ++d)
-    if (level.active[static_cast<std::size_t>(d)]) active[static_cast<std::size_t>(count++)] = d;
+    if (level.active[d]) active[count++] = d;
   if (count == 3) return span_in<3>(active, corners, place);
   if (count == 2) return span_in<2>(active, corners, place);
   return span_in<1>(active, corners, place);
@@ -38,22 +37,20 @@ void span_corners(const Level& level, SeededParticle& row) {
   row.x = span.middle;
   row.volume = span.measure;
   for (int d = 0; d < 3; ++d)
-    if (!level.active[static_cast<std::size_t>(d)])
-      row.volume *= row.edges[static_cast<std::size_t>(4 * d)] * level.spacing[d];
+    if (!level.active[d]) row.volume *= row.edges[4 * d] * level.spacing[d];
 }
 
 CornerLattice::CornerLattice(const SeedObject& object, const Level& level)
     : object_(object), level_(level), lattice_{level.anchor, level.spacing} {
   for (int d = 0; d < 3; ++d) {
-    const auto n = static_cast<std::size_t>(d);
-    axes_[n] = axis_of(level, d);
-    if (level.active[n]) active_[static_cast<std::size_t>(count_++)] = d;
+    axes_[d] = axis_of(level, d);
+    if (level.active[d]) active_[count_++] = d;
     step_[d] = level.spacing[d] / object.per_cell[d];
   }
 }
 
 Vec3 CornerLattice::rounded(Vec3 x) const {
-  for (int d = 0; d < 3; ++d) x[d] = axes_[static_cast<std::size_t>(d)].rounded(x[d]);
+  for (int d = 0; d < 3; ++d) x[d] = axes_[d].rounded(x[d]);
   return x;
 }
 
@@ -70,7 +67,7 @@ Vec3 CornerLattice::middle_of(IntVec3 number) const {
 bool CornerLattice::filled(const GeometryPiece* piece, IntVec3 number) const {
   bool wrapped = false;
   for (int d = 0; d < 3 && !object_.mapped; ++d) {
-    if (!level_.periodic[static_cast<std::size_t>(d)]) continue;
+    if (!level_.periodic[d]) continue;
     const int res = object_.per_cell[d], parts = level_.domain.size()[d] * res;
     const int first = level_.domain.lower[d] * res;
     const int turns = floor_of(number[d] - first, parts);
@@ -86,7 +83,7 @@ bool CornerLattice::seeded(const GeometryPiece* piece, IntVec3 number) const {
   if (object_.mapped) x = applied(object_.map, x) + object_.shift;
   const IntVec3 cell = lattice_.cell_of(x);
   for (int d = 0; d < 3; ++d)
-    if ((object_.mapped || !level_.periodic[static_cast<std::size_t>(d)]) &&
+    if ((object_.mapped || !level_.periodic[d]) &&
         (cell[d] < level_.domain.lower[d] || cell[d] >= level_.domain.upper[d]))
       return false;
   return filled(piece, number);
@@ -100,17 +97,15 @@ Vec3 CornerLattice::corner(const GeometryPiece* piece, IntVec3 number, IntVec3 p
   c.active = active_;
   c.count = count_;
   for (int a = 0; a < count_; ++a) {
-    const int d = active_[static_cast<std::size_t>(a)], res = object_.per_cell[d];
+    const int d = active_[a], res = object_.per_cell[d];
     c.place[d] = level_.anchor[d] + (number[d] * level_.spacing[d]) / res;
-    c.fixed[static_cast<std::size_t>(d)] =
-        !object_.mapped &&
-        (number[d] == level_.domain.lower[d] * res || number[d] == level_.domain.upper[d] * res);
+    c.fixed[d] = !object_.mapped && (number[d] == level_.domain.lower[d] * res ||
+                                     number[d] == level_.domain.upper[d] * res);
   }
   const unsigned all = (1u << (1 << count_)) - 1;
   for (int k = 0; k < 1 << count_; ++k) {
     IntVec3 beside = number;
-    for (int a = 0; a < count_; ++a)
-      beside[active_[static_cast<std::size_t>(a)]] -= k >> a & 1 ? 0 : 1;
+    for (int a = 0; a < count_; ++a) beside[active_[a]] -= k >> a & 1 ? 0 : 1;
     if (filled(piece, beside)) c.filled |= 1u << k;
   }
   if (c.filled == all) return c.place;
@@ -124,15 +119,15 @@ ParticleCorners CornerLattice::corners_of(const GeometryPiece* piece, IntVec3 ce
   ParticleCorners to;
   for (int k = 0; k < 1 << count_; ++k) {
     IntVec3 n = number;
-    for (int a = 0; a < count_; ++a) n[active_[static_cast<std::size_t>(a)]] += k >> a & 1;
+    for (int a = 0; a < count_; ++a) n[active_[a]] += k >> a & 1;
     Vec3 x = corner(piece, n, number);
     if (object_.mapped) x = applied(object_.map, x) + object_.shift;
-    to.place[static_cast<std::size_t>(k)] = rounded(x);
+    to.place[k] = rounded(x);
   }
   for (int a = 0; a < count_; ++a)
     for (int side = 0; side < 2; ++side) {
       IntVec3 n = number;
-      n[active_[static_cast<std::size_t>(a)]] += side == 0 ? -1 : 1;
+      n[active_[a]] += side == 0 ? -1 : 1;
       if (!seeded(piece, n)) to.outer |= 1 << (2 * a + side);
     }
   return to;
@@ -143,14 +138,14 @@ ParticleCorners CornerLattice::alone(Vec3 place, const Map& edges) const {
   for (int k = 0; k < 1 << count_; ++k) {
     Vec3 x = place;
     for (int a = 0; a < count_; ++a) {
-      const int e = active_[static_cast<std::size_t>(a)];
+      const int e = active_[a];
       const double sign = k >> a & 1 ? 0.5 : -0.5;
       for (int b = 0; b < count_; ++b) {
-        const int d = active_[static_cast<std::size_t>(b)];
-        x[d] += sign * edges[static_cast<std::size_t>(3 * d + e)] * level_.spacing[d];
+        const int d = active_[b];
+        x[d] += sign * edges[3 * d + e] * level_.spacing[d];
       }
     }
-    to.place[static_cast<std::size_t>(k)] = rounded(x);
+    to.place[k] = rounded(x);
   }
   to.outer = (1 << (2 * count_)) - 1;
   return to;

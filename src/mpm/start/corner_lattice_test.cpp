@@ -65,7 +65,7 @@ void expect_shared_bits(const SeededParticles& p, int corners) {
   std::map<std::array<long, 3>, Vec3> known;
   for (const ParticleCorners& c : p.corners)
     for (int k = 0; k < corners; ++k) {
-      const Vec3 x = c.place[static_cast<std::size_t>(k)];
+      const Vec3 x = c.place[k];
       const std::array<long, 3> key = {std::lround(x.x * 1e9), std::lround(x.y * 1e9),
                                        std::lround(x.z * 1e9)};
       const auto [at, fresh] = known.try_emplace(key, x);

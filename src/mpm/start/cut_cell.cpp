@@ -62,8 +62,8 @@ class Line {
 template <class F>
 void for_lines(const Bounds& box, int d, int n, std::array<bool, 3> active, F&& f) {
   const int e = (d + 1) % 3, g = (d + 2) % 3;
-  const int n_e = active[static_cast<std::size_t>(e)] ? n : 1;
-  const int n_g = active[static_cast<std::size_t>(g)] ? n : 1;
+  const int n_e = active[e] ? n : 1;
+  const int n_g = active[g] ? n : 1;
   for (int j = 0; j < n_g; ++j)
     for (int i = 0; i < n_e; ++i) {
       Vec3 at{};
@@ -77,7 +77,7 @@ void for_lines(const Bounds& box, int d, int n, std::array<bool, 3> active, F&& 
 int crossed_direction(const GeometryPiece& piece, const Bounds& box, std::array<bool, 3> active) {
   int best = -1, most = 0;
   for (int d = 0; d < 3; ++d) {
-    if (!active[static_cast<std::size_t>(d)]) continue;
+    if (!active[d]) continue;
     int crossed = 0;
     for_lines(box, d, 4, active, [&](Vec3 at) {
       const Line line(piece, box, d, at);

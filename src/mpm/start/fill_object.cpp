@@ -19,7 +19,7 @@ std::array<bool, 3> wide_directions(const Level& level) {
 
 IntVec3 res_of_size(IntVec3 res, int size, const std::array<bool, 3>& wide) {
   for (int d = 0; d < 3; ++d)
-    if (wide[static_cast<std::size_t>(d)]) res[d] <<= size;
+    if (wide[d]) res[d] <<= size;
   return res;
 }
 
@@ -102,8 +102,7 @@ class Filler {
     for (int corner = 0; corner < 8; ++corner) {
       Vec3 p = x;
       for (int d = 0; d < 3; ++d) {
-        const double quarter =
-            wide_[static_cast<std::size_t>(d)] ? 0.25 * level_.spacing[d] / res[d] : 0.0;
+        const double quarter = wide_[d] ? 0.25 * level_.spacing[d] / res[d] : 0.0;
         p[d] += ((corner >> d) & 1) != 0 ? quarter : -quarter;
       }
       if (!piece.inside(p)) return false;
@@ -114,7 +113,7 @@ class Filler {
   // Neighbouring places at one edge's distance.
   bool at_surface(const GeometryPiece& piece, Vec3 x, IntVec3 res) const {
     for (int d = 0; d < 3; ++d) {
-      if (!wide_[static_cast<std::size_t>(d)]) continue;
+      if (!wide_[d]) continue;
       const double step = level_.spacing[d] / res[d];
       for (const double to : {-step, step}) {
         Vec3 p = x;
@@ -135,7 +134,7 @@ class Filler {
     if (size + 1 >= std::abs(object_.filling_levels) || what_.columns.corners) return;
     IntVec3 children{1, 1, 1};
     for (int d = 0; d < 3; ++d)
-      if (wide_[static_cast<std::size_t>(d)]) children[d] = 2;
+      if (wide_[d]) children[d] = 2;
     for (int k = 0; k < children.z; ++k)
       for (int j = 0; j < children.y; ++j)
         for (int i = 0; i < children.x; ++i)
@@ -166,8 +165,7 @@ class Filler {
     };
     const std::int64_t row = static_cast<std::int64_t>(own.size().x) * res.x;
     const std::int64_t plane = row * own.size().y * res.y;
-    return numbers_.bases[static_cast<std::size_t>(size)] + number(2) * plane + number(1) * row +
-           number(0);
+    return numbers_.bases[size] + number(2) * plane + number(1) * row + number(0);
   }
 
   double volume_of(Vec3 x, IntVec3 res) const {

@@ -73,8 +73,7 @@ class LoadSearch {
     seeder_.seed(material, level, cells, {}, p);
     for (std::size_t i = 0; i < p.count(); ++i) {
       Vec3 width{};
-      for (int d = 0; d < 3; ++d)
-        width[d] = std::fabs(p.edges[static_cast<std::size_t>(4 * d)][i]) * level.spacing[d];
+      for (int d = 0; d < 3; ++d) width[d] = std::fabs(p.edges[4 * d][i]) * level.spacing[d];
       const auto marks =
           loads_.marks_of(material, {p.x[i], p.y[i], p.z[i]}, width, p.surface[i] != 0, {});
       if (std::find(marks.begin(), marks.end(), static_cast<int>(load) + 1) != marks.end())

@@ -54,10 +54,7 @@ class Places {
   bool any(IntVec3 cell) const {
     if (!window_.contains(cell)) return false;
     const IntVec3 n = window_.size(), r = cell - window_.lower;
-    return counts_[static_cast<std::size_t>(r.x) +
-                   static_cast<std::size_t>(n.x) *
-                       (static_cast<std::size_t>(r.y) +
-                        static_cast<std::size_t>(n.y) * static_cast<std::size_t>(r.z))] > 0;
+    return counts_[r.x + n.x * (r.y + static_cast<std::size_t>(n.y) * r.z)] > 0;
   }
   std::vector<Vec3> in(IntVec3 cell) const {
     std::vector<Vec3> places;

@@ -44,13 +44,13 @@ struct Ring {
 // pie_slices: equal widths, the same number of parts. constant_particle_volumes: num_angular parts
 // in the outermost ring, fewer inside as the radius; widths that make all volumes equal.
 std::vector<Ring> rings_of(const SmoothCylinder& c) {
-  std::vector<Ring> rings(static_cast<std::size_t>(c.num_radial));
+  std::vector<Ring> rings(c.num_radial);
   const double width = (c.outer_radius - c.inner_radius) / c.num_radial;
   const double last = c.outer_radius - 0.5 * width;
   const bool equal = c.discretization_scheme == "constant_particle_volumes";
   int all = 0;
   for (int k = 0; k < c.num_radial; ++k) {
-    Ring& ring = rings[static_cast<std::size_t>(k)];
+    Ring& ring = rings[k];
     ring.inner = c.inner_radius + k * width;
     ring.outer = c.inner_radius + (k + 1) * width;
     ring.parts = c.num_angular;

@@ -98,7 +98,7 @@ std::int64_t Seeder::take_ids(std::int64_t count, const SeedObject& object) {
 
 void Seeder::seed(int material, const Level& level, const IndexBox& window,
                   std::span<const IndexBox> covered, SeededParticles& particles) const {
-  const auto count = static_cast<int>(prepared_[static_cast<std::size_t>(material)].size());
+  const auto count = static_cast<int>(prepared_[material].size());
   for (int object = 0; object < count; ++object)
     seed_object(material, object, level, window, covered, particles);
 }
@@ -130,30 +130,27 @@ IndexBox taken_back(const SeedObject& object, const Level& level, const IndexBox
 }  // namespace
 
 ObjectOnLevel Seeder::object_of(int material, const SeedObject& object, const Level& level) const {
-  const auto m = static_cast<std::size_t>(material);
   return {object,
           level,
-          scene_.materials[m].constants.density * object.volume_fraction.value_or(1.0),
+          scene_.materials[material].constants.density * object.volume_fraction.value_or(1.0),
           scene_.axisymmetric,
           scene_.basis == Basis::cpti,
-          optional_[m]};
+          optional_[material]};
 }
 
 void Seeder::seed_object(int material, int object, const Level& level, const IndexBox& window,
                          std::span<const IndexBox> covered, SeededParticles& particles) const {
-  const SeedObject& o = scene_.materials[static_cast<std::size_t>(material)]
-                            .objects[static_cast<std::size_t>(object)];
-  const Prepared& p =
-      prepared_[static_cast<std::size_t>(material)][static_cast<std::size_t>(object)];
+  const SeedObject& o = scene_.materials[material].objects[object];
+  const Prepared& p = prepared_[material][object];
   const IndexBox target = intersection(window, level.domain);
   if (target.empty()) return;
   if (p.list)
     return seed_list(object_of(material, o, level), *p.list, p.bases.front().front(), target,
                      covered, particles);
-  const IndexBox own = p.windows[static_cast<std::size_t>(level.index)];
+  const IndexBox own = p.windows[level.index];
   const IndexBox cells = intersection(own, o.mapped ? taken_back(o, level, target) : target);
   if (cells.empty()) return;
-  const auto l = static_cast<std::size_t>(level.index);
+  const std::size_t l = level.index;
   fill_object(object_of(material, o, level), {own, p.bases[l]}, cells, target, covered, particles);
 }
 

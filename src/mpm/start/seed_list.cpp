@@ -23,9 +23,9 @@ Map edges_of(const ObjectOnLevel& what, const PointList& list, std::size_t n) {
   for (int c = 0; c < 3; ++c) {
     Vec3 edge{};
     edge[c] = h[c] / o.per_cell[c];
-    if (!list.edges.empty()) edge = list.edges[n][static_cast<std::size_t>(c)];
+    if (!list.edges.empty()) edge = list.edges[n][c];
     edge = applied(o.map, edge);
-    for (int d = 0; d < 3; ++d) edges[static_cast<std::size_t>(3 * d + c)] = edge[d] / h[d];
+    for (int d = 0; d < 3; ++d) edges[3 * d + c] = edge[d] / h[d];
   }
   return edges;
 }

@@ -33,8 +33,7 @@ void append(SeededParticles& particles, const SeededParticle& row, const Optiona
   if (columns.normal) add(particles.normal, row.normal);
   if (columns.load_curve)
     for (int d = 0; d < 3; ++d)
-      particles.load_curve[static_cast<std::size_t>(d)].push_back(
-          static_cast<int>(std::lround(row.load_curve[d])));
+      particles.load_curve[d].push_back(static_cast<int>(std::lround(row.load_curve[d])));
 }
 
 }  // namespace sluice::mpm

@@ -22,8 +22,8 @@ class Surface {
   Vec3 place(const Way& w) const {
     Vec3 p = corner_.place;
     for (int a = 0; a < corner_.count; ++a) {
-      const int d = corner_.active[static_cast<std::size_t>(a)];
-      const double way = w[static_cast<std::size_t>(a)];
+      const int d = corner_.active[a];
+      const double way = w[a];
       if (std::fabs(way) > least_way) p[d] += way * corner_.step[d];
     }
     return p;
@@ -31,8 +31,8 @@ class Surface {
   bool inside(const Way& w) const {
     Vec3 p = corner_.place;
     for (int a = 0; a < corner_.count; ++a) {
-      const int d = corner_.active[static_cast<std::size_t>(a)];
-      p[d] += w[static_cast<std::size_t>(a)] * corner_.step[d];
+      const int d = corner_.active[a];
+      p[d] += w[a] * corner_.step[d];
     }
     return piece_.inside(p);
   }
@@ -76,7 +76,7 @@ std::array<int, 3> outward_of(const LatticeCorner& corner, unsigned bits) {
     bool low = false, high = false;
     for (int k = 0; k < 1 << corner.count; ++k)
       if (bits >> k & 1) (k >> a & 1 ? high : low) = true;
-    if (low != high) outward[static_cast<std::size_t>(a)] = low ? 1 : -1;
+    if (low != high) outward[a] = low ? 1 : -1;
   }
   return outward;
 }
@@ -86,7 +86,7 @@ std::array<int, 3> outward_of(const LatticeCorner& corner, unsigned bits) {
 std::optional<Way> square_corner(const Surface& surface, const LatticeCorner& corner,
                                  const std::array<int, 3>& outward, bool body) {
   const auto stays = [&](std::size_t a) {
-    return outward[a] == 0 || corner.fixed[static_cast<std::size_t>(corner.active[a])];
+    return outward[a] == 0 || corner.fixed[corner.active[a]];
   };
   Way base{}, w{};
   for (std::size_t a = 0; a < 3; ++a) base[a] = -0.5 * outward[a];
@@ -132,11 +132,10 @@ Way normal_of(const Surface& surface, const LatticeCorner& corner) {
   Way n{};
   double kept = 0;  // the largest component along a direction in which the corner stays
   for (int a = 0; a < corner.count; ++a) {
-    const auto at = static_cast<std::size_t>(a);
-    if (corner.fixed[static_cast<std::size_t>(corner.active[at])])
-      kept = std::fmax(kept, std::abs(sum[at]));
+    if (corner.fixed[corner.active[a]])
+      kept = std::fmax(kept, std::abs(sum[a]));
     else
-      n[at] = sum[at];
+      n[a] = sum[a];
   }
   double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
   // A surface that lies along a side of the domain cannot be reached along the side.

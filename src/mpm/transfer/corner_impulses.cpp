@@ -67,8 +67,8 @@ void add_inertia(const TransferGrid& grid, const Corners<D, Tetrahedron>& corner
   using Corner = Corners<D, Tetrahedron>;
   for (auto& of_axis : to.inertia) std::fill_n(of_axis, n, 0.0);
   for (int a = 0; a < D; ++a) {
-    const int d = grid.active[static_cast<std::size_t>(a)];
-    const double h = grid.axes[static_cast<std::size_t>(d)].spacing;
+    const int d = grid.active[a];
+    const double h = grid.axes[d].spacing;
     alignas(64) double square[chunk_size];
     for (int q = 0; q < n; ++q) {
       double part[Corner::count];
@@ -95,10 +95,10 @@ void read(const TransferGrid& grid, const std::array<const double*, 3>& x,
   int low[D];
   double scale[D];
   for (int a = 0; a < D; ++a) {
-    const int d = grid.active[static_cast<std::size_t>(a)];
+    const int d = grid.active[a];
     stride[a] = window.stride(d);
     low[a] = window.lower()[d];
-    scale[a] = Corner::share * grid.axes[static_cast<std::size_t>(d)].spacing;
+    scale[a] = Corner::share * grid.axes[d].spacing;
   }
   const std::int64_t* nodes = window.at(0, 0, 0);
   const bool carried = shape.corners[0] != nullptr;
@@ -124,7 +124,7 @@ void read(const TransferGrid& grid, const std::array<const double*, 3>& x,
     double moment[3][3] = {};  // r_d dv_e
     for (int a = 0; a < D; ++a) {
       const Four sum = corner_sum(part[a]) * scale[a];
-      for (int e = 0; e < 3; ++e) moment[grid.active[static_cast<std::size_t>(a)]][e] = sum[e];
+      for (int e = 0; e < 3; ++e) moment[grid.active[a]][e] = sum[e];
     }
     for (int e = 0; e < 3; ++e) {
       if constexpr (Velocities) to.u[e][q] = u[e];

@@ -134,8 +134,7 @@ template <int D, std::size_t N>
 inline void read_carried(const std::array<const double*, N>& columns,
                          const std::array<int, 3>& active, std::size_t p, double (&to)[1 << D][D]) {
   for (std::size_t c = 0; c < std::size_t{1} << D; ++c)
-    for (std::size_t a = 0; a < D; ++a)
-      to[c][a] = columns[3 * c + static_cast<std::size_t>(active[a])][p];
+    for (std::size_t a = 0; a < D; ++a) to[c][a] = columns[3 * c + active[a]][p];
 }
 
 }  // namespace sluice::mpm

@@ -142,10 +142,10 @@ struct Body {
   }
   static int number(int x, int y, int z) { return x + (parts + 1) * (y + (parts + 1) * z); }
   void add(int x, int y, int z) {
-    for (int a = 0; a < 3; ++a) columns[static_cast<std::size_t>(a)].push_back(2);
+    for (int a = 0; a < 3; ++a) columns[a].push_back(2);
     for (int k = 0; k < 8; ++k)
       for (std::size_t a = 0; a < 3; ++a)
-        columns[3 + 3 * static_cast<std::size_t>(k) + a].push_back(
+        columns[3 + 3 * k + a].push_back(
             corner[number(x + (k & 1), y + (k >> 1 & 1), z + (k >> 2 & 1))][a]);
   }
   int count() const { return static_cast<int>(columns[0].size()); }
@@ -238,11 +238,11 @@ TEST(CornerVolume, OnePressureInsideIsThatOfTheSurface) {
     TransferGrid grid;
     grid.count = directions;
     for (int d = 0; d < 3; ++d) {
-      level.active[static_cast<std::size_t>(d)] = d < directions;
-      grid.axes[static_cast<std::size_t>(d)] = axis_of(level, d);
-      grid.active[static_cast<std::size_t>(d)] = d;
+      level.active[d] = d < directions;
+      grid.axes[d] = axis_of(level, d);
+      grid.active[d] = d;
     }
-    const auto n = static_cast<std::size_t>(body.count());
+    const std::size_t n = body.count();
     std::vector<double> ones(n, 1), zero(n, 0), pressed(n, -3), volume(n);
     for (std::size_t p = 0; p < n; ++p) {
       const auto measure = [&]<int D>(CornerVolume<D> v) {
@@ -277,11 +277,10 @@ TEST(CornerVolume, OnePressureInsideIsThatOfTheSurface) {
             const double inside = sum_in(window.at(i, j, k), 4 + d) / units.force;
             double outside = 0;
             for (const auto& [corner, force] : surface) {
-              double w = -3 * force[static_cast<std::size_t>(d)];
+              double w = -3 * force[d];
               const int at[3] = {i, j, k};
               for (int a = 0; a < directions; ++a)
-                w *= std::fmax(
-                    0, 1 - std::fabs(body.corner.at(corner)[static_cast<std::size_t>(a)] - at[a]));
+                w *= std::fmax(0, 1 - std::fabs(body.corner.at(corner)[a] - at[a]));
               outside += w;
             }
             most = std::fmax(most, std::fabs(inside));
@@ -302,9 +301,9 @@ TEST(CornerVolume, LinearFieldsAreExact) {
     TransferGrid grid;
     grid.count = directions;
     for (int d = 0; d < 3; ++d) {
-      level.active[static_cast<std::size_t>(d)] = d < directions;
-      grid.axes[static_cast<std::size_t>(d)] = axis_of(level, d);
-      grid.active[static_cast<std::size_t>(d)] = d;
+      level.active[d] = d < directions;
+      grid.axes[d] = axis_of(level, d);
+      grid.active[d] = d;
     }
     const double slope[3][3] = {{1, -2, 0.5}, {0.25, 3, -1}, {-0.75, 0.5, 2}};
     const auto field = [&](int e, const double* x) {
@@ -332,9 +331,7 @@ TEST(CornerVolume, LinearFieldsAreExact) {
         double mean = 0;
         for (int k = 0; k < 1 << directions; ++k) {
           double x[3];
-          for (std::size_t a = 0; a < 3; ++a)
-            x[a] =
-                body.columns[3 + 3 * static_cast<std::size_t>(k) + a][static_cast<std::size_t>(p)];
+          for (std::size_t a = 0; a < 3; ++a) x[a] = body.columns[3 + 3 * k + a][p];
           EXPECT_NEAR(read.corner[k][e][p], field(e, x), 1e-13);
           mean += field(e, x) / (1 << directions);
         }

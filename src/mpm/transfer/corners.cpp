@@ -18,9 +18,9 @@ void find_edges(const TransferGrid& grid, const ParticleShape& shape, int at, in
       double* to = edges[a][e];
       std::fill_n(to, n, 0.0);
       for (int k = 0; k < D; ++k) {
-        const auto i = static_cast<std::size_t>(grid.active[static_cast<std::size_t>(a)]);
-        const auto j = static_cast<std::size_t>(grid.active[static_cast<std::size_t>(k)]);
-        const auto c = static_cast<std::size_t>(grid.active[static_cast<std::size_t>(e)]);
+        const std::size_t i = grid.active[a];
+        const std::size_t j = grid.active[k];
+        const std::size_t c = grid.active[e];
         const double scale = grid.axes[j].spacing * grid.axes[i].inverse;
         const double *F = shape.F[3 * i + j] + at, *R = shape.edges[3 * j + c] + at;
         for (int q = 0; q < n; ++q) to[q] += (F[q] * scale) * R[q];
@@ -117,9 +117,7 @@ void spread_slopes(const TransferGrid& grid, const Edges<D>& inverse, int n,
                    Corners<D, Tetrahedron>& to) {
   constexpr double factor = Tetrahedron ? 1.0 : D == 3 ? 0.25 : D == 2 ? 0.5 : 1.0;
   for (int a = 0; a < D; ++a) {
-    const double scale =
-        factor *
-        grid.axes[static_cast<std::size_t>(grid.active[static_cast<std::size_t>(a)])].inverse;
+    const double scale = factor * grid.axes[grid.active[a]].inverse;
     for (int c = 0; c < to.count; ++c) {
       double* slope = to.slope[c][a];
       for (int q = 0; q < n; ++q) {
@@ -141,12 +139,10 @@ template <int D>
 void carried_ways(const TransferGrid& grid, const ParticleShape& shape, int at, int n,
                   Slopes slopes, Corners<D, false>& to) {
   double inverse[D];
-  for (int a = 0; a < D; ++a)
-    inverse[a] =
-        grid.axes[static_cast<std::size_t>(grid.active[static_cast<std::size_t>(a)])].inverse;
+  for (int a = 0; a < D; ++a) inverse[a] = grid.axes[grid.active[a]].inverse;
   for (int q = 0; q < n; ++q) {
     CornerVolume<D> v;
-    read_carried<D>(shape.corners, grid.active, static_cast<std::size_t>(at + q), v.x);
+    read_carried<D>(shape.corners, grid.active, at + q, v.x);
     if (slopes == Slopes::wanted)
       v.find();
     else
@@ -210,14 +206,14 @@ void find_corners(const TransferGrid& grid, const std::array<const double*, 3>& 
                   Corners<D, Tetrahedron>& to) {
   find_ways(grid, shape, at, n, slopes, to);
   for (int a = 0; a < D; ++a) {
-    const auto d = static_cast<std::size_t>(grid.active[static_cast<std::size_t>(a)]);
+    const std::size_t d = grid.active[a];
     const Axis& axis = grid.axes[d];
     const double* places = x[d] + at;
     for (int c = 0; c < to.count; ++c) {
       const double* way = to.way[c][a];
       double* s = to.s[c][a];
       int* first = to.first[c][a];
-      const double* corner = shape.corners[static_cast<std::size_t>(3 * c) + d];
+      const double* corner = shape.corners[3 * c + d];
       for (int q = 0; q < n; ++q) {
         // Corners of neighbours that have the same bits have the same weights, to the bit.
         const double u =

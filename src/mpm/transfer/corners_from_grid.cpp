@@ -42,7 +42,7 @@ void read_block(const TransferGrid& grid, const std::array<const double*, 3>& x,
   std::ptrdiff_t stride[D];
   int low[D];
   for (int a = 0; a < D; ++a) {
-    const int d = grid.active[static_cast<std::size_t>(a)];
+    const int d = grid.active[a];
     stride[a] = window.stride(d);
     low[a] = window.lower()[d];
   }
@@ -72,7 +72,7 @@ void read_block(const TransferGrid& grid, const std::array<const double*, 3>& x,
       Four part[Corner::count];
       for (int c = 0; c < Corner::count; ++c) part[c] = corners.slope[c][a][q] * velocity[c];
       const Four slope = corner_sum(part);
-      const int d = grid.active[static_cast<std::size_t>(a)];
+      const int d = grid.active[a];
       for (int e = 0; e < 3; ++e) to.L[3 * e + d][q] = slope[e];
     }
   }

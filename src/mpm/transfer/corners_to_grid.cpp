@@ -18,7 +18,7 @@ void add_particle(const Gift& g, const Corners<D, Tetrahedron>& corners, int q,
   Four affine[D]{};
   if constexpr (Affine)
     for (int a = 0; a < D; ++a) {
-      const auto d = static_cast<std::size_t>(grid.active[static_cast<std::size_t>(a)]);
+      const std::size_t d = grid.active[a];
       affine[a] = g.affine[a] * (share * grid.axes[d].spacing);
     }
   for (int c = 0; c < corners.count; ++c) {
@@ -61,7 +61,7 @@ void add_block(const TransferGrid& grid, const ParticlesToGrid& p, int begin, in
   std::ptrdiff_t stride[D];
   int low[D];
   for (int a = 0; a < D; ++a) {
-    const int d = grid.active[static_cast<std::size_t>(a)];
+    const int d = grid.active[a];
     stride[a] = window.stride(d);
     low[a] = window.lower()[d];
   }
@@ -94,7 +94,7 @@ void add_values(const TransferGrid& grid, const std::array<const double*, 3>& x,
           double weight = 1;
           IntVec3 node{};
           for (int a = 0; a < D; ++a) {
-            const int d = grid.active[static_cast<std::size_t>(a)];
+            const int d = grid.active[a];
             const int up = i >> a & 1;
             weight *= up ? 0.5 + corners.s[c][a][q] : 0.5 - corners.s[c][a][q];
             node[d] = corners.first[c][a][q] + up - window.lower()[d];

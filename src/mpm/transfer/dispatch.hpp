@@ -38,13 +38,12 @@ auto for_basis(Basis basis, bool own_widths, int directions, Act&& act) {
 template <class B, bool Offsets>
 void weights_of(Basis basis, const TransferGrid& grid, const std::array<const double*, 3>& x,
                 const ParticleShape& shape, int d, int at, int n, AxisWeights<B::nodes>& to) {
-  const auto axis = static_cast<std::size_t>(d);
   if constexpr (std::is_same_v<B, GimpOfOwnWidths>) {
     alignas(64) double half[chunk_size];
     own_widths(basis, grid, shape, d, at, n, half);
-    B::template weights<Offsets>(grid.axes[axis], x[axis] + at, half, n, to);
+    B::template weights<Offsets>(grid.axes[d], x[d] + at, half, n, to);
   } else {
-    B::template weights<Offsets>(grid.axes[axis], x[axis] + at, grid.half[axis], n, to);
+    B::template weights<Offsets>(grid.axes[d], x[d] + at, grid.half[d], n, to);
   }
 }
 

@@ -123,12 +123,11 @@ void read(Basis basis, const TransferGrid& grid, const std::array<const double*,
           const ParticleShape& shape, int at, int n, const Window& window, GridAtParticles& to) {
   alignas(64) static thread_local AxisWeights<B::nodes> w[D];
   for (int a = 0; a < D; ++a)
-    weights_of<B, Moments>(basis, grid, x, shape, grid.active[static_cast<std::size_t>(a)], at, n,
-                           w[a]);
+    weights_of<B, Moments>(basis, grid, x, shape, grid.active[a], at, n, w[a]);
   std::ptrdiff_t stride[D];
   int low[D];
   for (int a = 0; a < D; ++a) {
-    const int d = grid.active[static_cast<std::size_t>(a)];
+    const int d = grid.active[a];
     stride[a] = window.stride(d);
     low[a] = window.lower()[d];
   }
@@ -142,7 +141,7 @@ void read(Basis basis, const TransferGrid& grid, const std::array<const double*,
       to.u[e][q] = s.values[e];
       if constexpr (Changes) to.dv[e][q] = s.values[4 + e];
       for (int a = 0; a < D; ++a) {
-        const int d = grid.active[static_cast<std::size_t>(a)];
+        const int d = grid.active[a];
         to.L[3 * e + d][q] = s.slope[a][e];
         if constexpr (Moments) to.moment[3 * e + d][q] = s.moment[a][e];
       }
@@ -156,7 +155,7 @@ void read(Basis basis, const TransferGrid& grid, const std::array<const double*,
 void clear_inactive(const TransferGrid& grid, int n, bool moments, GridAtParticles& to) {
   for (int d = 0; d < 3; ++d) {
     bool active = false;
-    for (int a = 0; a < grid.count; ++a) active |= grid.active[static_cast<std::size_t>(a)] == d;
+    for (int a = 0; a < grid.count; ++a) active |= grid.active[a] == d;
     if (active) continue;
     for (int e = 0; e < 3; ++e)
       for (int q = 0; q < n; ++q) {

@@ -16,7 +16,7 @@ constexpr int rows_of_six[3][3] = {{0, 5, 4}, {5, 1, 3}, {4, 3, 2}};
 void stress_row(const ParticlesToGrid& p, int d, int at, int n, double scale, Rows& to) {
   const double* V = p.volume + at;
   for (int e = 0; e < 3; ++e) {
-    const double* s = p.stress[static_cast<std::size_t>(rows_of_six[d][e])] + at;
+    const double* s = p.stress[rows_of_six[d][e]] + at;
     for (int q = 0; q < n; ++q) to[e][q] = V[q] * scale * s[q];
   }
   for (const double* pressure : {p.extra_pressure, p.pore_pressure})
@@ -29,9 +29,7 @@ void reference_row(const ParticlesToGrid& p, int d, int at, int n, double scale,
   const Nine<const double>& F = p.shape.F;
   Rows all[3];
   for (int e = 0; e < 3; ++e) stress_row(p, e, at, n, scale, all[e]);
-  const auto f = [&](int r, int c, int q) {
-    return F[static_cast<std::size_t>(3 * (r % 3) + c % 3)][at + q];
-  };
+  const auto f = [&](int r, int c, int q) { return F[3 * (r % 3) + c % 3][at + q]; };
   for (int q = 0; q < n; ++q) {
     double cofactor[3];  // of F_kd
     double J = 0;
@@ -56,8 +54,7 @@ void add_spin(const TransferGrid& grid, const ParticlesToGrid& p, int at, int n,
     const Four columns[3] = {{0, 0, mu * z[q], -(mu * y[q])},
                              {0, -(mu * z[q]), 0, mu * x[q]},
                              {0, mu * y[q], -(mu * x[q]), 0}};
-    for (int a = 0; a < grid.count; ++a)
-      gifts[q].affine[a] = columns[grid.active[static_cast<std::size_t>(a)]];
+    for (int a = 0; a < grid.count; ++a) gifts[q].affine[a] = columns[grid.active[a]];
   }
 }
 
@@ -79,7 +76,7 @@ void make_gifts(const TransferGrid& grid, const ParticlesToGrid& p, int at, int 
                            p.load[2][at + q] * u.force, 0.0};
   if (p.spin[0] != nullptr) add_spin(grid, p, at, n, u.momentum, gifts);
   for (int a = 0; a < grid.count; ++a) {
-    const int d = grid.active[static_cast<std::size_t>(a)];
+    const int d = grid.active[a];
     if (p.volume == nullptr) {
       for (int q = 0; q < n; ++q) gifts[q].traction[a] = Four{};
     } else {
@@ -92,7 +89,7 @@ void make_gifts(const TransferGrid& grid, const ParticlesToGrid& p, int at, int 
     }
     if (p.affine[0] == nullptr) continue;
     const double* C[3];
-    for (int e = 0; e < 3; ++e) C[e] = p.affine[static_cast<std::size_t>(3 * e + d)] + at;
+    for (int e = 0; e < 3; ++e) C[e] = p.affine[3 * e + d] + at;
     for (int q = 0; q < n; ++q) {
       const double mu = p.mass[at + q] * u.momentum;
       gifts[q].affine[a] = Four{0.0, mu * C[0][q], mu * C[1][q], mu * C[2][q]};

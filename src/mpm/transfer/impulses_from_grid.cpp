@@ -90,7 +90,7 @@ void add_inertia(const TransferGrid& grid, const AxisWeights<N> (&w)[D], int n,
       for (int i = 1; i + 1 < N; ++i) inner += w[a].w[i][q] * w[a].off[i][q] * w[a].off[i][q];
       square[q] = outer + inner;
     }
-    const int d = grid.active[static_cast<std::size_t>(a)];
+    const int d = grid.active[a];
     for (int k = 0; k < 3; ++k)
       for (int q = 0; q < n && k != d; ++q) to.inertia[k][q] += square[q];
   }
@@ -102,13 +102,12 @@ void read(Basis basis, const TransferGrid& grid, const std::array<const double*,
           ImpulsesAtParticles& to) {
   alignas(64) static thread_local AxisWeights<B::nodes> w[D];
   for (int a = 0; a < D; ++a)
-    weights_of<B, true>(basis, grid, x, shape, grid.active[static_cast<std::size_t>(a)], at, n,
-                        w[a]);
+    weights_of<B, true>(basis, grid, x, shape, grid.active[a], at, n, w[a]);
   add_inertia<D, B::nodes>(grid, w, n, to);
   std::ptrdiff_t stride[D];
   int low[D];
   for (int a = 0; a < D; ++a) {
-    const int d = grid.active[static_cast<std::size_t>(a)];
+    const int d = grid.active[a];
     stride[a] = window.stride(d);
     low[a] = window.lower()[d];
   }
@@ -119,8 +118,7 @@ void read(Basis basis, const TransferGrid& grid, const std::array<const double*,
     const Sums<D, Velocities> s = read_particle<D, B::nodes, Velocities>(w, q, node, stride);
     double moment[3][3] = {};  // r_d dv_e
     for (int a = 0; a < D; ++a)
-      for (int e = 0; e < 3; ++e)
-        moment[grid.active[static_cast<std::size_t>(a)]][e] = s.moment[a][e];
+      for (int e = 0; e < 3; ++e) moment[grid.active[a]][e] = s.moment[a][e];
     for (int e = 0; e < 3; ++e) {
       if constexpr (Velocities) to.u[e][q] = s.velocity[e];
       to.dv[e][q] = s.change[e];

@@ -12,14 +12,13 @@ constexpr double least_half = 1.0 / 256, most_half = 0.5;  // cells
 
 void own_widths(Basis basis, const TransferGrid& grid, const ParticleShape& shape, int d, int at,
                 int n, double* to) {
-  const auto axis = static_cast<std::size_t>(d);
-  const double* half = shape.half[axis];
+  const double* half = shape.half[d];
   if (half != nullptr)
     std::copy_n(half + at, n, to);
   else
-    std::fill_n(to, n, grid.half[axis]);
+    std::fill_n(to, n, grid.half[d]);
   if (basis == Basis::cpgimp) {
-    const double* stretch = shape.F[4 * axis] + at;
+    const double* stretch = shape.F[4 * d] + at;
     for (int q = 0; q < n; ++q) to[q] *= std::fabs(stretch[q]);
   }
   for (int q = 0; q < n; ++q) to[q] = std::min(most_half, std::max(least_half, to[q]));

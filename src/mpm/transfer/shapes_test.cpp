@@ -26,26 +26,25 @@ struct Scene {
     level.domain = {{0, 0, 0}, {12, 10, 9}};
     grid.count = directions;
     for (int d = 0; d < 3; ++d) {
-      grid.axes[static_cast<std::size_t>(d)] = axis_of(level, d);
-      grid.active[static_cast<std::size_t>(d)] = d;
-      level.active[static_cast<std::size_t>(d)] = d < directions;
+      grid.axes[d] = axis_of(level, d);
+      grid.active[d] = d;
+      level.active[d] = d < directions;
     }
     std::uint64_t state = 7;
     const auto random = [&] {
       state = state * 6364136223846793005u + 1442695040888963407u;
       return static_cast<double>(state >> 11) * 0x1p-53;
     };
-    columns.assign(24, std::vector<double>(static_cast<std::size_t>(count)));
+    columns.assign(24, std::vector<double>(count));
     for (int p = 0; p < count; ++p) {
-      const auto n = static_cast<std::size_t>(p);
       for (std::size_t d = 0; d < 3; ++d)
-        columns[d][n] =
+        columns[d][p] =
             level.anchor[static_cast<int>(d)] + level.spacing[static_cast<int>(d)] * (4 + random());
       for (std::size_t e = 0; e < 9; ++e) {
-        columns[3 + e][n] = (e % 4 == 0) + 0.6 * (random() - 0.5);
-        columns[12 + e][n] = 0.5 * (e % 4 == 0) + 0.1 * (random() - 0.5);
+        columns[3 + e][p] = (e % 4 == 0) + 0.6 * (random() - 0.5);
+        columns[12 + e][p] = 0.5 * (e % 4 == 0) + 0.1 * (random() - 0.5);
       }
-      for (std::size_t d = 0; d < 3; ++d) columns[21 + d][n] = 0.1 + 0.39 * random();
+      for (std::size_t d = 0; d < 3; ++d) columns[21 + d][p] = 0.1 + 0.39 * random();
     }
   }
   std::array<const double*, 3> x() const {
@@ -105,8 +104,7 @@ TEST_P(EveryShape, LinearFieldsAreExact) {
   read_window(kind.basis, scene.grid, scene.x(), scene.shape(kind.widths), 0, scene.count, false,
               window, read);
   for (int p = 0; p < scene.count; ++p) {
-    const auto n = static_cast<std::size_t>(p);
-    const Vec3 at{scene.columns[0][n], scene.columns[1][n], scene.columns[2][n]};
+    const Vec3 at{scene.columns[0][p], scene.columns[1][p], scene.columns[2][p]};
     for (int e = 0; e < 3; ++e) {
       EXPECT_NEAR(read.u[e][p], field(e, at), round_off * 10) << p;
       EXPECT_NEAR(read.dv[e][p], 1, round_off) << p;
@@ -181,8 +179,7 @@ TEST_P(EveryShape, GivesAddUp) {
 TEST(Corners, AreWhereEdgesEnd) {
   Scene scene(2);
   scene.level.spacing = {0.2, 0.2, 0.2};
-  for (int d = 0; d < 3; ++d)
-    scene.grid.axes[static_cast<std::size_t>(d)] = axis_of(scene.level, d);
+  for (int d = 0; d < 3; ++d) scene.grid.axes[d] = axis_of(scene.level, d);
   const double c = std::sqrt(0.5);
   const double F[9] = {c, -c, 0, c, c, 0, 0, 0, 1};
   for (std::size_t e = 0; e < 9; ++e) {

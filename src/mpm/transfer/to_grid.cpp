@@ -72,7 +72,7 @@ void add_block(Basis basis, const TransferGrid& grid, const ParticlesToGrid& p, 
   std::ptrdiff_t stride[D];
   int low[D];
   for (int a = 0; a < D; ++a) {
-    const int d = grid.active[static_cast<std::size_t>(a)];
+    const int d = grid.active[a];
     stride[a] = window.stride(d);
     low[a] = window.lower()[d];
   }
@@ -80,8 +80,7 @@ void add_block(Basis basis, const TransferGrid& grid, const ParticlesToGrid& p, 
   for (int at = begin; at < end; at += chunk_size) {
     const int n = std::min(chunk_size, end - at);
     for (int a = 0; a < D; ++a)
-      weights_of<B, Affine>(basis, grid, p.x, p.shape, grid.active[static_cast<std::size_t>(a)], at,
-                            n, weights[a]);
+      weights_of<B, Affine>(basis, grid, p.x, p.shape, grid.active[a], at, n, weights[a]);
     make_gifts(grid, p, at, n, units, gifts);
     for (int q = 0; q < n; ++q) {
       std::int64_t* node = nodes;

@@ -20,8 +20,7 @@ void add_block(Basis basis, const TransferGrid& grid, const std::array<const dou
   for (int at = begin; at < end; at += chunk_size) {
     const int n = std::min(chunk_size, end - at);
     for (int a = 0; a < D; ++a)
-      weights_of<B, false>(basis, grid, x, shape, grid.active[static_cast<std::size_t>(a)], at, n,
-                           w[a]);
+      weights_of<B, false>(basis, grid, x, shape, grid.active[a], at, n, w[a]);
     for (int q = 0; q < n; ++q) {
       double values[lanes] = {};
       for (std::size_t l = 0; l < lanes_of.size(); ++l)
@@ -30,7 +29,7 @@ void add_block(Basis basis, const TransferGrid& grid, const std::array<const dou
       const Four second{values[4], values[5], values[6], 0.0};
       IntVec3 node{};
       for (int a = 0; a < D; ++a) {
-        const int d = grid.active[static_cast<std::size_t>(a)];
+        const int d = grid.active[a];
         node[d] = w[a].first[q] - low[d];
       }
       for (int k = 0; k < planes; ++k)

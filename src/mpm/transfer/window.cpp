@@ -23,9 +23,7 @@ void Window::begin(IntVec3 block) {
 void Window::begin(IntVec3 lowest, IntVec3 highest) {
   lower_ = lowest;
   size_ = highest - lowest + IntVec3{1, 1, 1};
-  lanes_.assign(static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y) *
-                    static_cast<std::size_t>(size_.z) * lanes,
-                0);
+  lanes_.assign(static_cast<std::size_t>(size_.x) * size_.y * size_.z * lanes, 0);
 }
 
 // act(block number, row within the block, row within the window, nodes of the row).

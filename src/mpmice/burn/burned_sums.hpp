@@ -13,12 +13,12 @@ class BurnedSums {
   enum BesideMasses { energy, burned, heat, beside_masses };
   static int count(int materials) { return materials + beside_masses; }
 
-  void begin(int materials) { sums_.assign(static_cast<std::size_t>(count(materials)), {}); }
+  void begin(int materials) { sums_.assign(count(materials), {}); }
   // `new_energy`: what the books did not hold before: the heat of solids, and the work of the
   // reference pressure on their volume, which the books take from what solids have.
   void add(int from, int to, double mass, double heat_of_reaction, double new_energy) {
-    sums_[static_cast<std::size_t>(from)].add(-mass);
-    sums_[static_cast<std::size_t>(to)].add(mass);
+    sums_[from].add(-mass);
+    sums_[to].add(mass);
     const std::size_t beside = sums_.size() - beside_masses;
     sums_[beside + energy].add(new_energy);
     sums_[beside + burned].add(mass);

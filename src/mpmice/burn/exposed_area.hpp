@@ -21,7 +21,7 @@ class ExposedArea {
   void add(int face, const std::array<double, D>& area, const Surface& surface) {
     double size = 0;
     for (std::size_t d = 0; d < D; ++d) {
-      sums_[static_cast<std::size_t>(face)][d] += area[d];
+      sums_[face][d] += area[d];
       size += area[d] * area[d];
     }
     size = std::sqrt(size);

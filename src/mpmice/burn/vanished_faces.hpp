@@ -79,8 +79,7 @@ class VanishedFaces {
   Key key_of(int body, const CornerColumns<D>& x, std::size_t p, int face) const {
     std::array<std::array<double, D>, corners_of_face<D>> corners;
     for (std::size_t k = 0; k < corners.size(); ++k)
-      for (std::size_t d = 0; d < D; ++d)
-        corners[k][d] = x[face_corners<D>[static_cast<std::size_t>(face)][k]][d][p];
+      for (std::size_t d = 0; d < D; ++d) corners[k][d] = x[face_corners<D>[face][k]][d][p];
     for (std::size_t d = 0; d < D; ++d) {
       const double length = periods_.length[d];
       if (length == 0) continue;

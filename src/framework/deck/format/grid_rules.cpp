@@ -24,7 +24,7 @@ std::array<double, 3> cells_of(const DeckNode& level, const DeckNode& box) {
   if (!spacing || !low || !high) return {};
   std::array<double, 3> cells{};
   for (int d = 0; d < 3; ++d) {
-    cells[static_cast<std::size_t>(d)] = std::round(((*high)[d] - (*low)[d]) / (*spacing)[d]);
+    cells[d] = std::round(((*high)[d] - (*low)[d]) / (*spacing)[d]);
   }
   return cells;
 }
@@ -65,7 +65,7 @@ void check_patches(const DeckNode& box, const std::array<double, 3>& cells,
   const auto patches = int_vector_of(&box, "patches");
   if (!patches) return;
   for (int d = 0; d < 3; ++d) {
-    const double n = cells[static_cast<std::size_t>(d)];
+    const double n = cells[d];
     if (n < 1 || (*patches)[d] <= n) continue;
     add_error(faults, box.child("patches")->where,
               fmt::format("{} patches in {}, but only {} cell{}", (*patches)[d], direction_names[d],

@@ -20,7 +20,7 @@ void HeatThroughPlanes::add(int volume, const ControlVolume& plane) {
 
 void HeatThroughPlanes::account(double dt, const std::vector<double>& sums) {
   double passed = 0;
-  for (const int place : places_) passed += sums[static_cast<std::size_t>(place)];
+  for (const int place : places_) passed += sums[place];
   rate_ = passed / dt;
 }
 

@@ -59,7 +59,7 @@ void Statistics::LevelStore::take_over(const LevelStore* earlier, LevelStore* co
 void Statistics::LevelStore::add_pieces(std::vector<FieldPiece>& pieces) const {
   for (const int slot : slots_)
     for (int b = 0; b < static_cast<int>(kept_.local_boxes().size()); ++b) {
-      const GridBox& box = kept_.local_boxes()[static_cast<std::size_t>(b)];
+      const GridBox& box = kept_.local_boxes()[b];
       FieldPiece piece;
       piece.label = kept_.info(slot).label;
       piece.material = kept_.info(slot).material;
@@ -79,8 +79,7 @@ bool Statistics::LevelStore::read(const ArchiveStep& checkpoint) {
     return false;
   for (const int slot : slots_)
     for (int b = 0; b < static_cast<int>(kept_.local_boxes().size()); ++b)
-      checkpoint.read_into(*field(slot), 0, kept_.local_boxes()[static_cast<std::size_t>(b)].cells,
-                           kept_.view(slot, 0, b));
+      checkpoint.read_into(*field(slot), 0, kept_.local_boxes()[b].cells, kept_.view(slot, 0, b));
   return true;
 }
 

@@ -40,7 +40,7 @@ std::size_t column_of_colour(const AnalysisModule& m, const ParticleKind& kind) 
   std::size_t column = 0;
   for (const ParticleAttribute& a : kind.attributes) {
     if (a.label.name() == colour_name) return column;
-    column += static_cast<std::size_t>(a.columns());
+    column += a.columns();
   }
   throw DeckError(m.where,
                   fmt::format("<Module name=\"{}\"> selects the particles with {} above "
@@ -57,7 +57,7 @@ bool follows_particles(const AnalysisModule& m) {
 
 ParticleHistories::ParticleHistories(const AnalysisModule& m, const ParticleMethod* method)
     : module_(&m), method_(method), kind_(kind_of(m, method)) {
-  const ParticleKind& kind = method->kinds()[static_cast<std::size_t>(kind_)];
+  const ParticleKind& kind = method->kinds()[kind_];
   colour_ = column_of_colour(m, kind);
   for (const AnalysedVariable& v : m.variables) add_source(v, kind);
   header_ += '\n';
@@ -75,7 +75,7 @@ void ParticleHistories::add_source(const AnalysedVariable& v, const ParticleKind
       for (int c = 0; c < component_count(a.label.info().type); ++c)
         source.columns.push_back(column + column_of_component(a, c));
     }
-    column += static_cast<std::size_t>(a.columns());
+    column += a.columns();
   }
   for (const DerivedAttribute& d : kind.derived) {
     names.push_back(d.label.name());
@@ -87,7 +87,7 @@ void ParticleHistories::add_source(const AnalysedVariable& v, const ParticleKind
   const int count = component_count(label->info().type);
   for (int c = 0; c < count; ++c)
     header_ += fmt::format(" {}{}{}", v.label, count > 1 ? "." : "", component_name(count, c));
-  components_ += static_cast<std::size_t>(count);
+  components_ += count;
   sources_.push_back(std::move(source));
 }
 
@@ -102,8 +102,7 @@ void ParticleHistories::pack_box(const ParticleSet& set, const ParticleMap& map,
   for (std::size_t s = 0; s < sources_.size(); ++s) {
     const DerivedAttribute* d = sources_[s].derived;
     if (d == nullptr) continue;
-    derived[s].assign(static_cast<std::size_t>(component_count(d->label.info().type)),
-                      std::vector<double>(set.size()));
+    derived[s].assign(component_count(d->label.info().type), std::vector<double>(set.size()));
     d->compute(set, derived[s]);
   }
   const Reflects reflects = [&](Side side, IntVec3 cell) {
@@ -112,7 +111,7 @@ void ParticleHistories::pack_box(const ParticleSet& set, const ParticleMap& map,
   for (const std::size_t p : chosen) {
     // It may lag behind in the set of a box that it has left.
     Vec3 place = set.position(p);
-    if (!bring_inside(map.levels()[static_cast<std::size_t>(level)], reflects, place)) continue;
+    if (!bring_inside(map.levels()[level], reflects, place)) continue;
     rows.insert(rows.end(), {static_cast<double>(map.find(place).level),
                              static_cast<double>(set.id(p)), place.x, place.y, place.z});
     for (std::size_t s = 0; s < sources_.size(); ++s) {
@@ -135,15 +134,14 @@ void ParticleHistories::sample(const ParticleCloud& particles, double time,
   Reduction reduction;
   const auto count = reduction.add_count(static_cast<std::int64_t>(mine.size() / row));
   communicator.reduce(reduction);
-  lines_ = static_cast<std::size_t>(reduction.count(count));
+  lines_ = reduction.count(count);
   if (lines_ == 0) return;
   const std::vector<std::string> all = communicator.gather(
       std::string(reinterpret_cast<const char*>(mine.data()), mine.size() * sizeof(double)));
   if (!communicator.is_root()) return;
   RankNumbers numbers(all);
   for (int rank = 0; rank < numbers.ranks(); ++rank)
-    for (std::size_t left = all[static_cast<std::size_t>(rank)].size() / (row * sizeof(double));
-         left > 0; --left) {
+    for (std::size_t left = all[rank].size() / (row * sizeof(double)); left > 0; --left) {
       const double* first = numbers.take(rank, row);
       file_of(static_cast<int>(first[0]), static_cast<std::int64_t>(first[1]))
           .append(fmt::format("{:.17g} {:.17g}", time, fmt::join(first + 2, first + row, " ")));

@@ -20,7 +20,7 @@ bool listed(const std::vector<Label>& labels, Label label) {
 IntVec3 reach_of(const AnalysisModule& m, const Level& level) {
   IntVec3 reach{0, 0, 0};
   for (int d = 0; d < 3; ++d)
-    if (level.active[static_cast<std::size_t>(d)]) reach[d] = m.average_cells[d] / 2;
+    if (level.active[d]) reach[d] = m.average_cells[d] / 2;
   return reach;
 }
 
@@ -50,7 +50,7 @@ class Surroundings {
     const int from = outputs.find(q.label, q.material);
     slot_ = fields_.add({q.label, q.material, q.components + 1, width});
     for (int b = 0; b < static_cast<int>(outputs.local_boxes().size()); ++b) {
-      const IndexBox cells = outputs.local_boxes()[static_cast<std::size_t>(b)].cells;
+      const IndexBox cells = outputs.local_boxes()[b].cells;
       for_each_cell(cells, [&](IntVec3 c) { held(b)(c) = 1.0; });
       for (int k = 0; k < q.components; ++k) {
         const RealView old = outputs.view(from, k, b), here = component(b, k);
@@ -83,8 +83,7 @@ CellAverages::CellAverages(const AnalysisModule& m, const FindQuantity& find, Hi
   const Level& level = hierarchy.level(0).level();
   for (int d = 0; d < 3; ++d) {
     const int cells = level.domain.size()[d];
-    if (level.periodic[static_cast<std::size_t>(d)] && reach_of(m, level)[d] > 0 &&
-        m.average_cells[d] > cells)
+    if (level.periodic[d] && reach_of(m, level)[d] > 0 && m.average_cells[d] > cells)
       throw DeckError(
           m.where,
           fmt::format("<avgBoxCells>: {} cells along {}, but the periodic domain has {}",
@@ -141,7 +140,7 @@ void CellAverages::store_level(LevelSolver& solver, const Averaged& a, bool in_t
   const Surroundings around(outputs, q, std::max({reach.x, reach.y, reach.z}), rank_);
   const double whole = (2 * reach.x + 1) * (2 * reach.y + 1) * (2 * reach.z + 1);
   for (int b = 0; b < static_cast<int>(outputs.local_boxes().size()); ++b)
-    for_each_cell(outputs.local_boxes()[static_cast<std::size_t>(b)].cells, [&](IntVec3 cell) {
+    for_each_cell(outputs.local_boxes()[b].cells, [&](IntVec3 cell) {
       IndexBox box{cell, cell};
       for (int d = 0; d < 3; ++d) {
         box.lower[d] -= reach[d];

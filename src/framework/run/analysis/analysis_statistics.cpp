@@ -165,7 +165,7 @@ std::size_t Statistics::add_product(std::size_t a, std::size_t b) {
 void Statistics::follow_levels() {
   std::vector<std::unique_ptr<LevelStore>> now;
   for (int l = 0; l < hierarchy_->level_count(); ++l) {
-    const auto n = static_cast<std::size_t>(l);
+    const std::size_t n = l;
     const LevelStore* before = n < stores_.size() ? stores_[n].get() : nullptr;
     const Level& level = hierarchy_->level(l).level();
     if (before != nullptr && before->holds(level)) {
@@ -179,7 +179,7 @@ void Statistics::follow_levels() {
 }
 
 void Statistics::add_box(const LevelStore& store, const Warehouse& outputs, int box) {
-  const IndexBox cells = outputs.local_boxes()[static_cast<std::size_t>(box)].cells;
+  const IndexBox cells = outputs.local_boxes()[box].cells;
   const auto kept = [&](Label label) { return store.view(label, box); };
   const auto current = [&](const Sums& s) {
     const AnalysedQuantity& q = quantities_[s.quantity];
@@ -244,9 +244,8 @@ void Statistics::store(const std::vector<Label>& wanted) {
       for (int b = 0; b < static_cast<int>(outputs.local_boxes().size()); ++b)
         for (int c = 0; c < components; ++c) {
           const RealView v = outputs.view(slot, c, b);
-          for_each_cell(outputs.local_boxes()[static_cast<std::size_t>(b)].cells, [&](IntVec3 i) {
-            v(i) = value(d, d.entries[static_cast<std::size_t>(c)], *stores_[l], b, i);
-          });
+          for_each_cell(outputs.local_boxes()[b].cells,
+                        [&](IntVec3 i) { v(i) = value(d, d.entries[c], *stores_[l], b, i); });
         }
     }
   }

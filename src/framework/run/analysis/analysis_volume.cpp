@@ -66,13 +66,13 @@ VolumeBudgets::VolumeBudgets(const AnalysisModule& module, int first, Hierarchy&
       slot_count_(slots_.count(1)) {
   for (std::size_t n = 0; n < module.volumes.size(); ++n) {
     const int number = first + static_cast<int>(n);
-    const VolumeCells& cells = hierarchy.volumes()[static_cast<std::size_t>(number)];
+    const VolumeCells& cells = hierarchy.volumes()[number];
     if (cells.cells.empty()) continue;
     const ControlVolume& v = module.volumes[n];
     volumes_.push_back({number,
                         AnalysisFile(file_name(module, v), header(module, v, cells), 0),
                         {},
-                        std::vector<Double2>(static_cast<std::size_t>(slot_count_)),
+                        std::vector<Double2>(slot_count_),
                         0});
   }
 }
@@ -81,7 +81,7 @@ void VolumeBudgets::lay_out() {
   const Level& coarsest = hierarchy_->level(0).level();
   for (Volume& v : volumes_) {
     v.coverage.clear();
-    const IndexBox& cells = hierarchy_->volumes()[static_cast<std::size_t>(v.number)].cells;
+    const IndexBox& cells = hierarchy_->volumes()[v.number].cells;
     for (int l = 0; l < hierarchy_->level_count(); ++l) {
       const Level& level = hierarchy_->level(l).level();
       IntVec3 ratio;
@@ -108,7 +108,7 @@ void VolumeBudgets::account(double dt, const std::vector<double>& sums) {
 
 Totals VolumeBudgets::totals_of(const Volume& v) const {
   Totals t;
-  t.mass.resize(static_cast<std::size_t>(hierarchy_->component().material_count()));
+  t.mass.resize(hierarchy_->component().material_count());
   for (std::size_t l = 0; l < v.coverage.size(); ++l)
     hierarchy_->component().add_totals(hierarchy_->level(static_cast<int>(l)).state(),
                                        v.coverage[l], t);
@@ -127,7 +127,7 @@ Totals VolumeBudgets::totals_of(const Volume& v) const {
 
 double VolumeBudgets::rate(const Volume& v, int slot) const {
   if (v.seconds == 0) return 0;
-  const Double2 passed = v.passed[static_cast<std::size_t>(slot - first_slot_)];
+  const Double2 passed = v.passed[slot - first_slot_];
   return (passed.high + passed.low) / v.seconds;
 }
 
@@ -137,14 +137,14 @@ double VolumeBudgets::inflow(const Volume& v, int (VolumeSums::*slot)(int, int) 
   Double2 sum;
   for (int side = 0; side < 6; ++side) {
     const int at = (slots_.*slot)(0, side) + component - first_slot_;
-    const Double2 passed = v.passed[static_cast<std::size_t>(at)];
+    const Double2 passed = v.passed[at];
     sum = side % 2 == 0 ? sum + passed : sum - passed;
   }
   return v.seconds == 0 ? 0.0 : (sum.high + sum.low) / v.seconds;
 }
 
 std::string VolumeBudgets::fluxes(const Volume& v, const Totals& totals) const {
-  const auto m = static_cast<std::size_t>(module_->material);
+  const std::size_t m = module_->material;
   double through[6];
   for (int side = 0; side < 6; ++side)
     through[side] = rate(v, slots_.mass(0, side, module_->material));

@@ -55,10 +55,10 @@ Conservation::Conservation(std::vector<std::string> names) {
 }
 
 Conservation::Book& Conservation::book(int quantity) {
-  return books_.at(static_cast<std::size_t>(quantity));
+  return books_.at(quantity);
 }
 const Conservation::Book& Conservation::book(int quantity) const {
-  return books_.at(static_cast<std::size_t>(quantity));
+  return books_.at(quantity);
 }
 
 const std::string& Conservation::name(int quantity) const {

@@ -8,15 +8,13 @@ IndexBox piece_cells(const IndexBox& cells, Label label, const Level& level) {
   IndexBox piece = cells;
   const IntVec3 closing = closing_layers(label.info().centring);
   for (int d = 0; d < 3; ++d)
-    if (level.active[static_cast<std::size_t>(d)] && cells.upper[d] == level.domain.upper[d])
-      piece.upper[d] += closing[d];
+    if (level.active[d] && cells.upper[d] == level.domain.upper[d]) piece.upper[d] += closing[d];
   return piece;
 }
 
 std::size_t GridFields::boxes() const {
-  return static_cast<std::size_t>(
-      std::count_if(level_->boxes.begin(), level_->boxes.end(),
-                    [this](const GridBox& b) { return b.owner == rank_; }));
+  return std::count_if(level_->boxes.begin(), level_->boxes.end(),
+                       [this](const GridBox& b) { return b.owner == rank_; });
 }
 
 void GridFields::add(Label label, int material) {
@@ -26,23 +24,18 @@ void GridFields::add(Label label, int material) {
     for (const GridBox& b : level_->boxes)
       if (b.owner == rank_) {
         const IndexBox cells = piece_cells(b.cells, label, *level_);
-        arrays_.push_back({label, material, c, b.id, cells,
-                           std::vector<double>(static_cast<std::size_t>(cells.volume()))});
+        arrays_.push_back({label, material, c, b.id, cells, std::vector<double>(cells.volume())});
       }
 }
 
 void GridFields::set(Label label, int material, int component, IntVec3 at, double value) {
   const std::size_t count = boxes();
-  const std::size_t begin =
-      first_.at({label, material}) + static_cast<std::size_t>(component) * count;
+  const std::size_t begin = first_.at({label, material}) + component * count;
   for (std::size_t n = begin; n < begin + count; ++n) {
     Array& a = arrays_[n];
     if (!a.cells.contains(at)) continue;
     const IntVec3 i = at - a.cells.lower, size = a.cells.size();
-    a.values[static_cast<std::size_t>(i.x) +
-             static_cast<std::size_t>(size.x) *
-                 (static_cast<std::size_t>(i.y) +
-                  static_cast<std::size_t>(size.y) * static_cast<std::size_t>(i.z))] = value;
+    a.values[i.x + size.x * (i.y + static_cast<std::size_t>(size.y) * i.z)] = value;
     return;
   }
 }

@@ -51,9 +51,7 @@ class PlainComponent : public Component {
   // `equation`: what the one effect of the component is called in plans and reports.
   PlainComponent(const Scene& scene, std::string name, std::string equation);
   const Scene& scene() const { return scene_; }
-  const Level& level(int index) const {
-    return scene_.grid.levels[static_cast<std::size_t>(index)];
-  }
+  const Level& level(int index) const { return scene_.grid.levels[index]; }
   static constexpr int equation = 0, saved = 1;  // effects
 
  private:

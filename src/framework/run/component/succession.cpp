@@ -18,7 +18,7 @@ std::size_t first_column(const ParticleKind& kind, const ParticleAttribute& want
   std::size_t column = 0;
   for (const ParticleAttribute& a : kind.attributes) {
     if (&a == &wanted) break;
-    column += static_cast<std::size_t>(a.columns());
+    column += a.columns();
   }
   return column;
 }
@@ -61,8 +61,7 @@ std::vector<std::pair<std::size_t, std::size_t>> common_columns(const ParticleKi
     const ParticleAttribute* like = find_like(from, a);
     if (like == nullptr) continue;
     const std::size_t of_from = first_column(from, *like), of_to = first_column(to, a);
-    for (std::size_t c = 0; c < static_cast<std::size_t>(a.columns()); ++c)
-      columns.emplace_back(of_from + c, of_to + c);
+    for (int c = 0; c < a.columns(); ++c) columns.emplace_back(of_from + c, of_to + c);
   }
   return columns;
 }

@@ -81,7 +81,7 @@ const CycleResult& Hierarchy::attempt(int step, double time, double dt,
                                       const std::vector<Label>& wanted, const RunControl& control,
                                       EventLedger& ledger) {
   result_ = {};
-  result_.sums.assign(static_cast<std::size_t>(component_->reduction_sums()), 0.0);
+  result_.sums.assign(component_->reduction_sums(), 0.0);
   step_ = step;
   time_ = time;
   end_ = time + dt;
@@ -128,8 +128,7 @@ void Hierarchy::advance_particles() {
   for (int k = 0; k < particles_->kind_count(); ++k) any |= !component_->particles()->in_stages(k);
   if (!any) return;
   fill_ghosts(end_);
-  particles_->advance(existing_levels(), end_,
-                      in_coarse_step_[static_cast<std::size_t>(level_count()) - 1]);
+  particles_->advance(existing_levels(), end_, in_coarse_step_[level_count() - 1]);
 }
 
 void Hierarchy::accept() {
@@ -138,11 +137,10 @@ void Hierarchy::accept() {
   time_ = end_;
   previous_dt_ = dt_;
   for (int l = 0; l < level_count(); ++l) {
-    const auto n = static_cast<std::size_t>(l);
     level(l).accept();
     const std::int64_t cells = level(l).level().cell_count();
-    costs_[n].updates += in_coarse_step_[n] * cells;
-    costs_[n].most_cells = std::max(costs_[n].most_cells, cells);
+    costs_[l].updates += in_coarse_step_[l] * cells;
+    costs_[l].most_cells = std::max(costs_[l].most_cells, cells);
   }
 }
 
@@ -154,9 +152,8 @@ void Hierarchy::reject() {
 StepLimit Hierarchy::step_limit() const {
   StepLimit limit;
   for (int l = 0; l < level_count(); ++l) {
-    const auto n = static_cast<std::size_t>(l);
-    StepLimit own = component_->step_limit(maxima_[n]);
-    own.dt *= in_coarse_step_[n];
+    StepLimit own = component_->step_limit(maxima_[l]);
+    own.dt *= in_coarse_step_[l];
     if (level_count() > 1) own.reason += " on level " + std::to_string(l);
     if (l == 0 || own.dt < limit.dt) limit = own;
   }
@@ -165,7 +162,7 @@ StepLimit Hierarchy::step_limit() const {
 
 StepLimit Hierarchy::first_step_limit() const {
   StepLimit limit = step_limit();
-  const int finest = in_coarse_step_[static_cast<std::size_t>(level_count()) - 1];
+  const int finest = in_coarse_step_[level_count() - 1];
   if (finest == 1) return limit;
   limit.dt /= finest;
   limit.reason = "first step: one of the finest level";
@@ -211,12 +208,11 @@ void Hierarchy::add_totals(Totals& totals) const {
 std::vector<LevelCost> Hierarchy::costs() const {
   std::vector<LevelCost> costs = costs_;
   for (int l = 0; l < possible_levels(); ++l) {
-    const auto n = static_cast<std::size_t>(l);
-    costs[n].cells = level(l).level().cell_count();
-    costs[n].boxes = static_cast<std::int64_t>(level(l).level().boxes.size());
-    costs[n].most_cells = std::max(costs[n].most_cells, costs[n].cells);
-    costs[n].domain_cells = level(l).level().domain.volume();
-    costs[n].substeps = in_coarse_step_[n];
+    costs[l].cells = level(l).level().cell_count();
+    costs[l].boxes = static_cast<std::int64_t>(level(l).level().boxes.size());
+    costs[l].most_cells = std::max(costs[l].most_cells, costs[l].cells);
+    costs[l].domain_cells = level(l).level().domain.volume();
+    costs[l].substeps = in_coarse_step_[l];
   }
   return costs;
 }

@@ -46,8 +46,8 @@ class Hierarchy {
   // Levels that exist now, coarse to fine.
   int level_count() const;
   int possible_levels() const { return static_cast<int>(solvers_.size()); }
-  LevelSolver& level(int l) { return *solvers_[static_cast<std::size_t>(l)]; }
-  const LevelSolver& level(int l) const { return *solvers_[static_cast<std::size_t>(l)]; }
+  LevelSolver& level(int l) { return *solvers_[l]; }
+  const LevelSolver& level(int l) const { return *solvers_[l]; }
   Grid grid() const;  // of the levels that exist now
   std::int64_t cell_count() const;
 

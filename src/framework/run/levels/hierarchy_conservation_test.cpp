@@ -132,7 +132,7 @@ TEST_F(Keeping, NothingWhereAMaterialIsNot) {
   LevelRun run(scene, w);
   run.advance(24, 0.5);
   for (const CellState& s : run.states()) {
-    const Vec3 x = run.scene.grid.levels[static_cast<std::size_t>(s.level)].centre(s.cell);
+    const Vec3 x = run.scene.grid.levels[s.level].centre(s.cell);
     EXPECT_EQ(s.values[1], there(x) ? 3 : 0) << "level " << s.level << " at " << x.x << ' ' << x.y;
     EXPECT_EQ(s.values[2], 0);
   }
@@ -153,7 +153,7 @@ TEST_F(Keeping, NothingAheadOfAMaterialThatMoves) {
   run.advance(steps, 0.5);
   bool moved = false;
   for (const CellState& s : run.states()) {
-    const Vec3 x = run.scene.grid.levels[static_cast<std::size_t>(s.level)].centre(s.cell);
+    const Vec3 x = run.scene.grid.levels[s.level].centre(s.cell);
     EXPECT_GE(s.values[1], 0);
     moved = moved || (x.x > 4 && s.values[1] > 0);
     // A fine level takes two cells of half the size a step; a coarse cell at an interface one more.

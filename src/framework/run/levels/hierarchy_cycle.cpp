@@ -24,15 +24,13 @@ Schedule Hierarchy::schedule_of(int l) {
                            return Verdict::good;
                          }}});
   s.push_back({Sweep{"step", l, [this, l](const StepScope& scope, StepJournal&) {
-                       if (const auto& joint = joints_[static_cast<std::size_t>(l)])
-                         joint->fluxes.clear();
+                       if (const auto& joint = joints_[l]) joint->fluxes.clear();
                        const Verdict verdict = sweep(l, scope, {});
                        if (verdict == Verdict::good) take_over(l, scope);
                        return verdict;
                      }}});
   if (l + 1 >= level_count()) return s;
-  s.push_back({LevelCycle{"finer level", l + 1, substeps_[static_cast<std::size_t>(l) + 1],
-                          schedule_of(l + 1)}});
+  s.push_back({LevelCycle{"finer level", l + 1, substeps_[l + 1], schedule_of(l + 1)}});
   s.push_back({Sweep{"matching of fluxes and restriction", l,
                      [this, l](const StepScope& scope, StepJournal&) { return match(l, scope); }}});
   return s;
@@ -80,7 +78,7 @@ Node Hierarchy::stage_node(const StepShape::Stage& stage) {
   };
   if (std::holds_alternative<StepShape::Exchange>(stage))
     return on_levels("ghost exchange of the state", [this](int l, const StepScope&) {
-      fill(l, ends_[static_cast<std::size_t>(l)]);
+      fill(l, ends_[l]);
       return Verdict::good;
     });
   if (std::holds_alternative<StepShape::TakeOver>(stage))
@@ -149,16 +147,14 @@ Schedule Hierarchy::cycle_of_levels() {
   component_->shape_step(shape);
   if (shape.plain()) return schedule_of(0);
   for (int l = 1; l < possible_levels(); ++l)
-    if (substeps_[static_cast<std::size_t>(l)] != 1)
-      throw std::logic_error("a step of stages needs levels in lockstep");
+    if (substeps_[l] != 1) throw std::logic_error("a step of stages needs levels in lockstep");
   return schedule_of(shape);
 }
 
 // Where the present state of a level stands between the two states of the next coarser one. Outside
 // a coarse step, and before the coarser level has advanced in it, both levels are at its end.
 double Hierarchy::share_of(int l) const {
-  const auto n = static_cast<std::size_t>(l);
-  return advancing_ ? static_cast<double>(done_[n]) / substeps_[n] : 1.0;
+  return advancing_ ? static_cast<double>(done_[l]) / substeps_[l] : 1.0;
 }
 
 void Hierarchy::fill(int l, double time) {
@@ -171,12 +167,12 @@ void Hierarchy::fill(int l, double time) {
     LevelSolver& coarser = level(l - 1);
     const double share = share_of(l);
     // Its new state stands at the end of its own step; the old one was filled when it was swept.
-    if (share > 0) fill(l - 1, advancing_ ? ends_[static_cast<std::size_t>(l) - 1] : time);
+    if (share > 0) fill(l - 1, advancing_ ? ends_[l - 1] : time);
     const Warehouse* before = share < 1 ? &coarser.previous() : nullptr;
     const Warehouse* after = share > 0 ? &coarser.state() : nullptr;
-    joints_[static_cast<std::size_t>(l) - 1]->ghosts.run(
-        before, after, share, state, solver.state_slots(), component_->transfer(),
-        scene_->refinement.interface_order, solver.team());
+    joints_[l - 1]->ghosts.run(before, after, share, state, solver.state_slots(),
+                               component_->transfer(), scene_->refinement.interface_order,
+                               solver.team());
   };
   solver.fill_ghosts(time, interface, &level(0));
 }
@@ -226,7 +222,7 @@ Verdict Hierarchy::sweep(int l, const StepScope& scope, const std::vector<Label>
 
 // The new state becomes the present one.
 void Hierarchy::take_over(int l, const StepScope& scope) {
-  const auto n = static_cast<std::size_t>(l);
+  const std::size_t n = l;
   LevelSolver& solver = level(l);
   const StepAttempt& a = solver.attempt_result();
   for (std::size_t s = 0; s < a.sums.size(); ++s) result_.sums[s] += a.sums[s];
@@ -241,7 +237,7 @@ void Hierarchy::take_over(int l, const StepScope& scope) {
 }
 
 Verdict Hierarchy::match(int l, const StepScope& /*scope*/) {
-  Joint& joint = *joints_[static_cast<std::size_t>(l)];
+  Joint& joint = *joints_[l];
   LevelSolver& coarse = level(l);
   LevelSolver& fine = level(l + 1);
   const CorrectionReport report = joint.fluxes.correct(

@@ -94,7 +94,7 @@ void expect_linear_data_exact(const Scene& scene, double dt, int direction) {
     EXPECT_EQ(run.totals()[0] - before, run.result.sums[0] - across);
   }
   for (const CellState& s : run.states()) {
-    const Vec3 x = run.scene.grid.levels[static_cast<std::size_t>(s.level)].centre(s.cell);
+    const Vec3 x = run.scene.grid.levels[s.level].centre(s.cell);
     EXPECT_EQ(s.values, w.outside(x, run.time))
         << "level " << s.level << " cell " << s.cell.x << ' ' << s.cell.y;
   }
@@ -143,7 +143,7 @@ TEST_F(Cycle, TheStepIsTheLeastOverLevelsTimesTheirSubsteps) {
   Wishes w;
   std::array<double, 3> rates{1, 1, 1};
   w.cfl = 1;
-  w.rate = [&](int l) { return rates[static_cast<std::size_t>(l)]; };
+  w.rate = [&](int l) { return rates[l]; };
   for (const bool lock_step : {false, true}) {
     Scene scene = nested({2, 4});
     scene.refinement.lock_step = lock_step;
@@ -165,7 +165,7 @@ TEST_F(Cycle, RatesAreMeasuredInTheLastSubstepOnly) {
   Wishes w;
   std::array<int, 3> asked{};
   w.rate = [&](int l) {
-    ++asked[static_cast<std::size_t>(l)];
+    ++asked[l];
     return 1.0;
   };
   LevelRun run(nested({2, 4}), w);
@@ -175,7 +175,7 @@ TEST_F(Cycle, RatesAreMeasuredInTheLastSubstepOnly) {
   for (int l = 0; l < 3; ++l) {  // once a row
     int rows = 0;
     for (const GridBox& b : run.hierarchy.level(l).level().boxes) rows += b.cells.size().y;
-    EXPECT_EQ(once[static_cast<std::size_t>(l)], rows) << l;
+    EXPECT_EQ(once[l], rows) << l;
   }
 }
 
@@ -190,7 +190,7 @@ TEST_F(Cycle, LabelsOfAStepAreThoseOfTheLastSubstep) {
     const int slot = outputs.find(stamp, 0);
     ASSERT_GE(slot, 0);
     for (int b = 0; b < static_cast<int>(outputs.local_boxes().size()); ++b)
-      for_each_cell(outputs.local_boxes()[static_cast<std::size_t>(b)].cells,
+      for_each_cell(outputs.local_boxes()[b].cells,
                     [&](IntVec3 c) { EXPECT_EQ(outputs.view(slot, 0, b)(c), starts[l]); });
   }
 }

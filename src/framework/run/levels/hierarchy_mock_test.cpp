@@ -20,7 +20,7 @@ struct HierarchyMock::Variables {
 void HierarchyMock::initialise(Warehouse& state) const {
   const auto slots = slots_of(state);
   for (int n = 0; n < static_cast<int>(state.local_boxes().size()); ++n)
-    for_each_cell(state.local_boxes()[static_cast<std::size_t>(n)].cells, [&](IntVec3 c) {
+    for_each_cell(state.local_boxes()[n].cells, [&](IntVec3 c) {
       const Values v = wishes_->start(state.level().centre(c));
       for (std::size_t q = 0; q < quantities; ++q) state.view(slots[q], 0, n)(c) = v[q];
     });
@@ -33,8 +33,7 @@ void HierarchyMock::fill_boundary(Warehouse& state, double time, std::span<const
   boundary_fills.push_back({level.index, time, 0, false});
   const auto outside = [&](IntVec3 c) {
     for (int d = 0; d < 3; ++d)
-      if (!level.periodic[static_cast<std::size_t>(d)] &&
-          (c[d] < level.domain.lower[d] || c[d] >= level.domain.upper[d]))
+      if (!level.periodic[d] && (c[d] < level.domain.lower[d] || c[d] >= level.domain.upper[d]))
         return true;
     return false;
   };
@@ -49,7 +48,7 @@ void HierarchyMock::fill_boundary(Warehouse& state, double time, std::span<const
 
 double HierarchyMock::rate_on(int level) const {
   if (wishes_->rate) return wishes_->rate(level);
-  const Level& l = scene_->grid.levels[static_cast<std::size_t>(level)];
+  const Level& l = scene_->grid.levels[level];
   double rate = 0;
   for (int d = 0; d < 3; ++d)
     rate += std::max(std::fabs(wishes_->velocity_a[d]), std::fabs(wishes_->velocity_b[d])) /
@@ -67,7 +66,7 @@ void HierarchyMock::add_totals(const Warehouse& state, const LevelCoverage& cove
   const auto slots = slots_of(state);
   const double volume = state.level().cell_volume();
   const auto parts_of = [&](int n) {
-    const IndexBox& whole = state.local_boxes()[static_cast<std::size_t>(n)].cells;
+    const IndexBox& whole = state.local_boxes()[n].cells;
     return coverage.any() ? coverage.uncovered(n) : std::vector<IndexBox>{whole};
   };
   for (int n = 0; n < static_cast<int>(state.local_boxes().size()); ++n)
@@ -86,7 +85,7 @@ void HierarchyMock::declare_step(TaskList& list, const StepVariant& variant) con
   if (v.with_b) v.b = list.old_state(l.b, 1, 1);
   v.s = list.old_state(l.s, 0, 1);
   if (variant.masked) v.mask = list.old_state(l.mask, 0, 1);
-  v.axes = active_axes(scene_->grid.levels[static_cast<std::size_t>(variant.level)]);
+  v.axes = active_axes(scene_->grid.levels[variant.level]);
   for (int axis = 0; axis < v.axes.count; ++axis) {
     declare_faces(list, v, variant, axis);
     if (variant.recorder != nullptr) declare_record(list, v, variant, axis);
@@ -148,8 +147,8 @@ void HierarchyMock::declare_update(TaskList& list, const Variables& v,
   std::vector<In> fluxes[quantities];
   for (int axis = 0; axis < v.axes.count; ++axis)
     for (const std::size_t q : present)
-      fluxes[q].push_back(update.read(v.fluxes[q][static_cast<std::size_t>(axis)],
-                                      Stencil::along(v.axes.direction[axis], 0, 1)));
+      fluxes[q].push_back(
+          update.read(v.fluxes[q][axis], Stencil::along(v.axes.direction[axis], 0, 1)));
   Out now[] = {
       update.write(list.new_state(l.a, 0, 1)), {}, update.write(list.new_state(l.s, 0, 1))};
   if (v.with_b) now[1] = update.write(list.new_state(l.b, 1, 1));
@@ -165,7 +164,7 @@ void HierarchyMock::declare_update(TaskList& list, const Variables& v,
       for (int i = 0; i < row.count(); ++i) {
         double change = q == 0 ? gain : 0;
         for (int axis = 0; axis < static_cast<int>(fluxes[q].size()); ++axis) {
-          const In f = fluxes[q][static_cast<std::size_t>(axis)];
+          const In f = fluxes[q][axis];
           change += row(f)[i] - row(f, 0, axis, 1)[i];
         }
         row(now[q])[i] = row(old[q])[i] + change;
@@ -190,8 +189,7 @@ void HierarchyMock::declare_record(TaskList& list, const Variables& v, const Ste
   const std::vector<std::size_t> present = v.present();
   In fluxes[quantities];
   for (const std::size_t q : present)
-    fluxes[q] = task.read(v.fluxes[q][static_cast<std::size_t>(axis)],
-                          Stencil::along(v.axes.direction[axis], 0, 1));
+    fluxes[q] = task.read(v.fluxes[q][axis], Stencil::along(v.axes.direction[axis], 0, 1));
   const FluxRecorder* recorder = variant.recorder;
   const int along = v.axes.direction[0];
   task.always().kernel([=](const Row& row) {
@@ -213,7 +211,7 @@ void HierarchyMock::declare_record(TaskList& list, const Variables& v, const Ste
 void HierarchyMock::declare_diagnostics(TaskList& list, int level) const {
   TaskBuilder task = list.task("flag", 1);
   const Out flag = task.write(list.output(mock_labels().flag, 0));
-  const Level* l = &scene_->grid.levels[static_cast<std::size_t>(level)];
+  const Level* l = &scene_->grid.levels[level];
   const int along = active_axes(*l).direction[0];
   task.kernel([=, this](const Row& row) {
     for (int i = 0; i < row.count(); ++i) {

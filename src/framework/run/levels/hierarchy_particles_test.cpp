@@ -23,7 +23,7 @@ class ParticlesOnLevels : public OnLevels {
     Warehouse& state = level.state();
     const int slot = state.find(mock_labels().b, 1);
     for (int n = 0; n < static_cast<int>(state.local_boxes().size()); ++n)
-      for_each_cell(state.local_boxes()[static_cast<std::size_t>(n)].cells, [&](IntVec3 c) {
+      for_each_cell(state.local_boxes()[n].cells, [&](IntVec3 c) {
         state.view(slot, 0, n)(c) = holds(level.level(), c) ? 1 / level.level().cell_volume() : 0;
       });
     level.touch();
@@ -58,7 +58,7 @@ TEST_F(ParticlesOnLevels, AreProjectedOnEveryLevelAndMoveOnceWhenTheStepIsAccept
     EXPECT_EQ(place_.x, 6.25 + 0.5 * n);
     EXPECT_EQ(run.totals()[1], 1);  // of one particle, however often it was projected
     for (const CellState& s : run.states()) {
-      const Level& level = run.scene.grid.levels[static_cast<std::size_t>(s.level)];
+      const Level& level = run.scene.grid.levels[s.level];
       const Vec3 x = level.centre(s.cell);
       if (std::fabs(x.x - seen.x) > level.spacing.x || std::fabs(x.y - seen.y) > level.spacing.y) {
         EXPECT_EQ(s.values[1], 0);

@@ -27,7 +27,7 @@ void add_start_boxes(const RefinementSettings& settings, std::vector<FlagField>&
 
 void Hierarchy::make_joint(int coarser) {
   const int rank = communicator_->rank(), width = halo_width(*component_);
-  auto& joint = joints_[static_cast<std::size_t>(coarser)];
+  auto& joint = joints_[coarser];
   joint.reset();
   const Level& coarse = level(coarser).level();
   const Level& fine = level(coarser + 1).level();
@@ -44,15 +44,14 @@ void Hierarchy::join_levels(int first) {
   ++layouts_;
   const int rank = communicator_->rank();
   for (int l = std::max(0, first - 1); l < possible_levels() && possible_levels() > 1; ++l) {
-    const auto n = static_cast<std::size_t>(l);
     FluxRecorder recorder;
-    if (joints_[n] != nullptr) recorder.as_coarse = &joints_[n]->fluxes.coarse_faces();
-    if (l > 0 && joints_[n - 1] != nullptr) recorder.as_fine = &joints_[n - 1]->fluxes.fine_faces();
+    if (joints_[l] != nullptr) recorder.as_coarse = &joints_[l]->fluxes.coarse_faces();
+    if (l > 0 && joints_[l - 1] != nullptr) recorder.as_fine = &joints_[l - 1]->fluxes.fine_faces();
     if (l >= first)
-      ends_of_levels_[n] =
+      ends_of_levels_[l] =
           InterfaceDistance(level(l).level(), rank, component_->interface_depth(level(l).level()),
                             halo_width(*component_));
-    if (!ends_of_levels_[n].empty()) recorder.ends = &ends_of_levels_[n];
+    if (!ends_of_levels_[l].empty()) recorder.ends = &ends_of_levels_[l];
     const Level* finer = l + 1 < level_count() ? &level(l + 1).level() : nullptr;
     level(l).join(recorder, LevelCoverage(level(l).level(), finer, rank));
   }
@@ -137,9 +136,8 @@ std::vector<FlagField> Hierarchy::flags() {
 void Hierarchy::restrict_all() {
   for (int l = level_count() - 2; l >= 0; --l) {
     LevelSolver& coarse = level(l);
-    joints_[static_cast<std::size_t>(l)]->restriction.run(level(l + 1).state(), coarse.state(),
-                                                          coarse.state_slots(),
-                                                          component_->transfer(), coarse.team());
+    joints_[l]->restriction.run(level(l + 1).state(), coarse.state(), coarse.state_slots(),
+                                component_->transfer(), coarse.team());
     coarse.touch();
   }
   for (int l = 0; l < level_count(); ++l) level(l).touch();
@@ -153,11 +151,11 @@ void Hierarchy::measure_rates(int levels_before) {
   const int first = all ? 0 : levels_before;
   for (int l = first; l < level_count(); ++l) {
     if (component_->diffusive()) fill(l, time_);  // coefficients may depend on gradients
-    maxima_[static_cast<std::size_t>(l)] = level(l).initial_rates();
+    maxima_[l] = level(l).initial_rates();
   }
   if (particles_ == nullptr || !component_->particles()->in_stages()) return;
   for (int l = 0; l < level_count(); ++l) {
-    std::vector<double>& maxima = maxima_[static_cast<std::size_t>(l)];
+    std::vector<double>& maxima = maxima_[l];
     const std::vector<double> own = particles_->rates(l);
     maxima.resize(std::max(maxima.size(), own.size()));
     std::copy(own.begin(), own.end(), maxima.begin());
@@ -287,7 +285,7 @@ void read_level(LevelSolver& solver, const Component& component, const ArchiveSt
             fmt::format("{} contains no {} on level {}: it cannot be restarted with this deck",
                         checkpoint.folder().string(), labels[s][c].name(), index));
       for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b)
-        checkpoint.read_into(*field, 0, state.local_boxes()[static_cast<std::size_t>(b)].cells,
+        checkpoint.read_into(*field, 0, state.local_boxes()[b].cells,
                              state.view(solver.state_slots()[s], static_cast<int>(c), b));
     }
 }
@@ -319,8 +317,7 @@ void Hierarchy::restore(const ArchiveStep& checkpoint) {
         "{} contains {} levels, but the deck has {}: a restart continues with the same levels",
         checkpoint.folder().string(), checkpoint.grid().levels.size(), level_count()));
   for (int l = 0; l < level_count(); ++l) {
-    check_same_cells(level(l).level(), then[static_cast<std::size_t>(l)],
-                     checkpoint.folder().string());
+    check_same_cells(level(l).level(), then[l], checkpoint.folder().string());
     read_level(level(l), *component_, checkpoint);
     level(l).touch();
   }

@@ -144,7 +144,7 @@ TEST_F(Rejection, IsForGoodWhereAStateHoldsNoNumber) {
     const int slot = state.find(mock_labels().a, 0);
     const IntVec3 cell = cell_on(l);
     for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b)
-      if (state.local_boxes()[static_cast<std::size_t>(b)].cells.contains(cell))
+      if (state.local_boxes()[b].cells.contains(cell))
         state.view(slot, 0, b)(cell) = std::numeric_limits<double>::quiet_NaN();
     run.hierarchy.level(l).touch();
     EXPECT_FALSE(run.attempt(dt));

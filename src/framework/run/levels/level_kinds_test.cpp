@@ -89,7 +89,7 @@ class Plain {
 Level level_of(IntVec3 cells, IntVec3 pieces) {
   Level level;
   level.domain = {{0, 0, 0}, cells};
-  for (int d = 0; d < 3; ++d) level.active[static_cast<std::size_t>(d)] = cells[d] > 1;
+  for (int d = 0; d < 3; ++d) level.active[d] = cells[d] > 1;
   for (const IndexBox& b : split(level.domain, pieces))
     level.boxes.push_back({b, 0, static_cast<int>(level.boxes.size())});
   assign_owners(level.boxes, world().size());
@@ -145,7 +145,7 @@ void expect_field(const Warehouse& w, int slot, int c, const Plain& plain,
                   const std::vector<double>& expected, const std::string& what) {
   for (int b = 0; b < static_cast<int>(w.local_boxes().size()); ++b) {
     const RealView v = w.view(slot, c, b);
-    for_each_cell(w.local_boxes()[static_cast<std::size_t>(b)].cells, [&](IntVec3 cell) {
+    for_each_cell(w.local_boxes()[b].cells, [&](IntVec3 cell) {
       ASSERT_EQ(v(cell), expected[plain.at(cell)])
           << what << " of slot " << slot << '.' << c << " at " << cell.x << ' ' << cell.y << ' '
           << cell.z;
@@ -218,17 +218,15 @@ TEST_P(KindsOnShapes, NoWayChangesABit) {
                      way.name);
         for (int m = 0; m < 2; ++m)
           for (int b = 0; b < static_cast<int>(out.local_boxes().size()); ++b)
-            for_each_cell(out.local_boxes()[static_cast<std::size_t>(b)].cells.grown(0, 0, 1),
-                          [&](IntVec3 face) {
-                            const int slot = out.find(kinds_labels().flux, m);
-                            ASSERT_EQ(out.view(slot, 0, b)(face), plain.flux_at(m, face, dt))
-                                << way.name << ", flux of " << m << " at " << face.x;
-                          });
+            for_each_cell(out.local_boxes()[b].cells.grown(0, 0, 1), [&](IntVec3 face) {
+              const int slot = out.find(kinds_labels().flux, m);
+              ASSERT_EQ(out.view(slot, 0, b)(face), plain.flux_at(m, face, dt))
+                  << way.name << ", flux of " << m << " at " << face.x;
+            });
       }
       plain.step(dt);
       expect_state(run.solver.state(), plain, way.name + " after step " + std::to_string(n));
-      for (int m = 0; m < 2; ++m)
-        ASSERT_EQ(run.solver.attempt_result().sums[static_cast<std::size_t>(m)], plain.sums[m]);
+      for (int m = 0; m < 2; ++m) ASSERT_EQ(run.solver.attempt_result().sums[m], plain.sums[m]);
       ASSERT_EQ(run.solver.attempt_result().maxima[0], plain.maximum);
       for (int slot = 0; slot < 5; ++slot) run.known(slot);
       if (way.touched) run.solver.touch();
@@ -308,7 +306,7 @@ TEST(Kinds, ARedoneStepChoosesAgain) {
     const Warehouse& b = forced.solver.state();
     for (int slot = 0; slot < 5; ++slot)
       for (int box = 0; box < 2; ++box)
-        for_each_cell(a.local_boxes()[static_cast<std::size_t>(box)].cells, [&](IntVec3 c) {
+        for_each_cell(a.local_boxes()[box].cells, [&](IntVec3 c) {
           ASSERT_EQ(a.view(slot, 0, box)(c), b.view(slot, 0, 0)(c)) << "step " << n;
         });
     if (HasFatalFailure()) return;
@@ -345,7 +343,7 @@ TEST(Kinds, ALevelLaidOutAnewKnowsNothing) {
   for (int slot = 0; slot < 5; ++slot)
     for (int b = 0; b < 4; ++b)
       for (int c = 0; c < state.info(slot).components; ++c)
-        for_each_cell(state.local_boxes()[static_cast<std::size_t>(b)].cells, [&](IntVec3 cell) {
+        for_each_cell(state.local_boxes()[b].cells, [&](IntVec3 cell) {
           state.view(slot, c, b)(cell) = before.view(slot, c, 0)(cell);
         });
   run.solver.touch();
@@ -366,8 +364,7 @@ TEST(KindsOnRanks, GiveTheSameBits) {
     run.step(dt);
     plain.step(dt);
     expect_state(run.solver.state(), plain, "step " + std::to_string(n));
-    for (int m = 0; m < 2; ++m)
-      ASSERT_EQ(run.solver.attempt_result().sums[static_cast<std::size_t>(m)], plain.sums[m]);
+    for (int m = 0; m < 2; ++m) ASSERT_EQ(run.solver.attempt_result().sums[m], plain.sums[m]);
     if (HasFatalFailure()) return;
   }
 }
@@ -388,7 +385,7 @@ class WrittenPages {
     written_ = 0;
   }
   ~WrittenPages() {
-    ::mprotect(first_, static_cast<std::size_t>(end_ - first_), PROT_READ | PROT_WRITE);
+    ::mprotect(first_, end_ - first_, PROT_READ | PROT_WRITE);
     ::sigaction(SIGSEGV, &former_, nullptr);
   }
   WrittenPages(const WrittenPages&) = delete;
@@ -397,12 +394,11 @@ class WrittenPages {
   // Whole pages of a field with its ghosts.
   void watch(const RealView& field) {
     const auto begin = reinterpret_cast<std::uintptr_t>(field.data);
-    const std::uintptr_t end =
-        begin + sizeof(double) * static_cast<std::size_t>(field.box.volume());
+    const std::uintptr_t end = begin + sizeof(double) * field.box.volume();
     first_ = reinterpret_cast<char*>((begin + page - 1) / page * page);
     end_ = reinterpret_cast<char*>(end / page * page);
     ASSERT_LT(first_, end_);
-    ASSERT_EQ(::mprotect(first_, static_cast<std::size_t>(end_ - first_), PROT_READ), 0);
+    ASSERT_EQ(::mprotect(first_, end_ - first_, PROT_READ), 0);
   }
   int count() const { return written_; }
 

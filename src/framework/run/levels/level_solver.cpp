@@ -133,9 +133,9 @@ std::unique_ptr<LevelSolver::Variant> LevelSolver::make_variant(bool masked, Pur
   SweepKinds kinds;
   kinds.count = diagnostic ? 1 : component_->step_kinds();
   kinds.halo = level_.ghosts(halo_width(*component_));
-  variant->lists.resize(static_cast<std::size_t>(kinds.count));
+  variant->lists.resize(kinds.count);
   kinds.graph = [this, masked, purpose, diagnostic, wanted, v = variant.get()](int kind) {
-    auto& list = v->lists[static_cast<std::size_t>(kind)];
+    auto& list = v->lists[kind];
     list = std::make_unique<TaskList>();
     if (diagnostic)
       component_->declare_diagnostics(*list, level_.index);
@@ -252,7 +252,7 @@ LevelSolver::Variant& LevelSolver::preparation(const std::vector<Label>& wanted)
 
 // All ranks come here together: they fill the same levels in the same order.
 void LevelSolver::sum_for_boundary() {
-  const auto count = static_cast<std::size_t>(component_->boundary_sums());
+  const std::size_t count = component_->boundary_sums();
   if (count == 0) return;
   std::vector<ExactSum> local(count);
   component_->add_boundary_sums(state_, local);
@@ -310,17 +310,15 @@ void LevelSolver::reduce(const Reductions& local, const RunControl* control) {
   for (const CellFault& f : local.faults())
     if (&f == &local.faults().front() || before(f, lowest)) lowest = f;
   attempt_.first_fault = lowest;
-  attempt_.maxima.resize(static_cast<std::size_t>(local.maxima_count()));
-  attempt_.sums.resize(static_cast<std::size_t>(local.sum_count()));
+  attempt_.maxima.resize(local.maxima_count());
+  attempt_.sums.resize(local.sum_count());
   reduction_.clear();
   const auto faults = reduction_.add_count(local.fault_count());
   RunControl::Question question{};
   if (control != nullptr) question = control->ask(reduction_);
   if (communicator_->size() == 1) {
-    for (int m = 0; m < local.maxima_count(); ++m)
-      attempt_.maxima[static_cast<std::size_t>(m)] = local.maximum(m);
-    for (int s = 0; s < local.sum_count(); ++s)
-      attempt_.sums[static_cast<std::size_t>(s)] = local.sum(s).value();
+    for (int m = 0; m < local.maxima_count(); ++m) attempt_.maxima[m] = local.maximum(m);
+    for (int s = 0; s < local.sum_count(); ++s) attempt_.sums[s] = local.sum(s).value();
   } else {
     std::vector<Reduction::Maximum> maxima;
     std::vector<Reduction::Sum> sums;

@@ -8,7 +8,7 @@
 namespace sluice {
 
 std::vector<double> LevelSolver::effect_seconds() const {
-  std::vector<double> seconds(static_cast<std::size_t>(component_->effects().size()), 0.0);
+  std::vector<double> seconds(component_->effects().size(), 0.0);
   for (const auto& [key, v] : variants_)
     for (int kind = 0; kind < v->executor->kinds(); ++kind) {
       if (!v->executor->met(kind)) continue;
@@ -16,15 +16,15 @@ std::vector<double> LevelSolver::effect_seconds() const {
       const SweepPlan& plan = v->executor->plan(kind);
       const std::vector<double> tasks = v->executor->task_seconds(kind);
       for (std::size_t t = 0; t < tasks.size(); ++t) {
-        const auto task = static_cast<std::size_t>(plan.tasks[t].task);
-        seconds[static_cast<std::size_t>(list.tasks()[task].effect)] += tasks[t];
+        const std::size_t task = plan.tasks[t].task;
+        seconds[list.tasks()[task].effect] += tasks[t];
       }
     }
   return seconds;
 }
 
 std::vector<int> LevelSolver::effect_tasks() const {
-  std::vector<int> most(static_cast<std::size_t>(component_->effects().size()), 0);
+  std::vector<int> most(component_->effects().size(), 0);
   const auto plain = variants_.find({false, {}});
   if (plain == variants_.end()) return most;
   SweepExecutor& executor = *plain->second->executor;
@@ -32,15 +32,14 @@ std::vector<int> LevelSolver::effect_tasks() const {
     if (!executor.met(kind)) continue;
     std::vector<int> count(most.size(), 0);
     for (const PlannedTask& p : executor.plan(kind).tasks)
-      ++count[static_cast<std::size_t>(
-          executor.list(kind).tasks()[static_cast<std::size_t>(p.task)].effect)];
+      ++count[executor.list(kind).tasks()[p.task].effect];
     for (std::size_t e = 0; e < most.size(); ++e) most[e] = std::max(most[e], count[e]);
   }
   return most;
 }
 
 std::vector<double> LevelSolver::effect_doubles() const {
-  std::vector<double> doubles(static_cast<std::size_t>(component_->effects().size()), 0.0);
+  std::vector<double> doubles(component_->effects().size(), 0.0);
   const auto plain = variants_.find({false, {}});
   if (plain == variants_.end()) return doubles;
   SweepExecutor& executor = *plain->second->executor;
@@ -50,10 +49,9 @@ std::vector<double> LevelSolver::effect_doubles() const {
     const TaskList& list = executor.list(kind);
     for (const Task& t : list.tasks())
       for (VariableId v : t.writes)
-        if (executor.plan(kind).used[static_cast<std::size_t>(v.index)] &&
-            list[v].storage == Storage::new_state &&
+        if (executor.plan(kind).used[v.index] && list[v].storage == Storage::new_state &&
             counted.insert({list[v].label, list[v].material}).second)
-          doubles[static_cast<std::size_t>(t.effect)] += 2.0 * list[v].components;  // old and new
+          doubles[t.effect] += 2.0 * list[v].components;  // old and new
   }
   return doubles;
 }

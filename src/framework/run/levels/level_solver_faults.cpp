@@ -31,7 +31,7 @@ std::optional<UnsoundCell> LevelSolver::unsound_start() {
     for (int b = 0; b < static_cast<int>(state_.local_boxes().size()); ++b)
       for (int c = 0; c < state_.info(slot).components; ++c) {
         const RealView v = state_.view(slot, c, b);
-        for_each_cell(state_.local_boxes()[static_cast<std::size_t>(b)].cells, [&](IntVec3 cell) {
+        for_each_cell(state_.local_boxes()[b].cells, [&](IntVec3 cell) {
           if (std::isfinite(v(cell))) return;
           const CellFault f{cell, level_.index, state_.info(slot).material, slot, v(cell)};
           if (found == 0 || before(f, lowest)) lowest = f;
@@ -57,7 +57,7 @@ std::int64_t LevelSolver::mask_faults() {
   std::int64_t now = 0;
   for (const CellFault& f : last_.faults())
     for (int b = 0; b < static_cast<int>(state_.local_boxes().size()); ++b) {
-      if (!state_.local_boxes()[static_cast<std::size_t>(b)].cells.contains(f.cell)) continue;
+      if (!state_.local_boxes()[b].cells.contains(f.cell)) continue;
       double& mask = state_.view(slot, 0, b)(f.cell);
       now += mask != 0.0;
       mask = 0.0;
@@ -87,8 +87,7 @@ void LevelSolver::spread_masks(int slot) {
     for_each_cell(mask.box, [&](IntVec3 c) {
       IntVec3 inside = c;
       for (int d = 0; d < 3; ++d)
-        if (!level_.periodic[static_cast<std::size_t>(d)])
-          inside[d] = std::clamp(c[d], domain.lower[d], domain.upper[d] - 1);
+        if (!level_.periodic[d]) inside[d] = std::clamp(c[d], domain.lower[d], domain.upper[d] - 1);
       if (inside != c) mask(c) = mask(inside);
     });
   }
@@ -98,27 +97,27 @@ void LevelSolver::spread_masks(int slot) {
 // cells are found before the first is masked: boxes may share the cells beside them.
 std::int64_t LevelSolver::widen_masks(int slot) {
   const int boxes = static_cast<int>(state_.local_boxes().size());
-  std::vector<std::vector<IntVec3>> next(static_cast<std::size_t>(boxes));
+  std::vector<std::vector<IntVec3>> next(boxes);
   std::int64_t found = 0;
   for (int b = 0; b < boxes; ++b) {
     const RealView mask = state_.view(slot, 0, b);
-    for_each_cell(state_.local_boxes()[static_cast<std::size_t>(b)].cells, [&](IntVec3 c) {
+    for_each_cell(state_.local_boxes()[b].cells, [&](IntVec3 c) {
       bool beside = false;
       for (int d = 0; d < 3; ++d) {
-        if (!level_.active[static_cast<std::size_t>(d)]) continue;
+        if (!level_.active[d]) continue;
         for (const int step : {-1, 1}) {
           IntVec3 other = c;
           other[d] += step;
           beside = beside || mask(other) == 0.0;
         }
       }
-      if (beside && mask(c) != 0.0) next[static_cast<std::size_t>(b)].push_back(c);
+      if (beside && mask(c) != 0.0) next[b].push_back(c);
     });
   }
   for (int b = 0; b < boxes; ++b) {
     const RealView mask = state_.view(slot, 0, b);
-    for (const IntVec3 c : next[static_cast<std::size_t>(b)]) mask(c) = 0.0;
-    found += static_cast<std::int64_t>(next[static_cast<std::size_t>(b)].size());
+    for (const IntVec3 c : next[b]) mask(c) = 0.0;
+    found += static_cast<std::int64_t>(next[b].size());
   }
   return found;
 }

@@ -51,7 +51,7 @@ struct Tube {
     std::vector<double> all;
     const int slot = w.find(label, 0);
     for (int b = 0; b < static_cast<int>(w.local_boxes().size()); ++b)
-      for_each_cell(w.local_boxes()[static_cast<std::size_t>(b)].cells,
+      for_each_cell(w.local_boxes()[b].cells,
                     [&](IntVec3 c) { all.push_back(w.view(slot, 0, b)(c)); });
     return all;
   }
@@ -69,9 +69,8 @@ TEST_F(LevelSolverTest, AnAttemptIsAStepOnceItIsAccepted) {
   tube.solver.accept();
   const auto after = tube.state();
   for (int i = 1; i < 40; ++i)
-    EXPECT_EQ(
-        after[static_cast<std::size_t>(i)],
-        MockComponent::start(i) + 0.5 * (MockComponent::start(i - 1) - MockComponent::start(i)));
+    EXPECT_EQ(after[i], MockComponent::start(i) +
+                            0.5 * (MockComponent::start(i - 1) - MockComponent::start(i)));
   EXPECT_EQ(tube.solver.attempt_result().maxima, std::vector<double>{8});
   const double inflow = 0.5 * 0.125 * (MockComponent::start(0) - MockComponent::start(39));
   EXPECT_EQ(tube.solver.attempt_result().sums, std::vector<double>{inflow});
@@ -97,7 +96,7 @@ struct SummingComponent : MockComponent {
   int boundary_sums() const override { return 1; }
   void add_boundary_sums(const Warehouse& state, std::span<ExactSum> sums) const override {
     for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b)
-      for_each_cell(state.local_boxes()[static_cast<std::size_t>(b)].cells,
+      for_each_cell(state.local_boxes()[b].cells,
                     [&](IntVec3 c) { sums[0].add(state.view(0, 0, b)(c) / 3); });
   }
   void fill_boundary(Warehouse& state, double time, std::span<const double> sums,

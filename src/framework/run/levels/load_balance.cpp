@@ -20,7 +20,7 @@ std::vector<double> box_seconds(const LevelSolver& solver, const ParticleCloud* 
   std::vector<std::size_t> next(all.size(), 0);  // local boxes are numbered in the order of ids
   std::vector<double> seconds;
   for (const GridBox& b : boxes) {
-    const auto rank = static_cast<std::size_t>(b.owner);
+    const std::size_t rank = b.owner;
     double value = 0;
     std::memcpy(&value, all[rank].data() + next[rank]++ * sizeof value, sizeof value);
     seconds.push_back(value);

@@ -42,7 +42,7 @@ std::vector<std::vector<double>> read_values(const ArchiveStep& checkpoint, Labe
 
 std::size_t column_of_component(const ParticleAttribute& a, int component) {
   constexpr std::size_t of_symmetric[9] = {0, 5, 4, 5, 1, 3, 4, 3, 2};
-  const auto c = static_cast<std::size_t>(component);
+  const std::size_t c = component;
   return a.symmetric ? of_symmetric[c] : c;
 }
 
@@ -86,7 +86,7 @@ class BoxPieces {
       add(a.label, c, set_->attribute_values(column + column_of_component(a, c)));
   }
   void add_derived(const DerivedAttribute& d) {
-    const auto components = static_cast<std::size_t>(component_count(d.label.info().type));
+    const std::size_t components = component_count(d.label.info().type);
     std::vector<std::vector<double>> columns(components, std::vector<double>(set_->size()));
     d.compute(*set_, columns);
     for (std::size_t c = 0; c < components; ++c)
@@ -132,7 +132,7 @@ void ParticleCloud::add_pieces(const Wanted& wanted, ParticlePieces& to) const {
         std::size_t column = 0;
         for (const ParticleAttribute& a : kind.attributes) {
           if (asked(a.label)) pieces.add_attribute(a, column);
-          column += static_cast<std::size_t>(a.columns());
+          column += a.columns();
         }
         for (const DerivedAttribute& d : kind.derived)
           if (asked(d.label)) pieces.add_derived(d);
@@ -171,7 +171,7 @@ void ParticleCloud::restore(const ArchiveStep& checkpoint, const Levels& levels)
       for (const ParticleAttribute& a : what.attributes) {
         std::vector<std::vector<double>> all = values(a.label);
         const std::size_t first = attributes.size();
-        attributes.resize(first + static_cast<std::size_t>(a.columns()));
+        attributes.resize(first + a.columns());
         for (std::size_t c = 0; c < all.size(); ++c)
           attributes[first + column_of_component(a, static_cast<int>(c))] = std::move(all[c]);
       }

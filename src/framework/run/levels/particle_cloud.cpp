@@ -18,7 +18,7 @@ namespace {
 // The cells of a local box where its particles live.
 std::vector<IndexBox> own_cells(const LevelSolver& level, int box, int levels) {
   if (levels > 1) return level.coverage().uncovered(box);
-  return {level.state().local_boxes()[static_cast<std::size_t>(box)].cells};
+  return {level.state().local_boxes()[box].cells};
 }
 
 }  // namespace
@@ -80,7 +80,7 @@ void ParticleCloud::start(const Levels& levels, double time) {
   for (std::size_t k = 0; k < kinds_.size(); ++k) {
     ParticleStore& store = kinds_[k].store;
     for (int l = 0; l < store.level_count(); ++l) {
-      const LevelSolver& level = *levels[static_cast<std::size_t>(l)];
+      const LevelSolver& level = *levels[l];
       for (int b = 0; b < store.box_count(l); ++b)
         for (const IndexBox& cells : own_cells(level, b, store.level_count()))
           method_->start(static_cast<int>(k), level.level(), cells, store.set(l, b));
@@ -129,7 +129,7 @@ void ParticleCloud::advance_box(int kind, LevelSolver& level, int box, ParticleS
   step.new_state = &level.state();
   step.box = box;
   step.cells = cells;
-  ParticleSet& set = kinds_[static_cast<std::size_t>(kind)].store.set(level.level().index, box);
+  ParticleSet& set = kinds_[kind].store.set(level.level().index, box);
   method_->advance(kind, step, set);
 }
 
@@ -146,7 +146,7 @@ void ParticleCloud::advance(const Levels& levels, double end, int parts) {
       std::atomic<std::int64_t> made = 0, left = 0;
       for (std::size_t l = 0; l < levels.size(); ++l) {
         const int level = static_cast<int>(l);
-        const auto boxes = static_cast<std::size_t>(kind.store.box_count(level));
+        const std::size_t boxes = kind.store.box_count(level);
         levels[l]->team()->for_each(boxes, [&](std::size_t b, int) {
           const auto start = std::chrono::steady_clock::now();
           const int box = static_cast<int>(b);
@@ -185,7 +185,7 @@ void ParticleCloud::take_over(double end) {
 
 void ParticleCloud::keep_only(int kind, int level, int box,
                               const std::vector<std::uint32_t>& kept) {
-  Kind& of = kinds_[static_cast<std::size_t>(kind)];
+  Kind& of = kinds_[kind];
   ParticleSet& set = of.store.set(level, box);
   of.left += static_cast<std::int64_t>(set.size() - kept.size());
   set.select(kept);
@@ -193,7 +193,7 @@ void ParticleCloud::keep_only(int kind, int level, int box,
 
 void ParticleCloud::add_copy(int kind, int level, int box, std::size_t n, Vec3 place,
                              std::int64_t id) {
-  Kind& of = kinds_[static_cast<std::size_t>(kind)];
+  Kind& of = kinds_[kind];
   ParticleSet& set = of.store.set(level, box);
   set.add(place, id);
   for (std::size_t a = 0; a < set.attribute_count(); ++a)
@@ -206,7 +206,7 @@ void ParticleCloud::change_kinds(int level, int box, const std::vector<std::vect
   for (std::size_t k = 0; k < to.size(); ++k)
     for (std::size_t n = 0; n < to[k].size(); ++n) {
       if (to[k][n] == static_cast<int>(k)) continue;
-      Kind& other = kinds_[static_cast<std::size_t>(to[k][n])];
+      Kind& other = kinds_[to[k][n]];
       other.store.set(level, box).add_from(kinds_[k].store.set(level, box), n);
       ++other.made;
       --kinds_[k].made;
@@ -229,7 +229,7 @@ void ParticleCloud::relocate() {
       for (int b = 0; b < store.box_count(l); ++b) {
         ParticleSet& set = store.set(l, b);
         const std::size_t before = set.size();
-        const Level& level = map_->levels()[static_cast<std::size_t>(l)];
+        const Level& level = map_->levels()[l];
         keep_inside(static_cast<int>(k), level, set);
         method_->follow_wrapped(static_cast<int>(k), level, set);
         kinds_[k].left += static_cast<std::int64_t>(before - set.size());
@@ -262,8 +262,7 @@ std::vector<FlagSeeds> ParticleCloud::flag_seeds(int l) const {
         const ParticleSet& set = store.set(f, b);
         for (std::size_t n = 0; n < set.size(); ++n)
           if (method_->asks_refinement(static_cast<int>(k), set, n, f, l))
-            of_kind.cells.push_back(
-                cell_at(map_->levels()[static_cast<std::size_t>(l)], set.position(n)));
+            of_kind.cells.push_back(cell_at(map_->levels()[l], set.position(n)));
       }
   }
   return all;

@@ -60,7 +60,7 @@ class ParticleCloud {
   void succeed(const ParticleCloud& earlier, const Levels& levels);
 
   int level_count() const { return static_cast<int>(box_seconds_.size()); }
-  const Level& level(int l) const { return map_->levels()[static_cast<std::size_t>(l)]; }
+  const Level& level(int l) const { return map_->levels()[l]; }
   // Labels that can be saved.
   std::vector<Label> labels() const;
   // Of all labels for which `wanted`; position and id come with any of them.
@@ -71,16 +71,12 @@ class ParticleCloud {
   std::vector<FlagSeeds> flag_seeds(int level) const;
 
   int kind_count() const { return static_cast<int>(kinds_.size()); }
-  ParticleStore& store(int kind) { return kinds_[static_cast<std::size_t>(kind)].store; }
-  const ParticleStore& store(int kind) const {
-    return kinds_[static_cast<std::size_t>(kind)].store;
-  }
+  ParticleStore& store(int kind) { return kinds_[kind].store; }
+  const ParticleStore& store(int kind) const { return kinds_[kind].store; }
   std::vector<ParticleCount> counts() const;  // collective
   std::int64_t local_count() const;           // of this rank, all kinds
   // Spent on the particles of each local box of a level since boxes were laid out.
-  const std::vector<double>& box_seconds(int level) const {
-    return box_seconds_[static_cast<std::size_t>(level)];
-  }
+  const std::vector<double>& box_seconds(int level) const { return box_seconds_[level]; }
   // For checkpoints. Collective.
   std::string state() const;
 

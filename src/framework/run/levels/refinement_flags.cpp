@@ -51,7 +51,7 @@ template <class F>
 void for_each_row(const Warehouse& outputs, int slot, int component, F&& f) {
   for (int b = 0; b < static_cast<int>(outputs.local_boxes().size()); ++b) {
     const RealView v = outputs.view(slot, component, b);
-    const IndexBox& cells = outputs.local_boxes()[static_cast<std::size_t>(b)].cells;
+    const IndexBox& cells = outputs.local_boxes()[b].cells;
     IntVec3 first = cells.lower;
     for (first.z = cells.lower.z; first.z < cells.upper.z; ++first.z)
       for (first.y = cells.lower.y; first.y < cells.upper.y; ++first.y)
@@ -186,7 +186,7 @@ void RefinementFlags::add_seeds(const LevelSolver& solver, Communicator& communi
     merge_ranks(found, communicator);
     IntVec3 reach{};
     for (int d = 0; d < 3; ++d)
-      if (level.active[static_cast<std::size_t>(d)])
+      if (level.active[d])
         reach[d] = static_cast<int>(
             std::ceil(std::min(seeds.distance / level.spacing[d], 1.0 * level.domain.size()[d])));
     flags |= found.dilated(reach, level.periodic);
@@ -200,13 +200,12 @@ std::vector<FlagField> RefinementFlags::of(const std::vector<LevelSolver*>& leve
   const std::vector<double> most = largest_errors(levels, communicator);
   std::vector<FlagField> all;
   for (int l = 0; l < flagging; ++l) {
-    const LevelSolver& solver = *levels[static_cast<std::size_t>(l)];
+    const LevelSolver& solver = *levels[l];
     FlagField& flags = all.emplace_back(solver.level().domain);
     add_flagged(solver.outputs(), flag_, 0, 0.0, flags);
     for (std::size_t n = 0; n < estimates_.size(); ++n)
       add_flagged(solver.outputs(), estimates_[n].estimate, estimates_[n].material, most[n], flags);
-    for (const GridBox& box : solver.state().local_boxes())
-      regions_[static_cast<std::size_t>(l)].add(box.cells, flags);
+    for (const GridBox& box : solver.state().local_boxes()) regions_[l].add(box.cells, flags);
     merge_ranks(flags, communicator);
     add_seeds(solver, communicator, particles, flags);
   }

@@ -78,8 +78,7 @@ class FlagTest : public testing::Test {
     start();
     RefinementFlags flags(settings_, *component_, levels_);
     std::vector<LevelSolver*> read;
-    for (int l = 0; l < flags.levels_read(2, 1); ++l)
-      read.push_back(solvers_[static_cast<std::size_t>(l)].get());
+    for (int l = 0; l < flags.levels_read(2, 1); ++l) read.push_back(solvers_[l].get());
     const std::vector<FlagField> all = flags.of(read, 1, 0, world());
     EXPECT_EQ(all.size(), 1u);
     return all.front();

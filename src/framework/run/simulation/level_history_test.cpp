@@ -64,7 +64,7 @@ TEST_F(LevelHistoryTest, OneLevelOtherRanksAndRunsWithoutAnArchiveWriteNothing) 
   for (const auto& [levels, is_root] : {std::pair{1, true}, std::pair{2, false}}) {
     LevelHistory history(levels, is_root);
     history.open(sub("a"));
-    history.sample(0, 0, std::vector<std::int64_t>(static_cast<std::size_t>(levels), 8));
+    history.sample(0, 0, std::vector<std::int64_t>(levels, 8));
     history.finish();
     EXPECT_FALSE(fs::exists(folder_ / "a" / "levels.txt"));
   }

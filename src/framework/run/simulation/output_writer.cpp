@@ -112,15 +112,15 @@ void OutputWriter::add_output_pieces(LevelSolver& solver, bool initial,
   });
   if (!initial) labels.insert(labels.end(), saved_.step.begin(), saved_.step.end());
   const int materials = component_->material_count();
-  for (std::size_t n = 0; n < labels.size() * static_cast<std::size_t>(materials); ++n) {
-    const Label label = labels[n / static_cast<std::size_t>(materials)];
-    const int material = static_cast<int>(n % static_cast<std::size_t>(materials));
+  for (std::size_t n = 0; n < labels.size() * materials; ++n) {
+    const Label label = labels[n / materials];
+    const int material = static_cast<int>(n % materials);
     const SaveRequest* request = nullptr;
     const int slot = outputs.find(label, material);
     if (slot < 0 || !wants(label, material, level, request)) continue;
     for (int b = 0; b < static_cast<int>(outputs.local_boxes().size()); ++b)
       for (int c = 0; c < outputs.info(slot).components; ++c) {
-        const GridBox& box = outputs.local_boxes()[static_cast<std::size_t>(b)];
+        const GridBox& box = outputs.local_boxes()[b];
         FieldPiece piece;
         piece.label = label;
         piece.material = material;
@@ -148,7 +148,7 @@ void OutputWriter::add_analysed_pieces(LevelSolver& solver, std::vector<FieldPie
     if (!wants(slot.label, slot.material, level, request)) continue;
     for (int b = 0; b < static_cast<int>(outputs.local_boxes().size()); ++b)
       for (int c = 0; c < slot.components; ++c) {
-        const GridBox& box = outputs.local_boxes()[static_cast<std::size_t>(b)];
+        const GridBox& box = outputs.local_boxes()[b];
         FieldPiece piece;
         piece.label = slot.label;
         piece.material = slot.material;
@@ -172,7 +172,7 @@ void OutputWriter::add_checkpoint_pieces(LevelSolver& solver,
     const int slot = state.find(slots[s].label, slots[s].material);
     for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b)
       for (std::size_t c = 0; c < labels[s].size(); ++c) {
-        const GridBox& box = state.local_boxes()[static_cast<std::size_t>(b)];
+        const GridBox& box = state.local_boxes()[b];
         FieldPiece piece;
         piece.label = labels[s][c];
         piece.material = slots[s].material;

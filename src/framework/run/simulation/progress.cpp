@@ -128,7 +128,7 @@ void Progress::print_plain() {
 
 void Progress::print_live() {
   std::string line = live_line();
-  const auto width = static_cast<std::size_t>(std::max(terminal_width(options_.stream) - 1, 1));
+  const std::size_t width = std::max(terminal_width(options_.stream) - 1, 1);
   if (line.size() > width) line.resize(width);  // a wrapped line could not be taken back
   std::fputs(("\r" + line + "\033[K").c_str(), options_.stream);
   std::fflush(options_.stream);

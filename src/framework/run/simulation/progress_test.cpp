@@ -172,7 +172,7 @@ TEST(Progress, a_terminal_gets_one_live_line) {
   std::string text;
   std::array<char, 256> part;
   for (ssize_t n = 0; (n = read(terminal, part.data(), part.size())) > 0;) {
-    text.append(part.data(), static_cast<std::size_t>(n));
+    text.append(part.data(), n);
   }
   close(terminal);
   EXPECT_THAT(text, StartsWith("\rstep 1  t = 0.5 (50 %)"));

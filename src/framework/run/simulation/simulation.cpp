@@ -87,10 +87,9 @@ void Simulation::restart_from(const ArchiveStep& checkpoint) {
 StepLimit Simulation::limit_at_restart(const std::map<std::string, std::string>& kept) {
   const auto found = kept.find("rates");
   Rates rates = found == kept.end() ? Rates() : Json::parse(found->second).get<Rates>();
-  rates.resize(static_cast<std::size_t>(hierarchy_->possible_levels()));
+  rates.resize(hierarchy_->possible_levels());
   for (int l = 0; l < hierarchy_->level_count(); ++l)
-    if (static_cast<int>(rates[static_cast<std::size_t>(l)].size()) !=
-        component_->reduction_maxima())
+    if (static_cast<int>(rates[l].size()) != component_->reduction_maxima())
       return {time_.state().physics_dt, "checkpoint"};
   hierarchy_->set_rates(std::move(rates));
   return hierarchy_->step_limit();
@@ -305,7 +304,7 @@ void Simulation::prepare_next(const StepPlan& plan, const StepEnd& end) {
 void Simulation::plant_nan(IntVec3 cell) {
   Warehouse& state = hierarchy_->level(0).state();
   for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b)
-    if (state.local_boxes()[static_cast<std::size_t>(b)].cells.contains(cell))
+    if (state.local_boxes()[b].cells.contains(cell))
       state.view(0, 0, b)(cell) = std::numeric_limits<double>::quiet_NaN();
   hierarchy_->level(0).touch();
 }

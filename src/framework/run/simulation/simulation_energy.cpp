@@ -11,8 +11,7 @@ double Simulation::least_spacing() const {
   const Level& finest = hierarchy_->level(hierarchy_->level_count() - 1).level();
   double least = 0;
   for (int d = 0; d < 3; ++d)
-    if (finest.active[static_cast<std::size_t>(d)] && (least == 0 || finest.spacing[d] < least))
-      least = finest.spacing[d];
+    if (finest.active[d] && (least == 0 || finest.spacing[d] < least)) least = finest.spacing[d];
   return least;
 }
 
@@ -30,7 +29,7 @@ bool Simulation::judge_energies(const StepPlan& plan, const std::vector<double>&
   const bool inherited = attempts.gain > 0 && excess->gain > no_less * attempts.gain;
   attempts.gain = excess->gain;
   if (inherited || 0.5 * plan.dt < scene_->time.delt_min) return true;
-  const BodyEnergy& body = bodies[static_cast<std::size_t>(excess->body)];
+  const BodyEnergy& body = bodies[excess->body];
   const std::string where =
       component_->place_of_gain(*hierarchy_->particles(), body.material, *communicator_);
   reason = fmt::format(

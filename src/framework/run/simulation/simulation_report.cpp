@@ -30,7 +30,7 @@ RunReport Simulation::report() const {
   r.balances = hierarchy_->balances();
   r.balance_seconds = hierarchy_->balance_seconds();
   for (const LevelCost& level : r.levels) r.cell_updates += level.updates;
-  std::vector<double> seconds(static_cast<std::size_t>(component_->effects().size()), 0.0);
+  std::vector<double> seconds(component_->effects().size(), 0.0);
   for (int l = 0; l < hierarchy_->possible_levels(); ++l) {
     const LevelSolver& solver = hierarchy_->level(l);
     r.blocks_run += solver.blocks_run();
@@ -52,9 +52,8 @@ RunReport Simulation::report() const {
   const std::vector<int> tasks = hierarchy_->level(0).effect_tasks();
   const std::vector<double> doubles = hierarchy_->level(0).effect_doubles();
   for (int e = 0; e < component_->effects().size(); ++e) {
-    const auto n = static_cast<std::size_t>(e);
-    r.effects.push_back({component_->effects()[e], tasks[n],
-                         doubles[n] * static_cast<double>(sizeof(double)), seconds[n]});
+    r.effects.push_back({component_->effects()[e], tasks[e],
+                         doubles[e] * static_cast<double>(sizeof(double)), seconds[e]});
   }
   r.events_json = ledger_.to_json().dump();
   r.conservation_json = conservation_.to_json().dump();

@@ -83,7 +83,7 @@ class MockTransfer final : public TransferOperators {
         const IntVec3 below = coarsen(c, g.ratio);
         double value = coarse[q](below);
         for (int d = 0; d < 3 && order > 0; ++d) {
-          if (!g.active[static_cast<std::size_t>(d)]) continue;
+          if (!g.active[d]) continue;
           IntVec3 step{};
           step[d] = 1;
           const double slope = minmod(coarse[q](below) - coarse[q](below - step),

@@ -49,7 +49,7 @@ inline Scene scene_of(const Shape& shape) {
   for (const int ratio : shape.ratios) {
     ++level.index;
     for (int d = 0; d < 3; ++d) {
-      level.ratio[d] = level.active[static_cast<std::size_t>(d)] ? ratio : 1;
+      level.ratio[d] = level.active[d] ? ratio : 1;
       level.spacing[d] /= level.ratio[d];
     }
     level.domain = refine(level.domain, level.ratio);
@@ -62,7 +62,7 @@ inline Scene scene_of(const Shape& shape) {
 // A static level over cells of the next coarser one, cut into pieces.
 inline void add_boxes(Scene& scene, int l, const IndexBox& coarse_cells,
                       IntVec3 pieces = {1, 1, 1}) {
-  Level& level = scene.grid.levels[static_cast<std::size_t>(l)];
+  Level& level = scene.grid.levels[l];
   for (const IndexBox& b : split(coarse_cells, pieces))
     level.boxes.push_back({refine(b, level.ratio), 0, static_cast<int>(level.boxes.size())});
   assign_owners(level.boxes, world().size());
@@ -72,8 +72,7 @@ inline void add_boxes(Scene& scene, int l, const IndexBox& coarse_cells,
 inline void make_adaptive(Scene& scene, IntVec3 tile) {
   RefinementSettings& r = scene.refinement;
   IntVec3 active{};
-  for (int d = 0; d < 3; ++d)
-    active[d] = scene.grid.levels.front().active[static_cast<std::size_t>(d)] ? 1 : 0;
+  for (int d = 0; d < 3; ++d) active[d] = scene.grid.levels.front().active[d] ? 1 : 0;
   r.adaptive = true;
   r.max_interval = 1;
   r.tile.assign(scene.grid.levels.size(), max(active * tile, IntVec3::all(1)));
@@ -114,7 +113,7 @@ inline States states_of(const Hierarchy& hierarchy) {
     const Warehouse& state = hierarchy.level(l).state();
     const auto slots = HierarchyMock::slots_of(state);
     for (int n = 0; n < static_cast<int>(state.local_boxes().size()); ++n)
-      for_each_cell(state.local_boxes()[static_cast<std::size_t>(n)].cells, [&](IntVec3 c) {
+      for_each_cell(state.local_boxes()[n].cells, [&](IntVec3 c) {
         CellState s{l, c, {}};
         for (std::size_t q = 0; q < quantities; ++q) s.values[q] = state.view(slots[q], 0, n)(c);
         mine.append(reinterpret_cast<const char*>(&s), sizeof s);

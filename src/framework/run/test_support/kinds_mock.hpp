@@ -114,7 +114,7 @@ class KindsMock final : public Component {
 
 inline void KindsMock::initialise(Warehouse& state) const {
   for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b)
-    for_each_cell(state.local_boxes()[static_cast<std::size_t>(b)].cells, [&](IntVec3 c) {
+    for_each_cell(state.local_boxes()[b].cells, [&](IntVec3 c) {
       const double mass[] = {start_(0, c), start_(1, c)};
       const auto set = [&](int slot, int component, double value) {
         double& there = state.view(slot, component, b)(c);

@@ -49,7 +49,7 @@ class MockComponent : public Component {
   static double start(int i) { return 1 + 0.125 * ((i * 5) % 7); }
   void initialise(Warehouse& state) const override {
     for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b)
-      for_each_cell(state.local_boxes()[static_cast<std::size_t>(b)].cells,
+      for_each_cell(state.local_boxes()[b].cells,
                     [&](IntVec3 c) { state.view(0, 0, b)(c) = start(c.x); });
   }
   void fill_boundary(Warehouse& state, double, std::span<const double>,
@@ -105,7 +105,7 @@ class MockComponent : public Component {
                   Totals& totals) const override {
     totals.mass.resize(1);
     for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b)
-      for_each_cell(state.local_boxes()[static_cast<std::size_t>(b)].cells, [&](IntVec3 c) {
+      for_each_cell(state.local_boxes()[b].cells, [&](IntVec3 c) {
         totals.mass[0].add(state.view(0, 0, b)(c) * level_->cell_volume());
       });
   }

@@ -55,7 +55,7 @@ void polar(const Nine<const double>& F, int from, int count, std::span<Polar> fo
   }
   turn(R);
   for (int l = 0; l < count; ++l) {
-    Polar& here = found[static_cast<std::size_t>(l)];
+    Polar& here = found[l];
     for (std::size_t m = 0; m < 9; ++m) here.R[m] = R[m][l];
     here.U = symmetric(product(transposed(here.R), at(F, from + l)));
   }
@@ -72,9 +72,8 @@ Principal principal(const Symmetric& S) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(full_matrix);
   Principal found;
   for (int k = 0; k < 3; ++k) {
-    found.values[static_cast<std::size_t>(k)] = solver.eigenvalues()[k];
-    for (int i = 0; i < 3; ++i)
-      found.vectors[static_cast<std::size_t>(3 * k + i)] = solver.eigenvectors()(i, k);
+    found.values[k] = solver.eigenvalues()[k];
+    for (int i = 0; i < 3; ++i) found.vectors[3 * k + i] = solver.eigenvectors()(i, k);
   }
   return found;
 }

@@ -187,8 +187,8 @@ class FibreRubber final : public Material {
       b.history[2 + k][i] = S[k];
       const double more = S[k] - b.old_history[2 + k][i];
       for (int m = 0; m < shares; ++m) {
-        const std::size_t at_share = 8 + 6 * static_cast<std::size_t>(m) + k;
-        const double y = c_.y[static_cast<std::size_t>(m)], t = c_.t[static_cast<std::size_t>(m)];
+        const std::size_t at_share = 8 + 6 * m + k;
+        const double y = c_.y[m], t = c_.t[m];
         double H = 0;
         if (y != 0 && t > 0) {
           const double x = b.dt / t;

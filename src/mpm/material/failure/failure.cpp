@@ -54,7 +54,7 @@ class MaterialWithFailure final : public Material {
   double shear_modulus() const override { return law_->shear_modulus(); }
 
   void start(const Batch& b) const override {
-    for (std::size_t k = static_cast<std::size_t>(of_law_); k < b.history.size(); ++k)
+    for (std::size_t k = of_law_; k < b.history.size(); ++k)
       std::fill_n(b.history[k], b.count, 0.0);
     law_->start(of_law(b));
     for (int i = 0; i < b.count; ++i) {
@@ -69,7 +69,7 @@ class MaterialWithFailure final : public Material {
 
   std::optional<BatchFault> update(const Batch& b) const override {
     if (auto fault = law_->update(of_law(b))) return fault;
-    for (std::size_t k = static_cast<std::size_t>(of_law_); k < b.history.size(); ++k)
+    for (std::size_t k = of_law_; k < b.history.size(); ++k)
       std::copy_n(b.old_history[k], b.count, b.history[k]);
     const Six<const double> new_stress = {b.stress[0], b.stress[1], b.stress[2],
                                           b.stress[3], b.stress[4], b.stress[5]};
@@ -92,7 +92,7 @@ class MaterialWithFailure final : public Material {
   }
   Batch of_law(const Batch& b) const {
     Batch part = b;
-    const auto n = static_cast<std::size_t>(of_law_);
+    const std::size_t n = of_law_;
     part.history = b.history.first(n);
     if (!b.old_history.empty()) part.old_history = b.old_history.first(n);
     return part;
@@ -288,8 +288,7 @@ void read_damage(const Parameters& around, const Material& law, FailureConstants
   const ChosenPart chosen = choose_part(around, "damage_model", damages(), damages_not_supported);
   if (chosen.index < 0) return;
   c.damage.form = static_cast<DamageForm>(chosen.index);
-  const Parameters p =
-      inside_part(around, "damage_model", damages()[static_cast<std::size_t>(chosen.index)]);
+  const Parameters p = inside_part(around, "damage_model", damages()[chosen.index]);
   if (!p.good()) return;
   DamageConstants& d = c.damage;
   switch (d.form) {

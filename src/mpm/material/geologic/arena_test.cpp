@@ -271,8 +271,7 @@ TEST(ArenaSoil, TrailsItsRestStress) {
   follow(
       s, [](double t) { return diagonal(std::exp(-0.25 * t), 1, 1); }, 101, 1);
   for (int k = 0; k < 6; ++k)
-    EXPECT_NEAR(s.stress()[static_cast<std::size_t>(k)], s.history(quiet + k),
-                1e-3 * std::abs(s.history(quiet)));
+    EXPECT_NEAR(s.stress()[k], s.history(quiet + k), 1e-3 * std::abs(s.history(quiet)));
 }
 
 // Sheared far beyond yield nearly all strain is plastic: the time of flow is the time since yield.

@@ -51,8 +51,8 @@ class Arenisca final : public Material {
     for (int i = 0; i < b.count; ++i) {
       for (std::size_t k = 0; k < b.history.size(); ++k) b.history[k][i] = 0;
       for (int k = 0; k < 6; ++k) {
-        b.stress[static_cast<std::size_t>(k)][i] = k < 3 ? mean : 0;
-        if (c_.T1 > 0) b.history[static_cast<std::size_t>(quiet_column_ + k)][i] = k < 3 ? mean : 0;
+        b.stress[k][i] = k < 3 ? mean : 0;
+        if (c_.T1 > 0) b.history[quiet_column_ + k][i] = k < 3 ? mean : 0;
       }
       b.history[kappa_column][i] = surface(0, 0).kappa;
       b.energy[i] = 0;
@@ -120,11 +120,11 @@ class Arenisca final : public Material {
 
   static Symmetric six(std::span<const double* const> columns, int first, int i) {
     Symmetric s;
-    for (std::size_t k = 0; k < 6; ++k) s[k] = columns[static_cast<std::size_t>(first) + k][i];
+    for (std::size_t k = 0; k < 6; ++k) s[k] = columns[first + k][i];
     return s;
   }
   static void put(std::span<double* const> columns, int first, int i, const Symmetric& s) {
-    for (std::size_t k = 0; k < 6; ++k) columns[static_cast<std::size_t>(first) + k][i] = s[k];
+    for (std::size_t k = 0; k < 6; ++k) columns[first + k][i] = s[k];
   }
 
   // K where the stress is after half of this strain, as elastic.

@@ -78,8 +78,8 @@ class MohrCoulomb final : public Material {
     const Three r = returned(s);
     Symmetric now{};
     for (int m = 0; m < 3; ++m) {
-      const double* n = &p.vectors[static_cast<std::size_t>(3 * (2 - m))];
-      const double v = r[static_cast<std::size_t>(m)];
+      const double* n = &p.vectors[3 * (2 - m)];
+      const double v = r[m];
       now[0] += v * n[0] * n[0];
       now[1] += v * n[1] * n[1];
       now[2] += v * n[2] * n[2];
@@ -94,13 +94,12 @@ class MohrCoulomb final : public Material {
   Three flow(int high, int low) const {
     const double volume = 2 * sin_psi_ * (K_ - 2.0 / 3 * G_);
     Three taken = {volume, volume, volume};
-    taken[static_cast<std::size_t>(high)] += 2 * G_ * (1 + sin_psi_);
-    taken[static_cast<std::size_t>(low)] -= 2 * G_ * (1 - sin_psi_);
+    taken[high] += 2 * G_ * (1 + sin_psi_);
+    taken[low] -= 2 * G_ * (1 - sin_psi_);
     return taken;
   }
   double slope(const Three& taken, int high, int low) const {
-    const double a = taken[static_cast<std::size_t>(high)],
-                 b = taken[static_cast<std::size_t>(low)];
+    const double a = taken[high], b = taken[low];
     return (a - b) + (a + b) * sin_phi_;
   }
 
@@ -115,7 +114,7 @@ class MohrCoulomb final : public Material {
     const int high = upper ? 1 : 0, low = upper ? 2 : 1;
     const Three second = flow(high, low);
     const double f_1 = beyond(s[0], s[2]);
-    const double f_2 = beyond(s[static_cast<std::size_t>(high)], s[static_cast<std::size_t>(low)]);
+    const double f_2 = beyond(s[high], s[low]);
     const double a11 = slope(plane, 0, 2), a12 = slope(second, 0, 2);
     const double a21 = slope(plane, high, low), a22 = slope(second, high, low);
     const double det = a11 * a22 - a12 * a21;

@@ -121,7 +121,7 @@ class PorousSolid final : public Material {
     Shear to;
     if (!(c_.shear > 0)) return to;
     std::array<double, 6> old_b;
-    for (int k = 0; k < 6; ++k) old_b[static_cast<std::size_t>(k)] = b.old_history[b_column + k][i];
+    for (int k = 0; k < 6; ++k) old_b[k] = b.old_history[b_column + k][i];
     std::array<double, 9> f = at(b.L, i);
     for (double& x : f) x *= b.dt;
     for (const std::size_t e : {0, 4, 8}) f[e] += 1;

@@ -133,7 +133,7 @@ class Metal final : public Material {
       std::array<Motion, polar_lanes> moves;
       find_motions(b, from, count, moves);
       for (int i = from; i < from + count; ++i)
-        if (!step(flow, b, i, moves[static_cast<std::size_t>(i - from)]))
+        if (!step(flow, b, i, moves[i - from]))
           return BatchFault{i, "past the pole of Mie-Grueneisen", volume(b, i)};
     }
     return std::nullopt;
@@ -149,14 +149,14 @@ class Metal final : public Material {
       for (int k = 0; k < count; ++k) {
         Matrix L = at(b.L, from + k);
         for (double& x : L) x *= b.dt;
-        moves[static_cast<std::size_t>(k)] = {identity, identity, symmetric(L)};
+        moves[k] = {identity, identity, symmetric(L)};
       }
       return;
     }
     std::array<Polar, polar_lanes> old, now;
     polar(b.old_F, from, count, old);
     polar(b.F, from, count, now);
-    for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k)
+    for (int k = 0; k < count; ++k)
       moves[k] = {old[k].R, now[k].R, strain_between(old[k].U, now[k].U)};
   }
 
@@ -280,7 +280,7 @@ class Metal final : public Material {
   // Writes the Maxwell elements; what they turned into heat, J/m^3.
   double relaxed(const Batch& b, int i, double mu, const Symmetric& strain,
                  const MaxwellElements::Trial& trial, const Return& r, bool melted) const {
-    const auto at_first = static_cast<std::size_t>(elements_at_);
+    const std::size_t at_first = elements_at_;
     const std::span<double* const> now = b.history.subspan(at_first);
     if (melted) {
       for (double* column : now) column[i] = 0;
@@ -328,8 +328,7 @@ const std::vector<std::string> flows_not_supported = {"zerilli_armstrong_polymer
 std::optional<Flow> read_flow(const Parameters& model) {
   const ChosenPart chosen = choose_part(model, "flow_model", flows(), flows_not_supported);
   if (chosen.index < 0) return std::nullopt;
-  const Parameters p =
-      inside_part(model, "flow_model", flows()[static_cast<std::size_t>(chosen.index)]);
+  const Parameters p = inside_part(model, "flow_model", flows()[chosen.index]);
   if (!p.good()) return std::nullopt;
   switch (chosen.index) {
     case 0:

@@ -67,8 +67,7 @@ TagSpec deviator_tag() {
 MaxwellElements read_deviator(const Parameters& model, double mu) {
   const ChosenPart chosen = choose_part(model, "deviatoric_stress_model", parts());
   if (chosen.index < 1) return {};
-  const Parameters p = inside_part(model, "deviatoric_stress_model",
-                                   parts()[static_cast<std::size_t>(chosen.index)]);
+  const Parameters p = inside_part(model, "deviatoric_stress_model", parts()[chosen.index]);
   if (!p.good()) return {};
   std::vector<double> shares = p.reals("mu");
   const std::vector<double> times = p.reals("tau");

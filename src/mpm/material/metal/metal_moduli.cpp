@@ -146,7 +146,7 @@ ShearModulus read_shear_modulus(const Parameters& model, double constant) {
   m.mu_0 = constant;
   const ChosenPart chosen = choose_part(model, "shear_modulus_model", shear_parts());
   if (chosen.index < 0) return m;
-  const Part& part = shear_parts()[static_cast<std::size_t>(chosen.index)];
+  const Part& part = shear_parts()[chosen.index];
   const Parameters p = inside_part(model, "shear_modulus_model", part);
   if (!p.good()) return m;
   m.form = static_cast<ShearModulus::Form>(chosen.index);
@@ -183,7 +183,7 @@ MeltingTemperature read_melting(const Parameters& model) {
   const ChosenPart chosen =
       choose_part(model, "melting_temp_model", melting_parts(), meltings_not_supported);
   if (chosen.index < 0) return m;
-  const Part& part = melting_parts()[static_cast<std::size_t>(chosen.index)];
+  const Part& part = melting_parts()[chosen.index];
   const Parameters p = inside_part(model, "melting_temp_model", part);
   if (!p.good()) return m;
   m.form = static_cast<MeltingTemperature::Form>(chosen.index);
@@ -207,7 +207,7 @@ SpecificHeat read_specific_heat(const Parameters& model) {
   const ChosenPart chosen =
       choose_part(model, "specific_heat_model", heat_parts(), heats_not_supported);
   if (chosen.index < 0) return heat;
-  const Part& part = heat_parts()[static_cast<std::size_t>(chosen.index)];
+  const Part& part = heat_parts()[chosen.index];
   const Parameters p = inside_part(model, "specific_heat_model", part);
   if (!p.good()) return heat;
   heat.form = static_cast<SpecificHeat::Form>(chosen.index);

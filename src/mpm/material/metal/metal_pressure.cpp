@@ -62,8 +62,7 @@ MetalPressure read_metal_pressure(const Parameters& model, double K) {
   pressure.K = K;
   const ChosenPart chosen = choose_part(model, "equation_of_state", parts(), not_supported);
   if (chosen.index < 0) return pressure;
-  const Parameters p =
-      inside_part(model, "equation_of_state", parts()[static_cast<std::size_t>(chosen.index)]);
+  const Parameters p = inside_part(model, "equation_of_state", parts()[chosen.index]);
   if (!p.good()) return pressure;
   pressure.form = static_cast<MetalPressure::Form>(chosen.index);
   if (pressure.form != MetalPressure::Form::mie_gruneisen) {
