@@ -116,9 +116,9 @@ TEST(LevelsEverywhere, SleepWhereNothingHappens) {
       const LevelSolver& level = h.level(l);
       EXPECT_GT(level.blocks_run(), 0) << l;
       if (force_all)
-        EXPECT_EQ(level.blocks_asleep(), 0) << l;
+        EXPECT_EQ(level.blocks_skipped(), 0) << l;
       else  // blocks of the finer levels are smaller
-        EXPECT_GT(level.blocks_asleep(), l * level.blocks_run() / 4) << l;
+        EXPECT_GT(level.blocks_skipped(), l * level.blocks_run() / 4) << l;
     }
   }
 }
@@ -131,8 +131,8 @@ TEST(LevelsNowhere, GiveTheBitsOfOneLevel) {
                         "AMR/ICE/Refinement_Criteria_Thresholds/Variable[2]/@value=1e9"});
   const RunReport levels = expect_sound(none, scratch);
   ASSERT_EQ(levels.levels.size(), 3u);
-  EXPECT_EQ(levels.levels[1].most_cells, 0);
-  EXPECT_EQ(levels.levels[2].most_cells, 0);
+  EXPECT_EQ(levels.levels[1].max_cells, 0);
+  EXPECT_EQ(levels.levels[2].max_cells, 0);
   const RunReport one = carry_out(
       input_deck("amr_explosion", {cells, "AMR/Regridder/max_levels=1"}), scratch / "one");
   EXPECT_EQ(one.levels.size(), 1u);
@@ -163,8 +163,8 @@ TEST(LevelOneTileWide, InATube) {
                     "AMR/ICE/Refinement_Criteria_Thresholds/Variable[2]/@value=6"},
                    12),
         scratch);
-    EXPECT_GE(report.levels[1].most_cells, tile == "[[4,1,1]]" ? 4 : 200);
-    EXPECT_LE(report.levels[1].most_cells, tile == "[[4,1,1]]" ? 60 : 200);
+    EXPECT_GE(report.levels[1].max_cells, tile == "[[4,1,1]]" ? 4 : 200);
+    EXPECT_LE(report.levels[1].max_cells, tile == "[[4,1,1]]" ? 60 : 200);
   }
 }
 

@@ -141,7 +141,7 @@ class FaultOnALevel : public testing::TestWithParam<int> {
     o.deck_xml = to_xml(*deck.root);
     o.threads = threads;
     if (threads > 1) o.block = {5, 3, 2};
-    if (threads > 1) o.most_box_cells = 100;
+    if (threads > 1) o.max_box_cells = 100;
     Simulation simulation(loaded.scene, *loaded.component, world(), o);
     return simulation.run();
   }

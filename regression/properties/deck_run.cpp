@@ -130,7 +130,7 @@ RunReport carry_out(const Deck& deck, const DeckRun& run,
   o.restart = run.restart;
   o.restart_step = run.restart_step;
   o.block = run.block;
-  o.most_box_cells = run.box_cells;
+  o.max_box_cells = run.box_cells;
   if (change) change(o);
   Simulation simulation(loaded->scene, *loaded->component, world(), o);
   return simulation.run();

@@ -30,7 +30,7 @@ struct Entry {
 const char* const lockstep = "AMR/useLockStep=true";
 const char* const greedy = "Time/timestep_multiplier=6";
 const char* const unlimited = "Time/delt_max=1e9";
-const char* const classic = "CFD/ICE/scheme=classic";
+const char* const internal_energy_form = "CFD/ICE/scheme=classic";
 
 std::string cells(const char* triple) {
   return grid + std::string(triple);
@@ -89,7 +89,7 @@ std::vector<Entry> own() {
       {"products", "jwl_products", {cells("[90,1,1]")}},
       {"hot_air", "hot_air_shock_tube", {cells("[80,1,1]")}},
       {"held_region", "held_region", {cells("[24,20,1]")}},
-      {"held_region_classic", "held_region", {cells("[24,20,1]"), classic}},
+      {"held_region_classic", "held_region", {cells("[24,20,1]"), internal_energy_form}},
       {"implicit_pulse", "implicit_pulse", {cells("[40,1,1]")}},
       {"implicit_channel", "implicit_couette_poiseuille", {}},
       {"implicit_inflow", "implicit_inflow", {cells("[16,12,1]")}},
@@ -269,7 +269,7 @@ std::vector<Entry> on_levels() {
   return {
       {"amr_shock_tube", "amr_shock_tube", {}},
       {"amr_shock_tube_lockstep", "amr_shock_tube", {lockstep}},
-      {"amr_shock_tube_classic", "amr_shock_tube", {classic}},
+      {"amr_shock_tube_classic", "amr_shock_tube", {internal_energy_form}},
       {"amr_periodic_shocks", "amr_periodic_shocks", {cells("[50,1,1]")}},
       {"amr_dye", "amr_dye", {cells("[50,1,1]")}},
       {"amr_helium", "amr_helium", {cells("[50,1,1]")}},
@@ -293,7 +293,7 @@ std::vector<Entry> on_levels() {
       {"amr_cube_dynamic", "amr_blast_3d", {cells("[8,9,8]"), tile("[[4,4,4]]"), germano}},
       {"amr_explosion_conducting", "amr_explosion", {cells("[18,20,1]"), viscous, conducting}},
       {"amr_explosion_first_order", "amr_explosion", {cells("[22,18,1]"), first_order}},
-      {"amr_explosion_classic", "amr_explosion", {cells("[20,16,1]"), classic}},
+      {"amr_explosion_classic", "amr_explosion", {cells("[20,16,1]"), internal_energy_form}},
       {"amr_explosion_one_level", "amr_explosion", {cells("[22,18,1]"), coarsest}},
       {"amr_explosion_two_levels",
        "amr_explosion",

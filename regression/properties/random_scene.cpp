@@ -51,9 +51,9 @@ SkewCase draw(unsigned long seed, const Pick& pick) {
   if (pick(3) == 0) c.gravity = {0.01 * pick(4), -0.01 * pick(4), 0.01 * pick(4)};
   if (pick(3) == 0) c.viscosity = 0.001 * (1 + pick(9));
   c.second_order = pick(4) != 0;
-  c.classic = pick(4) == 0;
+  c.internal_energy_form = pick(4) == 0;
   // Not another draw: the scenes of a seed stay what they were.
-  if (c.viscosity > 0 && !c.classic) c.conductivity = 1.5 * c.viscosity;
+  if (c.viscosity > 0 && !c.internal_energy_form) c.conductivity = 1.5 * c.viscosity;
   return c;
 }
 

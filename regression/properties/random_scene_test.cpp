@@ -66,14 +66,14 @@ void RandomScene::expect_same_bits_and_conservation(const SkewCase& c) {
   const RunReport plain = carry_out(deck, scratch / "plain");
   ASSERT_EQ(plain.message, "");
   EXPECT_EQ(plain.steps, run_steps);
-  if (!c.classic) {  // the classic form balances internal energy only
+  if (!c.internal_energy_form) {  // the classic form balances internal energy only
     EXPECT_LE(std::abs(plain.worst_drift), allowed_drift) << plain.conservation_json;
   }
   expect_admissible(plain.archive.value());
   const RunReport blocks = carry_out(deck, scratch / "blocks", [](RunOptions& o) {
     o.block = {4, 3, 2};
     o.threads = 2;
-    o.most_box_cells = 1;
+    o.max_box_cells = 1;
   });
   EXPECT_EQ(difference(plain.archive.value(), blocks.archive.value(), false), "") << "blocks";
   EXPECT_EQ(blocks.conservation_json, plain.conservation_json);

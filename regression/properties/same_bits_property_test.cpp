@@ -22,7 +22,7 @@ constexpr double allowed_share = 1e-14;  // of a total; measured 1.4e-15
 // The largest share of a total that was lost, what passed the boundary and sources counted;
 // momentum by the scale of its whole vector or, at rest, by that of sound. The classic form keeps
 // no energy.
-double worst_share_lost(const std::string& conservation_json, bool classic) {
+double worst_share_lost(const std::string& conservation_json, bool internal_energy_form) {
   const auto totals = nlohmann::json::parse(conservation_json);
   double mass = 0, momentum = 0;
   for (const auto& [name, total] : totals.items()) {
@@ -34,7 +34,7 @@ double worst_share_lost(const std::string& conservation_json, bool classic) {
       std::max(momentum, std::sqrt(mass * totals.at("total energy").at("scale").get<double>()));
   double worst = 0;
   for (const auto& [name, total] : totals.items()) {
-    if (classic && name == "total energy") continue;
+    if (internal_energy_form && name == "total energy") continue;
     const double lost = std::abs(total.at("defect").get<double>());
     const double scale = name.starts_with("momentum") ? momentum : total.at("scale").get<double>();
     const double share = scale > 0 ? lost / scale : lost;
@@ -66,8 +66,8 @@ TEST_P(SameBitsOfDecks, HoweverTheyAreRun) {
   const RunReport plain = carry_out(run_into("plain"));
   ASSERT_EQ(plain.message, "");
   ASSERT_EQ(plain.steps, steps);
-  const bool classic = GetParam().name.ends_with("_classic");
-  EXPECT_LE(worst_share_lost(plain.conservation_json, classic), allowed_share)
+  const bool internal_energy_form = GetParam().name.ends_with("_classic");
+  EXPECT_LE(worst_share_lost(plain.conservation_json, internal_energy_form), allowed_share)
       << plain.conservation_json;
   DeckRun run = run_into("all of it");
   run.force_all = true;

@@ -294,8 +294,8 @@ std::string skew_deck(const SkewCase& c, const Orientation& o, int step_count) {
                     c.turbulence == "Smagorinsky" ? "<model_constant>0.2</model_constant>" : "");
   deck += fmt::format(
       "<CFD><cfl>0.4</cfl><ICE><scheme>{}</scheme><advection type=\"{}\"/>{}</ICE></CFD>\n",
-      c.classic ? "classic" : "conservative", c.second_order ? "SecondOrder" : "FirstOrder",
-      eddies);
+      c.internal_energy_form ? "classic" : "conservative",
+      c.second_order ? "SecondOrder" : "FirstOrder", eddies);
   deck += fmt::format(
       "<PhysicalConstants><gravity>{}</gravity>\n"
       "<reference_pressure>1</reference_pressure></PhysicalConstants>\n",

@@ -59,8 +59,8 @@ struct SkewCase {
   Vec3 gravity{};
   double viscosity = 0;
   bool second_order = true;
-  bool cross_flow = false;  // the start moves along inactive directions as well
-  bool classic = false;     // the one-stage, internal-energy scheme
+  bool cross_flow = false;            // the start moves along inactive directions as well
+  bool internal_energy_form = false;  // the one-stage, internal-energy scheme
   SkewLevels levels{};
   double conductivity = 0;   // walls then have temperatures of their own
   std::string turbulence{};  // the model's name

@@ -90,7 +90,7 @@ double distance_from(const CaseRun& run, const CellValues& finer, const std::str
   return sum.value() / volume.value();
 }
 
-std::vector<long> most_cells(const CaseRun& run) {
+std::vector<long> max_cells(const CaseRun& run) {
   std::vector<long> cells;
   for (const auto& level : run.record().at("levels")) cells.push_back(level.at("most_cells"));
   return cells;

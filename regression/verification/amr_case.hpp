@@ -28,7 +28,7 @@ double farthest_on_levels(const CaseRun& run, const std::string& variable, int c
 double distance_from(const CaseRun& run, const CellValues& finer, const std::string& variable);
 
 // Most cells that a level had, and all levels that there were.
-std::vector<long> most_cells(const CaseRun& run);
+std::vector<long> max_cells(const CaseRun& run);
 long regrids(const CaseRun& run);
 // Cell updates as a share of those of a grid that is fine everywhere.
 double share_of_uniform(const CaseRun& run);

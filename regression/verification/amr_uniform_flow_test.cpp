@@ -25,7 +25,7 @@ TEST(AmrUniformFlow, StaysUniformThroughFixedRegions) {
       std::max(unevenness(run, {.7, -.4, .2}), farthest_on_levels(run, "rho_CC", 0, 1.3));
   record("worst", worst);
   EXPECT_LE(worst, allowed);
-  EXPECT_EQ(most_cells(run).size(), 3u);
+  EXPECT_EQ(max_cells(run).size(), 3u);
   EXPECT_EQ(run.events(), 0);
 }
 
@@ -56,7 +56,7 @@ TEST_P(AmrRipple, LevelsThatMoveLeaveTheFlowUniform) {
   EXPECT_LE(worst, allowed);
   // The first step is as short as one of the finest level: nothing has moved after it.
   EXPECT_GE(regrids(run), f.least_regrids * (run.steps() - 1));
-  const std::vector<long> cells = most_cells(run);
+  const std::vector<long> cells = max_cells(run);
   ASSERT_EQ(cells.size(), 3u);
   EXPECT_GT(cells[2], 0);
   EXPECT_LT(share_of_uniform(run), .7);  // not everything is refined

@@ -66,7 +66,7 @@ TEST(SmoothFlow, IsentropicVortexConvergesAtSecondOrder) {
 // Share of the kinetic energy that a quarter turn leaves, 32 x 32 cells. Measured at Mach 0.1, 0.01
 // and 0.001: 0.980, 0.977, 0.955.
 struct Turn {
-  double mach, least_share;
+  double mach, min_share;
 };
 class Gresho : public testing::TestWithParam<Turn> {
  protected:
@@ -93,7 +93,7 @@ TEST_P(Gresho, VortexKeepsItsKineticEnergyAtAnyMachNumber) {
                                fmt::format("Meta/exact_solution/mach={}", turn.mach)});
   const double share = kinetic_energy(run, "last") / kinetic_energy(run, "first");
   record("share", share);
-  EXPECT_GE(share, turn.least_share);
+  EXPECT_GE(share, turn.min_share);
   EXPECT_LE(share, 1);
 }
 

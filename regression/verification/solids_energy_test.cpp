@@ -16,7 +16,7 @@ CaseRun run_of(const std::string& deck, const std::vector<std::string>& override
 }
 
 // 0 of what the run has none of.
-double account(const CaseRun& run, const char* name) {
+double budget(const CaseRun& run, const char* name) {
   const auto& all = run.record().at("energy_account");
   return all.contains(name) ? all.at(name).get<double>() : 0.0;
 }
@@ -32,11 +32,11 @@ TEST_P(SolidsEnergy, BooksClose) {
   const CaseRun run = run_of(GetParam());
   const double scale = of_energy(run, "scale");
   ASSERT_GT(scale, 0);
-  record("nodes", account(run, "nodes") / scale);
-  EXPECT_LE(std::fabs(account(run, "nodes")), round_off * scale);
-  const double lost = account(run, "transfer loss") + account(run, "integration loss") +
-                      account(run, "contact loss") + account(run, "within particles") +
-                      account(run, "back as heat");
+  record("nodes", budget(run, "nodes") / scale);
+  EXPECT_LE(std::fabs(budget(run, "nodes")), round_off * scale);
+  const double lost = budget(run, "transfer loss") + budget(run, "integration loss") +
+                      budget(run, "contact loss") + budget(run, "within particles") +
+                      budget(run, "back as heat");
   record("left", (lost + of_energy(run, "defect")) / scale);
   EXPECT_LE(std::fabs(lost + of_energy(run, "defect")), round_off * scale);
 }
@@ -54,8 +54,8 @@ TEST(CollidingDisks, LoseLittleAndLessOnAFinerGrid) {
   for (const int n : {0, 1}) {
     const CaseRun run = run_of("colliding_disks", {resolution(n == 0 ? 20 : 40, n == 0 ? 20 : 40)});
     const double start = of_energy(run, "start");
-    const double transfer = account(run, "transfer loss") / start;
-    const double integration = account(run, "integration loss") / start;
+    const double transfer = budget(run, "transfer loss") / start;
+    const double integration = budget(run, "integration loss") / start;
     record("transfer " + std::to_string(n), transfer);
     record("integration " + std::to_string(n), integration);
     lost[n] = std::fabs(transfer) + std::fabs(integration);

@@ -22,11 +22,11 @@ inline double middle_of(double low, double high) {
 // `f(x)` gives ValueAndSlope with value(low) <= 0 <= value(high).
 template <class Function>
 double bracketed_root(const Function& f, double low, double high, double start) {
-  constexpr int quick = 16, most_steps = 4000;
+  constexpr int quick = 16, max_steps = 4000;
   constexpr double close = 4.0 * std::numeric_limits<double>::epsilon();
   double x = start >= low && start <= high ? start : middle_of(low, high);
   double last = std::numeric_limits<double>::infinity();
-  for (int step = 0; step < most_steps; ++step) {
+  for (int step = 0; step < max_steps; ++step) {
     const ValueAndSlope at = f(x);
     if (at.value == 0.0) return x;
     (at.value < 0.0 ? low : high) = x;

@@ -24,28 +24,29 @@ inline double power_integral(double x, double a) {
 // to next to no pressure within a hundredth of expansion: from least_share of P0 on, at x_v, it is
 // dust, whose pressure falls with density alone, so that torn matter keeps a sound speed.
 struct ExpansionBranch {
-  static constexpr double least_share = 1e-6;
+  static constexpr double min_share = 1e-6;
   double K = 1.0, rho0 = 1.0, P0 = 1.0;
   double pressure(double x) const {
-    const double x_v = torn();
-    return x < x_v ? least_share * P0 * (x / x_v) : P0 * std::pow(x, 1.0 / (K * P0));
+    const double x_v = vacuum_compression();
+    return x < x_v ? min_share * P0 * (x / x_v) : P0 * std::pow(x, 1.0 / (K * P0));
   }
   double slope(double x) const {
-    const double x_v = torn();
-    return x < x_v ? least_share * P0 / (x_v * rho0)
-                   : std::pow(x, 1.0 / (K * P0) - 1.0) / (K * rho0);
+    const double x_v = vacuum_compression();
+    return x < x_v ? min_share * P0 / (x_v * rho0) : std::pow(x, 1.0 / (K * P0) - 1.0) / (K * rho0);
   }
   double energy(double x) const {
-    const double x_v = torn(), solid = power_integral(std::fmax(x, x_v), 1.0 / (K * P0) - 1.0);
-    return P0 / rho0 * (x < x_v ? solid + least_share / x_v * std::log(x / x_v) : solid);
+    const double x_v = vacuum_compression(),
+                 solid = power_integral(std::fmax(x, x_v), 1.0 / (K * P0) - 1.0);
+    return P0 / rho0 * (x < x_v ? solid + min_share / x_v * std::log(x / x_v) : solid);
   }
   double density(double p) const {
     const double share = p / P0;
-    return rho0 * (share < least_share ? torn() * (share / least_share) : std::pow(share, K * P0));
+    return rho0 * (share < min_share ? vacuum_compression() * (share / min_share)
+                                     : std::pow(share, K * P0));
   }
 
  private:
-  double torn() const { return std::pow(least_share, K * P0); }  // x_v
+  double vacuum_compression() const { return std::pow(min_share, K * P0); }  // x_v
 };
 
 struct MurnaghanCurves {

@@ -24,9 +24,9 @@ void check_positive(const PolynomialHeat& heat) {
 
 PolynomialHeat polynomial_heat(std::span<const double> coefficients, int order, double T_min,
                                double T_max) {
-  if (order < 0 || order > PolynomialHeat::most_order)
+  if (order < 0 || order > PolynomialHeat::max_order)
     throw InputError("MaxOrder of a Polynomial specific heat is " + std::to_string(order) +
-                     "; allowed are 0 to " + std::to_string(PolynomialHeat::most_order));
+                     "; allowed are 0 to " + std::to_string(PolynomialHeat::max_order));
   if (coefficients.size() != static_cast<std::size_t>(order) + 1)
     throw InputError("Polynomial specific heat of MaxOrder " + std::to_string(order) + " has " +
                      std::to_string(coefficients.size()) + " coefficients; it needs " +

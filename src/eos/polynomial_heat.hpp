@@ -14,8 +14,8 @@
 namespace sluice::eos {
 
 struct PolynomialHeat {
-  static constexpr int most_order = 11;
-  std::array<double, most_order + 1> inverse{};  // cv = sum of inverse[k] / T^k
+  static constexpr int max_order = 11;
+  std::array<double, max_order + 1> inverse{};  // cv = sum of inverse[k] / T^k
   int order = 0;
   double T_min = 1.0, T_max = 1e6;
 

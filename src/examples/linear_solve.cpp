@@ -128,7 +128,7 @@ void SolverTest::shape_step(StepShape& shape) const {
       std::make_shared<PressureSolve>(PressureSolve{settings_, labels_.pressure, solution_});
   shape.solve("pressure", [stage](const StageScope& scope) { return (*stage)(scope); });
   shape.sweep("pressure");
-  shape.take_over();
+  shape.commit();
 }
 
 void SolverTest::declare_step(TaskList& list, const StepVariant& /*variant*/) const {

@@ -20,7 +20,7 @@ ExampleDeck deck(const std::string& directions, const std::string& parameters,
   d.save =
       "<save label=\"pressure\"/><save label=\"pressure_rhs\"/><save label=\"pressure_matrix\"/>";
   d.cells = {10, 10, 10};
-  d.most_steps = 2;
+  d.max_steps = 2;
   return d;
 }
 

@@ -51,7 +51,7 @@ PoissonScene read_poisson(const Deck& deck, const Scene& scene, std::vector<Faul
   const DeckNode* block = need_block(deck, scene, "Poisson", faults);
   if (block == nullptr) return read;
   read.dt = block->real("delt");
-  read.most_residual = block->real("maxresidual");
+  read.max_residual = block->real("maxresidual");
   for (const Side side : all_sides)
     if (ends_at(scene.grid.levels.front(), side))
       read.side_value[index_of(side)] = side_value(scene, side, faults);

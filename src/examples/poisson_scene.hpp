@@ -10,7 +10,7 @@ namespace sluice::examples {
 
 struct PoissonScene {
   double dt = 0;                       // <delt>
-  double most_residual = 0;            // <maxresidual>
+  double max_residual = 0;             // <maxresidual>
   std::array<double, 6> side_value{};  // of phi, by Side; periodic sides have none
 };
 

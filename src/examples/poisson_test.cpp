@@ -21,7 +21,7 @@ ExampleDeck deck(IntVec3 cells, int steps) {
   d.blocks = "<Poisson><delt>.01</delt><maxresidual>.01</maxresidual></Poisson>";
   d.save = "<save label=\"phi\"/><save label=\"residual\"/>";
   d.cells = cells;
-  d.most_steps = steps;
+  d.max_steps = steps;
   d.sides = side("x-", 1);
   for (const char* name : {"x+", "y-", "y+"}) d.sides += side(name, 0);
   if (cells.z > 1) d.sides += side("z-", 0) + side("z+", 0);

@@ -21,7 +21,7 @@ void RepeatedPoisson::shape_step(StepShape& shape) const {
   const IntVec3 cells = level(0).domain.size();
   const int n = std::max({cells.x, cells.y, cells.z});
   const int most = std::max(1000, 100 * n * n);
-  const double wanted = settings().most_residual;
+  const double wanted = settings().max_residual;
   const auto converged = [most, wanted](const StageScope& scope) {
     double residual = 0;  // of the last sweep, over all ranks
     for (const LevelSolver* l : scope.levels) residual += l->attempt_result().sums[0];
@@ -35,7 +35,7 @@ void RepeatedPoisson::shape_step(StepShape& shape) const {
   shape.iterate("sweeps", most, converged, [](StepShape& pass) {
     pass.exchange_state();
     pass.sweep("Jacobi");
-    pass.take_over();
+    pass.commit();
   });
 }
 

@@ -16,7 +16,7 @@ ExampleDeck deck(IntVec3 cells, const std::string& residual) {
   d.blocks = "<Poisson><delt>.01</delt><maxresidual>" + residual + "</maxresidual></Poisson>";
   d.save = "<save label=\"phi\"/><save label=\"residual\"/>";
   d.cells = cells;
-  d.most_steps = 1;
+  d.max_steps = 1;
   for (const char* name : {"x-", "x+", "y-", "y+", "z-", "z+"})
     d.sides += std::string("<Face side=\"") + name +
                "\"><BCType id=\"0\" label=\"Phi\" var=\"Dirichlet\"><value>" +
@@ -80,7 +80,7 @@ TEST(PoissonOnLevels, AStraightLineThroughBothLevels) {
   ExampleDeck d = deck({8, 8, 8}, "1e-22");
   d.type = "poisson3";
   d.periodic = {0, 1, 1};
-  d.most_steps = 200;
+  d.max_steps = 200;
   const ExampleRun run(poisson3, with_level(d.text(), 8), {{2, 2, 1}, 1, {}});
   double worst = 0;
   for (const int level : {0, 1})
@@ -92,7 +92,7 @@ TEST(PoissonOnLevels, AStraightLineThroughBothLevels) {
 TEST(PoissonOnLevels, TheCentreOfACubeIsASixth) {
   ExampleDeck d = deck({8, 8, 8}, "1e-20");
   d.type = "poisson3";
-  d.most_steps = 200;
+  d.max_steps = 200;
   const ExampleRun run(poisson3, with_level(d.text(), 8));
   for (const int level : {0, 1})
     run.for_each(
@@ -107,7 +107,7 @@ TEST(PoissonOnLevels, TheCentreOfACubeIsASixth) {
 TEST(PoissonOnLevels, SameBitsOnBoxesBlocksAndThreads) {
   ExampleDeck d = deck({8, 8, 8}, "1e-6");
   d.type = "poisson3";
-  d.most_steps = 5;
+  d.max_steps = 5;
   const std::string text = with_level(d.text(), 8);
   const std::vector<double> whole = ExampleRun(poisson3, text).values("phi");
   for (const ExampleOptions& o :

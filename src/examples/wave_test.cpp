@@ -55,7 +55,7 @@ TEST(Wave, EulerStaysBounded) {
 
 TEST(Wave, StatesWithinAStepCanBeSaved) {
   ExampleDeck d = deck({8, 8, 8}, 1);
-  d.most_steps = 1;
+  d.max_steps = 1;
   d.save = "<save label=\"phi\"/><save label=\"phi1\"/><save label=\"phi4\"/><save label=\"pi4\"/>";
   const ExampleRun run(wave, d.text());
   const double start = std::exp(-3 * 0.0625 * 0.0625 / (radius * radius)) / std::pow(radius, 3);

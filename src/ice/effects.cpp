@@ -7,7 +7,7 @@
 namespace sluice::ice {
 
 bool matches_fluxes(const Scene& scene, const IceScene& ice) {
-  return !ice.classic || scene.refinement.reflux;
+  return !ice.internal_energy_form || scene.refinement.reflux;
 }
 
 namespace {
@@ -115,7 +115,7 @@ void add_exchange(const IceScene& ice, EffectList& e) {
          several ? fmt::format("{} materials: common pressure where they share a cell", count)
                  : std::string("one material: its own equation of state"),
          several ? ice.materials[1].where : ice.materials.front().where});
-  const std::optional<SlipExchange>& slip = ice.exchange.slip;
+  const std::optional<MultiVelocityExchange>& slip = ice.exchange.slip;
   const auto name_of = [&](int m) { return called(ice.materials[m]); };
   Effect momentum =
       exchange("momentum exchange", ice.exchange.momentum, ice, ice.exchange.momentum_where);
@@ -228,7 +228,7 @@ Effect shock_shear(const Scene& scene, const IceScene& ice) {
         "shearAlongShocks=\"false\" in <advection>: a strong shock along the grid may break into "
         "rows",
         ice.advection_where};
-  if (ice.classic) return {name, false, "classic scheme", ice.scheme_where};
+  if (ice.internal_energy_form) return {name, false, "classic scheme", ice.scheme_where};
   if (ice.implicit) return {name, false, "with <ImplicitSolver>", ice.implicit->where};
   return {name, false, "one active direction: no face is tangential to a shock", {}};
 }
@@ -239,8 +239,8 @@ EffectList find_effects(const Scene& scene, const IceScene& ice) {
   EffectList e;
   const bool gravity = !(scene.constants.gravity == Vec3{});
   e.add({"flow", true,
-         ice.classic ? "classic scheme: one stage, internal energy"
-                     : "conservative scheme: Lagrangian phase and remap",
+         ice.internal_energy_form ? "classic scheme: one stage, internal energy"
+                                  : "conservative scheme: Lagrangian phase and remap",
          ice.scheme_where});
   e.add({"second order", ice.second_order,
          ice.second_order ? "<advection type=\"SecondOrder\">" : "<advection type=\"FirstOrder\">",

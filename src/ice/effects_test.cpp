@@ -91,9 +91,9 @@ TEST(Effects, ShocksAreShearedWhereRowsLieBesideEachOther) {
   EXPECT_TRUE(find_effects(plane, ice).on(effect_shock_shear));
   EXPECT_FALSE(find_effects(line, ice).on(effect_shock_shear));
   EXPECT_THAT(find_effects(line, ice)[effect_shock_shear].reason, HasSubstr("one active"));
-  ice.classic = true;
+  ice.internal_energy_form = true;
   EXPECT_FALSE(find_effects(plane, ice).on(effect_shock_shear));
-  ice.classic = false;
+  ice.internal_energy_form = false;
   ice.implicit.emplace();
   EXPECT_THAT(find_effects(plane, ice)[effect_shock_shear].reason,
               HasSubstr("with <ImplicitSolver>"));

@@ -39,10 +39,11 @@ std::unique_ptr<TransferOperators> make_flow_transfer(const Scene& scene, const 
   for (std::size_t s = 0; s < ice.models.scalars.size(); ++s)
     if (ice.models.scalars[s].by_volume) by_volume.push_back(views + s);
   if (materials == 1)
-    flow = std::make_unique<IceTransfer>(o.components, o.classic, matches, o.fluid, by_volume);
+    flow = std::make_unique<IceTransfer>(o.components, o.internal_energy_form, matches, o.fluid,
+                                         by_volume);
   else
     flow = std::make_unique<MixtureTransfer>(
-        o.fluids, o.components, matches, o.own_velocities,
+        o.fluids, o.components, matches, o.multi_velocity,
         by_volume.empty() ? MixedGasView{} : MixedGasView{o.mixed, by_volume.front()});
   if (ice.models.scalars.empty()) return flow;
   std::vector<std::size_t> mass;
@@ -62,7 +63,7 @@ std::unique_ptr<TransferOperators> make_transfer(const Scene& scene, const IceSc
 
 }  // namespace
 
-FluidPart::FluidPart(const Scene& scene, IceScene ice_scene, Places places)
+FluidPart::FluidPart(const Scene& scene, IceScene ice_scene, IndexOffsets places)
     : scene_(&scene),
       ice_(std::move(ice_scene)),
       effects_(find_effects(scene, ice_)),
@@ -76,7 +77,7 @@ FluidPart::FluidPart(const Scene& scene, IceScene ice_scene, Places places)
   slots.momentum = labels().momentum;
   slots.energy = labels().energy;
   if (material_count() > 1) slots.volume = labels().volume;
-  if (options_.own_velocities) slots.slip = labels().slip;
+  if (options_.multi_velocity) slots.slip = labels().slip;
   if (options_.implicit) slots.offset = labels().pressure_offset;
   for (int c = 0; c < options_.components; ++c) slots.directions.push_back(options_.direction[c]);
   for (int level = 0; level < static_cast<int>(scene.grid.levels.size()); ++level)
@@ -92,7 +93,7 @@ FluidPart::FluidPart(const Scene& scene, IceScene ice_scene, Places places)
   if (effects_.on(effect_tracers))
     tracers_ = std::make_unique<Tracers>(
         ice_.models.tracers, ice_.models.scalars, scene.grid, boundary_,
-        FlowStorage{material_count(), slots.directions, options_.own_velocities, options_.places,
+        FlowStorage{material_count(), slots.directions, options_.multi_velocity, options_.places,
                     ice_.solids > 0},
         scene.time.max_time);
   transfer_ = make_transfer(scene, ice_, options_, state_slots());
@@ -126,9 +127,11 @@ std::vector<SlotInfo> FluidPart::state_slots() const {
   const int aside = waves + std::max(waves - 1, 0) + (ice_.conditions.slip ? 1 : 0);
   // Their friction follows what the dynamic model has filtered.
   const bool filtered = ice_.turbulence && ice_.turbulence->dynamic;
-  const int around = options_.own_velocities ? (filtered ? 3 : 2) : filtered ? 2 : 0;
+  const int around = options_.multi_velocity ? (filtered ? 3 : 2) : filtered ? 2 : 0;
   // Slopes of the semi-implicit step reach one cell further.
-  const int own = options_.classic ? classic::ghost_layers(options_) : options_.implicit ? 4 : 3;
+  const int own = options_.internal_energy_form ? internal_energy_form::ghost_layers(options_)
+                  : options_.implicit           ? 4
+                                                : 3;
   // What cells without fluid close to is known of their neighbours' neighbours, and of several
   // fluids what they pass on is what the neighbours give.
   const int closing = ice_.solids == 0 ? 0 : material_count() == 1 ? 1 : 2;
@@ -142,7 +145,7 @@ std::vector<SlotInfo> FluidPart::state_slots() const {
   slots.push_back({labels().momentum, options_.place(0), options_.components, ghosts});
   of_each(labels().energy);
   if (material_count() > 1) of_each(labels().volume);
-  if (options_.own_velocities)
+  if (options_.multi_velocity)
     for (int m = 0; m < material_count(); ++m)
       slots.push_back({labels().slip, options_.place(m), options_.components, ghosts});
   for (const models::TransportedScalar& s : ice_.models.scalars)
@@ -173,7 +176,7 @@ std::vector<FlagSeeds> FluidPart::flag_seeds(const Warehouse& state) const {
   return interface_seeds(state, numbers, scene_->refinement.interfaces);
 }
 
-SchemeOptions FluidPart::of_graph(const StepVariant& variant) const {
+SchemeOptions FluidPart::graph_options(const StepVariant& variant) const {
   SchemeOptions o = at_level(variant.level);
   o.masked = variant.masked;
   o.coverage = variant.coverage;
@@ -183,14 +186,14 @@ SchemeOptions FluidPart::of_graph(const StepVariant& variant) const {
   o.shocks_leave = o.recorder != nullptr && interface_depth(*o.level) != IntVec3{};
   o.volumes = variant.volumes;
   o.first_volume_sum = first_volume_sum();
-  if (o.classic) return o;
+  if (o.internal_energy_form) return o;
   o.solids = ice_.solids > 0;
-  o.walled = is_walled(variant.kind);
-  if (o.walled && o.fluids.size() == 1) {
+  o.has_cut_cells = has_cut_cells(variant.kind);
+  if (o.has_cut_cells && o.fluids.size() == 1) {
     o.material = 0;
     return o;
   }
-  if (o.walled || variant.kind == static_cast<int>(o.fluids.size())) {
+  if (o.has_cut_cells || variant.kind == static_cast<int>(o.fluids.size())) {
     o.mixture = true;
     o.viscosity_varies = o.viscous;
     return o;
@@ -215,14 +218,14 @@ SchemeOptions FluidPart::of_graph(const StepVariant& variant) const {
 }
 
 void FluidPart::declare_step(TaskList& list, const StepVariant& variant) const {
-  const SchemeOptions o = of_graph(variant);
+  const SchemeOptions o = graph_options(variant);
   list.enter(o.places);
-  if (o.classic) return declare_classic(list, o, effects_);
+  if (o.internal_energy_form) return declare_internal_energy_form(list, o, effects_);
   if (!o.mixture)
-    return o.walled ? declare_walled_material(list, o, effects_)
-                    : declare_one_material(list, o, effects_);
-  if (o.walled) return declare_walled_mixture(list, o, effects_);
-  if (o.own_velocities) return declare_own_velocities(list, o, effects_);
+    return o.has_cut_cells ? declare_cut_material(list, o, effects_)
+                           : declare_one_material(list, o, effects_);
+  if (o.has_cut_cells) return declare_cut_mixture(list, o, effects_);
+  if (o.multi_velocity) return declare_multi_velocity(list, o, effects_);
   declare_mixture(list, o, effects_);
 }
 
@@ -230,7 +233,7 @@ void FluidPart::declare_step(TaskList& list, const StepVariant& variant) const {
 void FluidPart::shape_step(StepShape& shape) const {
   if (!options_.implicit) return;
   declare_passes(shape, nullptr);
-  shape.take_over();
+  shape.commit();
 }
 
 void FluidPart::declare_passes(StepShape& shape,
@@ -316,7 +319,7 @@ bool FluidPart::meets_solid(const Warehouse& state, int box, const IndexBox& cel
 
 int FluidPart::step_kind(const Warehouse& old_state, int local_box,
                          const IndexBox& cells_with_halo) const {
-  if (ice_.solids > 0 && meets_solid(old_state, local_box, cells_with_halo)) return walled_kind();
+  if (ice_.solids > 0 && meets_solid(old_state, local_box, cells_with_halo)) return cut_kind();
   const int mixed = material_count();
   if (mixed == 1) return 0;
   int only = -1;
@@ -366,9 +369,9 @@ void FluidPart::initialise(Warehouse& state) const {
 // What passes through a control volume's side must be counted in uniform flow as well. Materials
 // that exchange heat change where nothing flows; so may those that a finer level left at pressures
 // of their own.
-bool FluidPart::quiet_blocks_allowed() const {
+bool FluidPart::skipping_allowed() const {
   if (material_count() > 1 &&
-      (options_.heat_exchange.any() || options_.own_velocities || scene_->grid.levels.size() > 1))
+      (options_.heat_exchange.any() || options_.multi_velocity || scene_->grid.levels.size() > 1))
     return false;
   for (const models::TransportedScalar& s : ice_.models.scalars)
     if (s.grows()) return false;
@@ -381,7 +384,7 @@ IntVec3 FluidPart::interface_depth(const Level& level) const {
   const RefinementSettings& r = scene_->refinement;
   const bool follow =
       r.adaptive && !r.once && !(ice_.criteria.empty() && r.errors.empty() && r.interfaces.empty());
-  if (options_.classic || !options_.second_order || follow) return {};
+  if (options_.internal_energy_form || !options_.second_order || follow) return {};
   return leaving_depth(level);
 }
 

@@ -18,14 +18,14 @@ namespace sluice::ice {
 
 class FluidPart {
  public:
-  FluidPart(const Scene& scene, IceScene ice_scene, Places places = {});
+  FluidPart(const Scene& scene, IceScene ice_scene, IndexOffsets places = {});
 
   const EffectList& effects() const { return effects_; }
   int material_count() const { return static_cast<int>(ice_.materials.size()); }
   const IceScene& scene() const { return ice_; }
   const SchemeOptions& options() const { return options_; }  // of level 0, whatever the graph
   SchemeOptions at_level(int level) const;
-  SchemeOptions of_graph(const StepVariant& variant) const;
+  SchemeOptions graph_options(const StepVariant& variant) const;
   const BoundaryFill& boundary(int level) const { return *boundary_[level]; }
 
   std::vector<SlotInfo> state_slots() const;
@@ -55,13 +55,13 @@ class FluidPart {
 
   int first_volume_sum() const;
   int reduction_sums() const;
-  bool quiet_blocks_allowed() const;
+  bool skipping_allowed() const;
   // Blocks that solids meet: what the sweep leaves there is no state yet.
-  bool is_walled(int kind) const { return ice_.solids > 0 && kind == walled_kind(); }
+  bool has_cut_cells(int kind) const { return ice_.solids > 0 && kind == cut_kind(); }
   std::string describe_fault(int kind) const;
 
  private:
-  int walled_kind() const { return step_kinds() - 1; }
+  int cut_kind() const { return step_kinds() - 1; }
   bool meets_solid(const Warehouse& state, int box, const IndexBox& cells) const;
 
   const Scene* scene_;

@@ -32,7 +32,7 @@ struct Outcome {
 };
 
 // One step of the only part of `places`.
-Outcome step(const DeckScene& deck, const Places& places, double dt) {
+Outcome step(const DeckScene& deck, const IndexOffsets& places, double dt) {
   std::vector<Fault> none;
   const FluidPart part(deck.scene, read_ice_scene(deck.deck, deck.scene, none), places);
   const Level& level = deck.scene.grid.levels.front();
@@ -72,7 +72,7 @@ Outcome step(const DeckScene& deck, const Places& places, double dt) {
   return out;
 }
 
-const Places elsewhere{7, 3, 5, 100, {4}, {}};
+const IndexOffsets elsewhere{7, 3, 5, 100, {4}, {}};
 
 TEST(FluidPart, IsTheSameWhereverItStands) {
   const DeckScene deck(deck_text(stirred()));

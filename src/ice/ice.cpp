@@ -29,7 +29,7 @@ void Ice::add_boundary_sums(const Warehouse& state, std::span<ExactSum> sums) co
 }
 
 std::optional<double> Ice::absent_value(Label label, int material, int kind) const {
-  const Places& places = fluid_.options().places;
+  const IndexOffsets& places = fluid_.options().places;
   return label == labels().volume && material == places.material_of(kind) ? 1.0 : 0.0;
 }
 
@@ -47,7 +47,7 @@ bool Ice::diffusive() const {
 
 void Ice::measure_rates(const Warehouse& state, Reductions& rates) const {
   const ice::SchemeOptions o = fluid_.at_level(state.level().index);
-  ice::measure_rates(state, o, {rates, o.places.of_reductions()});
+  ice::measure_rates(state, o, {rates, o.places.reduction_offsets()});
 }
 
 StepLimit Ice::step_limit(const std::vector<double>& maxima) const {
@@ -62,12 +62,12 @@ StepBalance Ice::balance(const std::vector<double>& sums, const StepStart* start
   return ice::balance(fluid_.options(), sums, start, dt);
 }
 
-std::vector<std::string> Ice::tally_names() const {
-  return ice::tally_names(fluid_.options());
+std::vector<std::string> Ice::tracked_names() const {
+  return ice::tracked_names(fluid_.options());
 }
 
-std::vector<double> Ice::tallies(const std::vector<double>& sums) const {
-  return ice::tallies(fluid_.options(), sums);
+std::vector<double> Ice::tracked_totals(const std::vector<double>& sums) const {
+  return ice::tracked_totals(fluid_.options(), sums);
 }
 
 double Ice::history_value(Label label, const Totals& totals) const {

@@ -7,7 +7,7 @@ namespace sluice::ice {
 class Ice : public Component {
  public:
   // `places`: of the fluid among the parts of a component that has others too.
-  Ice(const Scene& scene, IceScene ice_scene, Places places = {})
+  Ice(const Scene& scene, IceScene ice_scene, IndexOffsets places = {})
       : fluid_(scene, std::move(ice_scene), std::move(places)) {}
 
   std::string name() const override { return "ice"; }
@@ -58,8 +58,8 @@ class Ice : public Component {
   void fill_work_boundary(Warehouse& state, Label label, const ThreadTeam& team) const override;
   int reduction_sums() const override { return fluid_.reduction_sums(); }
   int first_volume_sum() const override { return fluid_.first_volume_sum(); }
-  bool quiet_blocks_allowed() const override { return fluid_.quiet_blocks_allowed(); }
-  bool may_sleep(int kind) const override { return !fluid_.is_walled(kind); }
+  bool skipping_allowed() const override { return fluid_.skipping_allowed(); }
+  bool may_be_skipped(int kind) const override { return !fluid_.has_cut_cells(kind); }
   double courant_number() const override { return fluid_.options().cfl; }
   bool diffusive() const override;
   void measure_rates(const Warehouse& state, Reductions& rates) const override;
@@ -68,8 +68,8 @@ class Ice : public Component {
                   Totals& totals) const override;
   StepBalance balance(const std::vector<double>& sums, const StepStart* start,
                       double dt) const override;
-  std::vector<std::string> tally_names() const override;
-  std::vector<double> tallies(const std::vector<double>& sums) const override;
+  std::vector<std::string> tracked_names() const override;
+  std::vector<double> tracked_totals(const std::vector<double>& sums) const override;
   double history_value(Label label, const Totals& totals) const override;
   Vec3 history_vector(Label label, const Totals& totals) const override;
   std::string describe_fault(int kind) const override { return fluid_.describe_fault(kind); }

@@ -20,9 +20,9 @@
 namespace sluice::ice {
 namespace {
 
-classic::Variables declare_classic_variables(TaskList& list, const SchemeOptions& o) {
+internal_energy_form::Variables declare_classic_variables(TaskList& list, const SchemeOptions& o) {
   const int C = o.components, D = o.axes.count;
-  classic::Variables v;
+  internal_energy_form::Variables v;
   v.common = declare_common_variables(list, o);
   v.common.pressure_change = list.temporary("pressure change");
   v.pressure = list.temporary("pressure after its change");
@@ -45,20 +45,20 @@ void add_face_states(TaskList& list, const SchemeVariables& v, const SchemeOptio
 void add_bases_and_fluxes(TaskList& list, const SchemeVariables& v, const SchemeOptions& o) {
   SchemeOptions masked = o;
   masked.masked = true;  // weights of slopes take the place of the mask of a redone step
-  add_remap_bases(list, walls::of_bases(v), masked, effect_second_order);
+  add_remap_bases(list, walls::base_variables(v), masked, effect_second_order);
   for (int axis = 0; axis < o.axes.count; ++axis)
-    add_remap_flux(list, walls::of_remap(v, axis), masked, effect_flow, axis);
+    add_remap_flux(list, walls::remap_variables(v, axis), masked, effect_flow, axis);
 }
 
 // What leaves through sides and levels, and what forces and models add: all steps alike.
 void add_accounts(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
                   const EffectList& effects) {
-  if (effects.on(effect_boundary_account))
-    add_boundary_account(list, v, o, effect_boundary_account);  // fluxes         sums
-  add_gravity_account(list, v, o, effect_of_forces(o));         // m, dp          sums
-  add_source_account(list, v, o, effect_sources);               // change         sums
-  add_volume_account(list, v, o, effect_diagnostics);           // fluxes, m, dp  sums
-  add_flux_record(list, v, o, effect_flux_record);              // fluxes         face tables
+  if (effects.on(effect_boundary_budget))
+    add_boundary_budget(list, v, o, effect_boundary_budget);  // fluxes         sums
+  add_gravity_budget(list, v, o, effect_of_forces(o));        // m, dp          sums
+  add_source_budget(list, v, o, effect_sources);              // change         sums
+  add_volume_budget(list, v, o, effect_diagnostics);          // fluxes, m, dp  sums
+  add_flux_record(list, v, o, effect_flux_record);            // fluxes         face tables
 }
 
 }  // namespace
@@ -90,24 +90,24 @@ void declare_one_material(TaskList& list, const SchemeOptions& o, const EffectLi
 }
 
 // The same where solids are in the fluid; the tasks under walls/ but for those of whole cells.
-void declare_walled_material(TaskList& list, const SchemeOptions& o, const EffectList& effects) {
+void declare_cut_material(TaskList& list, const SchemeOptions& o, const EffectList& effects) {
   SchemeVariables v = declare_conservative_variables(list, o);
   walls::declare_variables(list, o, v);
   if (o.implicit) pressure::declare_variables(list, o, v);
   scalars::declare_variables(list, o, v,
                              {std::span(&v.rho, 1), std::span(&v.walls.after_rho, 1), {}});
   walls::declare_scalar_walls(list, o, v);
-  const SchemeVariables fluid = walls::of_fluid_faces(v);
+  const SchemeVariables fluid = walls::fluid_face_variables(v);
   SchemeVariables open = v;
   open.stress = v.walls.whole_stress;
   open.heat_flux = v.walls.whole_heat_flux;
   // task                    reads                              writes
-  walls::add_openness(list, v, o, effect_solids);           // theta, a           where slopes count
+  walls::add_apertures(list, v, o, effect_solids);          // theta, a           where slopes count
   add_primitives(list, v, o, effect_flow);                  // state              u, p, c
   add_face_states(list, fluid, o);                          // u, p, c            slopes, u_f, p_f
   walls::add_open_faces(list, fluid, v, o, effect_solids);  // u_f, p_f, A, C    u_f, p_f, w
   add_shock_shear(list, v, o, effect_shock_shear);          // rho, u, p, c, theta  k of faces
-  if (o.implicit) pressure::add_walled_system(list, v, o, effect_pressure_solve);  // w  matrix, R
+  if (o.implicit) pressure::add_cut_cell_system(list, v, o, effect_pressure_solve);  // w  matrix, R
   add_transport(list, v, o, effect_viscosity, effect_turbulence);  // rho, E, u  mu, k of cells
   add_viscous_stress(list, open, o, effect_viscosity);             // u                  t_f
   add_heat_flux(list, open, o, effect_conduction);                 // rho, E             T, q_f
@@ -116,7 +116,8 @@ void declare_walled_material(TaskList& list, const SchemeOptions& o, const Effec
   add_bases_and_fluxes(list, v, o);                    // Lagrange, slopes   F, G, U
   walls::add_update(list, v, o, effect_solids);        // Lagrange, fluxes   new state, rates
   if (o.implicit)
-    pressure::add_end_of_walled(list, v, o, effect_pressure_solve);  // X, new state  R, new Y
+    pressure::add_cut_cell_end_of_step(list, v, o,
+                                       effect_pressure_solve);  // X, new state  R, new Y
   SchemeVariables sides = v;  // what passes through the sides of the domain
   sides.face_velocity = v.walls.flow;
   walls::add_scalar_walls(list, v, o, effect_solids);  // rho, theta, open   M, weights
@@ -158,7 +159,7 @@ void declare_mixture(TaskList& list, const SchemeOptions& o, const EffectList& e
 
 // The same where solids are in the fluids; where they move apart (slip), they do so in cells that
 // no solid touches.
-void declare_walled_mixture(TaskList& list, const SchemeOptions& o, const EffectList& effects) {
+void declare_cut_mixture(TaskList& list, const SchemeOptions& o, const EffectList& effects) {
   mixture::Variables m = mixture::declare_variables(list, o);
   SchemeVariables& v = m.common;
   walls::declare_variables(list, o, v);
@@ -166,9 +167,9 @@ void declare_walled_mixture(TaskList& list, const SchemeOptions& o, const Effect
   const walls::MaterialVariables x = walls::declare_materials(list, o, m);
   scalars::declare_variables(list, o, v, {m.mass, m.mass_remap, m.volume});
   walls::declare_scalar_walls(list, o, v);
-  const bool apart = o.own_velocities;
-  const SchemeVariables moving = apart ? walls::of_volume(m) : v;
-  const SchemeVariables fluid = walls::of_fluid_faces(moving);
+  const bool apart = o.multi_velocity;
+  const SchemeVariables moving = apart ? walls::volume_variables(m) : v;
+  const SchemeVariables fluid = walls::fluid_face_variables(moving);
   mixture::Variables open = m;
   open.common.stress = v.walls.whole_stress;
   open.common.heat_flux = v.walls.whole_heat_flux;
@@ -179,37 +180,38 @@ void declare_walled_mixture(TaskList& list, const SchemeOptions& o, const Effect
   masked.masked = true;
   constexpr int slip = effect_momentum_exchange;
   // task                            reads                              writes
-  walls::add_touched(list, m, o, effect_solids);              // theta      which cells solids touch
-  walls::add_openness(list, v, o, effect_solids);             // theta, a   where slopes count
+  walls::add_cut_cells(list, m, o, effect_solids);            // theta      which cells solids touch
+  walls::add_apertures(list, v, o, effect_solids);            // theta, a   where slopes count
   mixture::add_primitives(list, m, o, effect_equilibration);  // state      who is where, u, p, c
   if (apart) mixture::add_slip_motion(list, m, o, slip);      // state      u_m, u, c of volume
   add_face_states(list, fluid, o);                            // u, p       slopes, u_f, p_f
   walls::add_open_faces(list, fluid, v, o, effect_solids);    // u_f, A, C  u_f, p_f, w
   add_shock_shear(list, v, o, effect_shock_shear);            // u, p, c    k along shocks
-  if (o.implicit) pressure::add_walled_system(list, moving, o, effect_pressure_solve);  // w  matrix
-  mixture::add_friction(list, open, o);                                  // V_m, T_m, u  mu, t_f
-  if (apart) mixture::add_slip_stress(list, open, o, effect_viscosity);  // u_m  t of each
+  if (o.implicit)
+    pressure::add_cut_cell_system(list, moving, o, effect_pressure_solve);  // w  matrix
+  mixture::add_friction(list, open, o);                                     // V_m, T_m, u  mu, t_f
+  if (apart) mixture::add_slip_stress(list, open, o, effect_viscosity);     // u_m  t of each
   mixture::add_heat_flux(list, open, o, effect_conduction);   // T_m        q_f, of each material
   walls::add_shares(list, open.common, v, o, effect_solids);  // t_f, a     of open faces
   if (apart) walls::add_stress_of_open_faces(list, open, m, o, effect_solids);
   walls::add_heat_of_open_faces(list, m, x, o, effect_solids);
   mixture::add_transported_heat(list, m, o, o.conducting ? effect_conduction : effect_viscosity);
   walls::add_lagrangian(list, v, o, effect_solids);  // state, faces  Lagrange, donors
-  const mixture::Variables whole = walls::of_whole_cells(m);
+  const mixture::Variables whole = walls::full_cell_variables(m);
   if (apart) mixture::add_slip_phase(list, m, o, slip);  // p_f        w_mL, drift, work
   mixture::add_lagrangian_of_each(list, whole, o, effect_flow);
   walls::add_shares_of_each(list, m, x, o, effect_solids);   // Lagrange   E_mL of touched cells
   if (apart) mixture::add_slip_faces(list, whole, o, slip);  // drift      u_fm, outflow
   mixture::Variables bases = m;
-  bases.common = walls::of_bases(v);
+  bases.common = walls::base_variables(v);
   mixture::add_remap_bases(list, bases, masked, effect_second_order);  // Lagrange   bases
   if (apart) mixture::add_slip_bases(list, bases, masked, slip);       // Lagrange   bases of u_m
   for (int axis = 0; axis < o.axes.count; ++axis) {
-    const mixture::Variables remap = walls::of_whole_remap(m, x, axis);
+    const mixture::Variables remap = walls::full_cell_remap(m, x, axis);
     apart ? mixture::add_slip_flux(list, remap, masked, effect_flow, axis)
           : mixture::add_remap_flux(list, remap, masked, effect_flow, axis);
   }
-  walls::add_fluxes_of_touched(list, m, x, o, effect_solids);  // E_mL      FV, FM, FE of each, U
+  walls::add_fluxes_of_cut_cells(list, m, x, o, effect_solids);  // E_mL      FV, FM, FE of each, U
   apart ? mixture::add_slip_update(list, cells, o, effect_equilibration)  // fluxes  new state
         : mixture::add_update(list, cells, o, effect_equilibration);      //         and rates
   if (o.implicit)
@@ -221,12 +223,12 @@ void declare_walled_mixture(TaskList& list, const SchemeOptions& o, const Effect
       apart ? scalars::add_own_motion(list, sides, o, effect_scalars) : sides.common;
   scalars::add_tasks(list, carrying, o, effect_scalars);  // w, fluxes   new scalars
   add_accounts(list, sides.common, o, effects);
-  if (apart) mixture::add_slip_force_account(list, m, o, effect_of_forces(o));
+  if (apart) mixture::add_relative_velocity_force_budget(list, m, o, effect_of_forces(o));
   declare_step_outputs(list, v, o, mixture::materials_of_step(list, m, o));
 }
 
 // The same without solids, where each material has a velocity of its own: mixture/slip.hpp.
-void declare_own_velocities(TaskList& list, const SchemeOptions& o, const EffectList& effects) {
+void declare_multi_velocity(TaskList& list, const SchemeOptions& o, const EffectList& effects) {
   mixture::Variables m = mixture::declare_variables(list, o);
   scalars::declare_variables(list, o, m.common, {m.mass, m.mass_new, m.volume});
   if (o.implicit) {
@@ -256,26 +258,30 @@ void declare_own_velocities(TaskList& list, const SchemeOptions& o, const Effect
     pressure::add_end_of_mixture(list, m, volume, o, effect_pressure_solve);  // X, state  R, Y
   scalars::add_tasks(list, scalars::add_own_motion(list, m, o, effect_scalars), o, effect_scalars);
   add_accounts(list, v, o, effects);  // fluxes, m, dp   sums, face tables
-  mixture::add_slip_force_account(list, m, o, effect_of_forces(o));
+  mixture::add_relative_velocity_force_budget(list, m, o, effect_of_forces(o));
   declare_step_outputs(list, v, o, mixture::materials_of_step(list, m, o));  // saved  outputs
 }
 
 // The classic form. Each line is a task (one for each axis where it says "face" or "fluxes"), in
 // the file of its name under classic/ or, without "classic::", under one_material/.
-void declare_classic(TaskList& list, const SchemeOptions& o, const EffectList& effects) {
-  const classic::Variables v = declare_classic_variables(list, o);
+void declare_internal_energy_form(TaskList& list, const SchemeOptions& o,
+                                  const EffectList& effects) {
+  const internal_energy_form::Variables v = declare_classic_variables(list, o);
   const SchemeVariables& s = v.common;
   // task                             reads                        writes
-  add_primitives(list, s, o, effect_flow);                // state                 u, p_n, c
-  classic::add_face_velocity(list, v, o, effect_flow);    // rho, u, p_n           u_f
-  classic::add_pressure_change(list, v, o, effect_flow);  // u_f, p_n, c, E        dp, p, E*
-  classic::add_face_pressure(list, v, o, effect_flow);    // rho, p                p_f
-  add_viscous_stress(list, s, o, effect_viscosity);       // u                     t_f
-  classic::add_lagrangian(list, v, o, effect_flow);       // m, p_f, t_f, E*       m_L, E_L
-  classic::add_slopes(list, v, o, effect_second_order);   // rho, m_L, E_L, u_f    slopes
-  classic::add_fluxes(list, v, o, effect_flow);           // u_f, m_L, E_L, slopes F
-  classic::add_update(list, v, o, effect_flow);           // m_L, E*, F            new state, rates
-  add_accounts(list, s, o, effects);                      // fluxes, m, dp   sums, face tables
+  add_primitives(list, s, o, effect_flow);  // state                 u, p_n, c
+  internal_energy_form::add_face_velocity(list, v, o, effect_flow);  // rho, u, p_n           u_f
+  internal_energy_form::add_pressure_change(list, v, o,
+                                            effect_flow);  // u_f, p_n, c, E        dp, p, E*
+  internal_energy_form::add_face_pressure(list, v, o, effect_flow);  // rho, p                p_f
+  add_viscous_stress(list, s, o, effect_viscosity);                  // u                     t_f
+  internal_energy_form::add_lagrangian(list, v, o, effect_flow);  // m, p_f, t_f, E*       m_L, E_L
+  internal_energy_form::add_slopes(list, v, o,
+                                   effect_second_order);      // rho, m_L, E_L, u_f    slopes
+  internal_energy_form::add_fluxes(list, v, o, effect_flow);  // u_f, m_L, E_L, slopes F
+  internal_energy_form::add_update(list, v, o,
+                                   effect_flow);  // m_L, E*, F            new state, rates
+  add_accounts(list, s, o, effects);              // fluxes, m, dp   sums, face tables
   declare_step_outputs(list, s, o, material_alone(list, s, o));  // saved         outputs
 }
 

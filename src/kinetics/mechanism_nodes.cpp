@@ -79,7 +79,7 @@ void only_children(const DeckNode& node, const std::vector<std::string>& names) 
                                  node.name, fmt::join(names, ", ")));
 }
 
-std::size_t place_of(const Places& places, const std::string& name, const DeckNode& node) {
+std::size_t place_of(const SpeciesIndices& places, const std::string& name, const DeckNode& node) {
   const auto found = places.find(name);
   if (found == places.end())
     refuse(node, fmt::format("<{}>: no species {} in the phase", node.name, in_quotes(name)));

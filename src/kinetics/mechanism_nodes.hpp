@@ -25,7 +25,7 @@ std::vector<std::string> words(const DeckNode& node);
 void only_children(const DeckNode& node, const std::vector<std::string>& names);
 
 // Places of species by their names.
-using Places = std::map<std::string, std::size_t>;
-std::size_t place_of(const Places& places, const std::string& name, const DeckNode& node);
+using SpeciesIndices = std::map<std::string, std::size_t>;
+std::size_t place_of(const SpeciesIndices& places, const std::string& name, const DeckNode& node);
 
 }  // namespace sluice::kinetics

@@ -100,7 +100,7 @@ bool Reactor::inert(double rho, double dt) {
 }
 
 // The change of the concentrations as one of Y; the heat that it releases.
-double Reactor::take_over(double rho, double* Y) {
+double Reactor::commit(double rho, double* Y) {
   double* y = solver_.unknowns();
   for (std::size_t k = 0; k < gas_.count(); ++k) {
     y[k] = std::max(y[k], 0.0);
@@ -133,7 +133,7 @@ Reactor::Result Reactor::advance(double rho, double energy, double* Y, double dt
   if (rates_.reactions() == 0 || inert(rho, dt)) return {0, dt, 0};
   const StiffSolver::Outcome outcome = solver_.advance(dt, tolerances_.relative);
   if (!outcome.good) fail(rho, T, Y, outcome.problem);
-  return {take_over(rho, Y), outcome.last_step, outcome.steps};
+  return {commit(rho, Y), outcome.last_step, outcome.steps};
 }
 
 }  // namespace sluice::kinetics

@@ -63,7 +63,7 @@ class Reactor : private StiffSystem {
 
   double start(double rho, double energy, const double* Y);
   bool inert(double rho, double dt);
-  double take_over(double rho, double* Y);
+  double commit(double rho, double* Y);
   [[noreturn]] void fail(double rho, double T, const double* Y, const std::string& problem) const;
 
   const SpeciesGas& gas_;

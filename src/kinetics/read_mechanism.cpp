@@ -87,7 +87,7 @@ Species read_species(const DeckNode& node, std::vector<std::string>& elements) {
   return species;
 }
 
-std::vector<Fit> read_diffusion(const DeckNode* node, const Places& places) {
+std::vector<Fit> read_diffusion(const DeckNode* node, const SpeciesIndices& places) {
   if (node == nullptr) return {};
   expect_form(*node, "form", "P*D=T^1.5*poly(lnT)");
   expect_form(*node, "units", "Pa-m2/s");
@@ -116,7 +116,7 @@ Mechanism mechanism_from(const DeckNode& root) {
   mechanism.elements = words(needed(phase, "elementArray"));
   const DeckNode& data = needed(root, "speciesData");
   const DeckNode& listed = needed(phase, "speciesArray");
-  Places places;
+  SpeciesIndices places;
   for (const std::string& name : words(listed)) {
     if (!places.emplace(name, mechanism.species.size()).second)
       refuse(listed, fmt::format("species {} is listed twice", in_quotes(name)));

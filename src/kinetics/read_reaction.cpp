@@ -36,7 +36,7 @@ Arrhenius read_arrhenius(const DeckNode& node, int order, const RateUnits& units
   return rate;
 }
 
-std::vector<Participant> participants(const DeckNode& node, const Places& places) {
+std::vector<Participant> participants(const DeckNode& node, const SpeciesIndices& places) {
   std::vector<Participant> all;
   for (const auto& [name, count] : name_and_count(node))
     all.push_back({place_of(places, name, node), count});
@@ -106,7 +106,8 @@ void read_falloff(const DeckNode& node, int order, const RateUnits& units, React
   reaction.falloff = falloff;
 }
 
-void read_efficiencies(const DeckNode& reaction_node, const Places& places, Reaction& reaction) {
+void read_efficiencies(const DeckNode& reaction_node, const SpeciesIndices& places,
+                       Reaction& reaction) {
   const DeckNode* node = reaction_node.child("efficiencies");
   double common = 1;
   if (node != nullptr && node->attribute("default"))
@@ -138,7 +139,7 @@ RateUnits read_rate_units(const DeckNode& node) {
   return units;
 }
 
-Reaction read_reaction(const DeckNode& node, const Places& places,
+Reaction read_reaction(const DeckNode& node, const SpeciesIndices& places,
                        const std::vector<Species>& species, const RateUnits& units) {
   only_children(node, {"equation", "reactants", "products", "rateCoeff", "efficiencies"});
   Reaction reaction;

@@ -16,7 +16,7 @@ struct RateUnits {
 RateUnits read_rate_units(const DeckNode& units);
 
 // InputError with file and line, see read_mechanism.hpp.
-Reaction read_reaction(const DeckNode& node, const Places& places,
+Reaction read_reaction(const DeckNode& node, const SpeciesIndices& places,
                        const std::vector<Species>& species, const RateUnits& units);
 
 }  // namespace sluice::kinetics

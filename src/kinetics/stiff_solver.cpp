@@ -17,7 +17,7 @@ namespace {
 
 static_assert(std::is_same_v<realtype, double>, "SUNDIALS with another type of real numbers");
 
-constexpr long most_steps = 200'000;
+constexpr long max_steps = 200'000;
 
 int slopes(realtype, N_Vector y, N_Vector f, void* system) {
   const bool good = static_cast<StiffSystem*>(system)->slopes(NV_DATA_S(y), NV_DATA_S(f));
@@ -80,7 +80,7 @@ StiffSolver::StiffSolver(StiffSystem& system, std::size_t unknowns)
   made(CVodeSetErrHandlerFn(p.cvode, keep_message, &p.message) == CV_SUCCESS);
   made(CVodeInit(p.cvode, slopes, 0.0, p.y) == CV_SUCCESS);
   made(CVodeSetUserData(p.cvode, &system) == CV_SUCCESS);
-  made(CVodeSetMaxNumSteps(p.cvode, most_steps) == CV_SUCCESS);
+  made(CVodeSetMaxNumSteps(p.cvode, max_steps) == CV_SUCCESS);
   made(CVodeSetLinearSolver(p.cvode, p.linear, p.matrix) == CV_SUCCESS);
   made(CVodeSetJacFn(p.cvode, jacobian) == CV_SUCCESS);
   made((p.erk = ERKStepCreate(slopes, 0.0, p.y, p.context)) != nullptr);

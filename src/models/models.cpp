@@ -83,7 +83,8 @@ std::optional<double> species_coefficient(const DeckNode& parameters, Coefficien
 
 // Rules of models that know fluids alone.
 template <auto check>
-void of_fluids(const DeckNode& parameters, const MaterialNames& names, std::vector<Fault>& faults) {
+void with_fluids(const DeckNode& parameters, const MaterialNames& names,
+                 std::vector<Fault>& faults) {
   check(parameters, names.fluids, faults);
 }
 
@@ -163,7 +164,7 @@ const std::vector<Entry>& table() {
        .once_reason = one_alone_moves},
       {.type = "mass_momentum_energy_src",
        .parameters = fixed_values_tag(),
-       .check = of_fluids<check_fixed_values>,
+       .check = with_fluids<check_fixed_values>,
        .read =
            [](const DeckNode& parameters, const Reading& to) {
              for (FixedValues& v :
@@ -172,7 +173,7 @@ const std::vector<Entry>& table() {
            }},
       {.type = "PassiveScalar",
        .parameters = passive_scalar_tag(),
-       .check = of_fluids<check_passive_scalar>,
+       .check = with_fluids<check_passive_scalar>,
        .read =
            [](const DeckNode& parameters, const Reading& to) {
              to.list.scalars.push_back(
@@ -183,7 +184,7 @@ const std::vector<Entry>& table() {
        .update = put_regions_into_start},
       {.type = "BinaryProperties",
        .parameters = binary_properties_tag(),
-       .check = of_fluids<check_binary_properties>,
+       .check = with_fluids<check_binary_properties>,
        .read =
            [](const DeckNode& parameters, const Reading& to) {
              add_gas(parameters, "constants", read_binary_properties(parameters, to.materials), to);
@@ -194,7 +195,7 @@ const std::vector<Entry>& table() {
        .coefficient = largest_binary_coefficient},
       {.type = "AdiabaticTable",
        .parameters = adiabatic_table_tag(),
-       .check = of_fluids<check_adiabatic_table>,
+       .check = with_fluids<check_adiabatic_table>,
        .read =
            [](const DeckNode& parameters, const Reading& to) {
              add_gas(parameters, "constants",
@@ -208,7 +209,7 @@ const std::vector<Entry>& table() {
        }},
       {.type = "flameSheet_rxn",
        .parameters = flame_sheet_tag(),
-       .check = of_fluids<check_flame_sheet>,
+       .check = with_fluids<check_flame_sheet>,
        .read =
            [](const DeckNode& parameters, const Reading& to) {
              add_gas(parameters, "reaction_constants", read_flame_sheet(parameters, to.materials),
@@ -219,7 +220,7 @@ const std::vector<Entry>& table() {
        .transports_scalar = true},
       {.type = "gasCombustion",
        .parameters = gas_combustion_tag(),
-       .check = of_fluids<check_gas_combustion>,
+       .check = with_fluids<check_gas_combustion>,
        .read = add_species,
        .labels = species_labels,
        .mixes_gas = true,
@@ -227,7 +228,7 @@ const std::vector<Entry>& table() {
        .coefficient = species_coefficient},
       {.type = "hydrogenBurke",
        .parameters = hydrogen_burke_tag(),
-       .check = of_fluids<check_gas_combustion>,
+       .check = with_fluids<check_gas_combustion>,
        .read = add_species,
        .labels = species_labels,
        .mixes_gas = true,
@@ -235,7 +236,7 @@ const std::vector<Entry>& table() {
        .coefficient = species_coefficient},
       {.type = "TracerParticles",
        .parameters = tracer_particles_tag(),
-       .check = of_fluids<check_tracer_particles>,
+       .check = with_fluids<check_tracer_particles>,
        .read =
            [](const DeckNode& parameters, const Reading& to) {
              to.list.tracers.push_back(

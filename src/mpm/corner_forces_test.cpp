@@ -69,7 +69,7 @@ class PushedSolids final : public Mpm {
       }
       return Verdict::good;
     });
-    stage("take over", &SolidLevels::take_over);
+    stage("take over", &SolidLevels::commit);
   }
 
  private:

@@ -25,9 +25,9 @@ StepLimit ImplicitMpm::step_limit(const std::vector<double>& maxima) const {
 }
 
 // What the nodes' own balance lacks is what a_0 of particles is beside that of the forces before.
-std::vector<std::pair<std::string, double>> ImplicitMpm::account(
-    const Conservation& tallies) const {
-  auto entries = Mpm::account(tallies);
+std::vector<std::pair<std::string, double>> ImplicitMpm::budget(
+    const Conservation& tracked_totals) const {
+  auto entries = Mpm::budget(tracked_totals);
   entries.back() = {"carried accelerations", -entries.back().second};
   return entries;
 }

@@ -15,7 +15,8 @@ class ImplicitMpm final : public Mpm {
     return {};
   }
   StepLimit step_limit(const std::vector<double>& maxima) const override;
-  std::vector<std::pair<std::string, double>> account(const Conservation& tallies) const override;
+  std::vector<std::pair<std::string, double>> budget(
+      const Conservation& tracked_totals) const override;
 };
 
 // Explicit or implicit, as the scene says.

@@ -19,7 +19,7 @@ double sum(const std::vector<double>& of) {
 }
 
 double of_account(const TextRun& run, const std::string& name) {
-  for (const auto& [entry, value] : run.report().account)
+  for (const auto& [entry, value] : run.report().budget)
     if (entry == name) return value;
   return 0;
 }
@@ -72,9 +72,9 @@ class LostEnergy : public testing::TestWithParam<Case> {};
 TEST_P(LostEnergy, OfParticlesIsThatOfTheAccount) {
   const TextRun run(meeting(GetParam(), 1), saves_losses, "lost");
   const double scale = run.history("KineticEnergy").front()[1];
-  const double account = of_account(run, "transfer loss") + of_account(run, "integration loss");
-  EXPECT_GT(std::fabs(account), 1e-4 * scale);
-  EXPECT_NEAR(sum(run.particles("p.lostEnergy")[0]), account, 1e-12 * scale);
+  const double budget = of_account(run, "transfer loss") + of_account(run, "integration loss");
+  EXPECT_GT(std::fabs(budget), 1e-4 * scale);
+  EXPECT_NEAR(sum(run.particles("p.lostEnergy")[0]), budget, 1e-12 * scale);
   const std::vector<double> heat = run.particles("p.heatOfLosses")[0],
                             T = run.particles("p.temperature")[0], m = run.particles("p.mass")[0];
   EXPECT_NEAR(-of_account(run, "back as heat"), sum(heat), 5e-12 * scale);
@@ -115,7 +115,7 @@ TEST(LostEnergyOfContact, WarmsBothSides) {
 TEST(LostEnergyOfContact, OfABounceIsNotMoreThanItsLoss) {
   const SolidRun run("bouncing_bar", {"MPM/lost_energy=heat"});
   double left = 0, contact = 0;
-  for (const auto& [name, value] : run.report().account) {
+  for (const auto& [name, value] : run.report().budget) {
     left += value;
     if (name == "contact loss") contact = value;
   }

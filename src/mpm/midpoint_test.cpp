@@ -276,7 +276,7 @@ class ThinRing : public testing::TestWithParam<const char*> {};
 TEST_P(ThinRing, KeepsMostOfItsEnergy) {
   const SolidRun run("disk_in_ring", {fmt::format("MPM/interpolator={}", GetParam())});
   double lost = 0;
-  for (const auto& [name, value] : run.report().account)
+  for (const auto& [name, value] : run.report().budget)
     if (name != "within particles") lost += value;
   constexpr double speed = 1000;  // m^2/s^2
   const double start = 0.5 * 8000 * std::numbers::pi * 0.1 * 0.1 * 0.025 * speed;

@@ -74,7 +74,7 @@ void Mpm::shape_step(StepShape& shape) const {
     stage("particles move; velocities to grid (MUSL)", &SolidLevels::map_back);
   stage("grid to particles, deformation, stress", &SolidLevels::from_grid);
   shape.stage("energies of solids", judge_step);
-  stage("take over", &SolidLevels::take_over);
+  stage("take over", &SolidLevels::commit);
 }
 
 int Mpm::reduction_maxima() const {
@@ -110,7 +110,7 @@ StepBalance Mpm::balance(const std::vector<double>& sums, const StepStart* /*sta
 
 // docs/theory/mpm_transfers.md, "Energy budget". What each follows: K_p with the nodes' K* - K, U
 // with the work of the forces within, what contact took, and what is left of the nodes' balance.
-std::vector<std::string> Mpm::tally_names() const {
+std::vector<std::string> Mpm::tracked_names() const {
   return {"kinetic energy of particles",
           "internal energy of particles",
           "contact",
@@ -119,7 +119,7 @@ std::vector<std::string> Mpm::tally_names() const {
           "energy within particles"};
 }
 
-std::vector<double> Mpm::tallies(const std::vector<double>& sums) const {
+std::vector<double> Mpm::tracked_totals(const std::vector<double>& sums) const {
   const double gain = sums[StepSums::node_gain], loss = sums[StepSums::contact_loss];
   const double fluid = sums[StepSums::corner_work];
   const double within = sums[StepSums::node_work] - sums[StepSums::load_work] - fluid;  // W_int
@@ -143,18 +143,18 @@ std::vector<ConservedTotal> Mpm::tallied_totals(const Totals& totals) const {
 // K* - K, as nodes of little mass move further than what reads them: T is then what spins lost.
 // "back as heat": what of all that became heat (step/lost_energy.cpp), less than 0; "within
 // particles": what spins and affine velocities hold. All of them are what the total energy lost.
-std::vector<std::pair<std::string, double>> Mpm::account(const Conservation& tallies) const {
-  return account_from(tallies, 0);
+std::vector<std::pair<std::string, double>> Mpm::budget(const Conservation& tracked_totals) const {
+  return budget_from(tracked_totals, 0);
 }
 
-std::vector<std::pair<std::string, double>> Mpm::account_from(const Conservation& tallies,
-                                                              int first) {
+std::vector<std::pair<std::string, double>> Mpm::budget_from(const Conservation& tracked_totals,
+                                                             int first) {
   std::vector<std::pair<std::string, double>> all = {
-      {"transfer loss", -tallies.defect(first)},
-      {"integration loss", -tallies.defect(first + 1)},
-      {"contact loss", tallies.sources(first + 2)},
-      {"nodes", tallies.sources(first + 3)}};
-  const double heat = tallies.sources(first + 4), inner = tallies.sources(first + 5);
+      {"transfer loss", -tracked_totals.defect(first)},
+      {"integration loss", -tracked_totals.defect(first + 1)},
+      {"contact loss", tracked_totals.sources(first + 2)},
+      {"nodes", tracked_totals.sources(first + 3)}};
+  const double heat = tracked_totals.sources(first + 4), inner = tracked_totals.sources(first + 5);
   if (heat != 0) all.emplace_back("back as heat", -heat);
   if (inner != 0) all.emplace_back("within particles", inner);
   return all;

@@ -46,13 +46,14 @@ class Mpm : public Component {
   std::string place_of_gain(const ParticleCloud& cloud, int material,
                             Communicator& ranks) const override;
   std::string better_for_energy() const override;
-  std::vector<std::string> tally_names() const override;
-  std::vector<double> tallies(const std::vector<double>& sums) const override;
+  std::vector<std::string> tracked_names() const override;
+  std::vector<double> tracked_totals(const std::vector<double>& sums) const override;
   std::vector<ConservedTotal> tallied_totals(const Totals& totals) const override;
   // The same of tallies that begin with a number, among those of another part too.
-  static std::vector<std::pair<std::string, double>> account_from(const Conservation& tallies,
-                                                                  int first);
-  std::vector<std::pair<std::string, double>> account(const Conservation& tallies) const override;
+  static std::vector<std::pair<std::string, double>> budget_from(const Conservation& tracked_totals,
+                                                                 int first);
+  std::vector<std::pair<std::string, double>> budget(
+      const Conservation& tracked_totals) const override;
   double history_value(Label label, const Totals& totals) const override;
   Vec3 history_vector(Label label, const Totals& totals) const override;
 
@@ -67,7 +68,7 @@ class Mpm : public Component {
   const TransferOperators& transfer() const override { return no_transfer_; }
   Label refine_flag() const override;
   Label mask_label() const override;
-  bool quiet_blocks_allowed() const override { return false; }
+  bool skipping_allowed() const override { return false; }
   void measure_rates(const Warehouse& /*state*/, Reductions& /*rates*/) const override {}
   void add_totals(const Warehouse& state, const LevelCoverage& coverage,
                   Totals& totals) const override;

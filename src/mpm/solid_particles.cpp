@@ -44,12 +44,12 @@ std::vector<IndexBox> layers_of(const IndexBox& cells) {
 
 // Of implicit steps: no particle goes farther than 0.8 cells.
 double rate_of_displacements(const Level& level, const ParticleSet& set, const Carried& carried) {
-  constexpr double most_cells = 0.8;
+  constexpr double max_cells = 0.8;
   double rate = 0;
   for (int d = 0; d < 3; ++d) {
     if (!level.active[d]) continue;
     for (const double v : set.attribute_values(carried.columns.velocity + d))
-      rate = std::max(rate, std::fabs(v) / (most_cells * level.spacing[d]));
+      rate = std::max(rate, std::fabs(v) / (max_cells * level.spacing[d]));
   }
   return rate;
 }
@@ -94,7 +94,7 @@ void SolidParticles::mark(int kind, const Level& level, const SeededParticles& s
   const Columns& c = carried_[kind].columns;
   Vec3 width{};
   for (int d = 0; d < 3; ++d) width[d] = std::fabs(seeded.edges[4 * d][p]) * level.spacing[d];
-  std::array<int, most_marks> named{};
+  std::array<int, max_marks> named{};
   for (std::size_t n = 0; n < named.size(); ++n)
     if (!seeded.load_curve[n].empty()) named[n] = seeded.load_curve[n][p];
   const std::size_t last = set.size() - 1;

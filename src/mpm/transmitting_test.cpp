@@ -122,7 +122,7 @@ TEST_P(FrictionHeat, IsTheMotionThatFrictionTook) {
     mass += m[p];
   }
   double contact = 0;
-  for (const auto& [name, value] : run.report().account)
+  for (const auto& [name, value] : run.report().budget)
     if (name == "contact loss") contact = value;
   RecordProperty("heat", std::to_string(heat / (0.5 * mass)));
   RecordProperty("of_contact_loss", std::to_string(heat / contact));

@@ -31,26 +31,26 @@ std::size_t MpmIce::first_burned_sum() const {
   return solids_.reduction_sums() + fluid_.reduction_sums();
 }
 
-std::vector<std::string> MpmIce::tally_names() const {
-  std::vector<std::string> names = fluid_.tally_names();
+std::vector<std::string> MpmIce::tracked_names() const {
+  std::vector<std::string> names = fluid_.tracked_names();
   if (!burns_.empty()) names.insert(names.end(), {"burned mass of solids", "heat of burning"});
-  if (has_account()) {
-    for (const std::string& name : solids_.tally_names()) names.push_back(name);
+  if (has_budget()) {
+    for (const std::string& name : solids_.tracked_names()) names.push_back(name);
     names.emplace_back("surfaces");
   }
   return names;
 }
 
-bool MpmIce::has_account() const {
+bool MpmIce::has_budget() const {
   const auto& solids = solids_.scene().materials;
   return burns_.empty() &&
          std::none_of(solids.begin(), solids.end(), [](const auto& m) { return m.rigid; });
 }
 
-std::vector<double> MpmIce::tallies(const std::vector<double>& sums) const {
-  std::vector<double> all = fluid_.tallies(fluid_part(sums, solids_.reduction_sums()));
-  if (has_account()) {
-    for (const double of_solids : solids_.tallies(sums)) all.push_back(of_solids);
+std::vector<double> MpmIce::tracked_totals(const std::vector<double>& sums) const {
+  std::vector<double> all = fluid_.tracked_totals(fluid_part(sums, solids_.reduction_sums()));
+  if (has_budget()) {
+    for (const double of_solids : solids_.tracked_totals(sums)) all.push_back(of_solids);
     all.push_back(sums[mpm::StepSums::surface_work] + sums[mpm::StepSums::corner_work]);
   }
   if (burns_.empty()) return all;
@@ -62,8 +62,8 @@ std::vector<double> MpmIce::tallies(const std::vector<double>& sums) const {
 
 // The kinetic and the internal energy of the solids are the last of the amounts.
 std::vector<ConservedTotal> MpmIce::tallied_totals(const Totals& totals) const {
-  if (!has_account()) return {};
-  std::vector<ConservedTotal> all(fluid_.tally_names().size());
+  if (!has_budget()) return {};
+  std::vector<ConservedTotal> all(fluid_.tracked_names().size());
   all.insert(all.end(), totals.amounts.end() - 2, totals.amounts.end());
   all.resize(all.size() + 5);
   return all;
@@ -71,22 +71,23 @@ std::vector<ConservedTotal> MpmIce::tallied_totals(const Totals& totals) const {
 
 // What surfaces work on the fluid and its forces on the nodes of solids is one but for the time of
 // the velocity (v* of the swept volume, (v + v*)/2 of the nodes) and places within a step.
-std::vector<std::pair<std::string, double>> MpmIce::account(const Conservation& tallies) const {
-  if (!has_account()) return {};
-  const auto first = static_cast<int>(fluid_.tally_names().size());
-  auto all = mpm::Mpm::account_from(tallies, first);
-  all.emplace_back("surfaces", -tallies.sources(first + 6));
+std::vector<std::pair<std::string, double>> MpmIce::budget(
+    const Conservation& tracked_totals) const {
+  if (!has_budget()) return {};
+  const auto first = static_cast<int>(fluid_.tracked_names().size());
+  auto all = mpm::Mpm::budget_from(tracked_totals, first);
+  all.emplace_back("surfaces", -tracked_totals.sources(first + 6));
   return all;
 }
 
 void MpmIce::add_totals(const Warehouse& state, const LevelCoverage& coverage,
                         Totals& totals) const {
-  Totals of_fluid;
-  fluid_.add_totals(state, coverage, of_fluid);
+  Totals fluid_totals;
+  fluid_.add_totals(state, coverage, fluid_totals);
   solids_.add_totals(state, coverage, totals);
   totals.mass.resize(material_count());
-  totals.amounts.resize(solids_.amount_count() + of_fluid.amounts.size());
-  join(of_fluid, solids_.material_count(), solids_.amount_count(), totals);
+  totals.amounts.resize(solids_.amount_count() + fluid_totals.amounts.size());
+  join(fluid_totals, solids_.material_count(), solids_.amount_count(), totals);
 }
 
 void MpmIce::add_particle_totals(const ParticleCloud& particles, Totals& totals) const {
@@ -94,7 +95,7 @@ void MpmIce::add_particle_totals(const ParticleCloud& particles, Totals& totals)
   own.amounts.resize(solids_.amount_count());
   solids_.add_particle_totals(particles, own);
   join(own, 0, 0, totals);
-  if (has_account()) {
+  if (has_budget()) {
     totals.amounts.push_back(own.kinetic_energy);
     totals.amounts.push_back(own.internal_energy);
   }
@@ -120,10 +121,10 @@ StepBalance MpmIce::balance(const std::vector<double>& sums, const StepStart* st
                             double dt) const {
   StepBalance b = solids_.balance(sums, start, dt);
   b.energy -= sums[mpm::StepSums::left_reference];
-  StepStart of_fluid;
-  if (start != nullptr) of_fluid = {fluid_part(start->mass, solids_.material_count()), {}};
+  StepStart fluid_totals;
+  if (start != nullptr) fluid_totals = {fluid_part(start->mass, solids_.material_count()), {}};
   const StepBalance f = fluid_.balance(fluid_part(sums, solids_.reduction_sums()),
-                                       start != nullptr ? &of_fluid : nullptr, dt);
+                                       start != nullptr ? &fluid_totals : nullptr, dt);
   b.mass.insert(b.mass.end(), f.mass.begin(), f.mass.end());
   if (!f.mass_of_sources.empty()) {
     b.mass_of_sources.assign(solids_.material_count(), 0.0);
@@ -143,10 +144,10 @@ StepBalance MpmIce::balance(const std::vector<double>& sums, const StepStart* st
 }
 
 // The amounts of the fluid come after those of the solids.
-Totals MpmIce::of_fluid(const Totals& all) const {
+Totals MpmIce::fluid_totals(const Totals& all) const {
   Totals own = all;
-  if (has_account()) own.amounts.resize(own.amounts.size() - 2);
-  own.tallies.resize(std::min(own.tallies.size(), fluid_.tally_names().size()));
+  if (has_budget()) own.amounts.resize(own.amounts.size() - 2);
+  own.tracked_totals.resize(std::min(own.tracked_totals.size(), fluid_.tracked_names().size()));
   const auto scalars = static_cast<std::ptrdiff_t>(fluid_.part().options().scalars.size());
   if (static_cast<std::ptrdiff_t>(own.amounts.size()) > scalars)
     own.amounts.erase(own.amounts.begin(), own.amounts.end() - scalars);
@@ -154,23 +155,24 @@ Totals MpmIce::of_fluid(const Totals& all) const {
 }
 
 double MpmIce::history_value(Label label, const Totals& totals) const {
-  const std::size_t tallied = totals.tallies.size();
+  const std::size_t tallied = totals.tracked_totals.size();
   if (!burns_.empty() && tallied >= 2) {
     // Fluids alone may burn too.
     const double fluid = tallied > 2 && (label == ice::labels().total_mass_burned ||
                                          label == ice::labels().total_heat_released)
                              ? fluid_.history_value(label, totals)
                              : 0.0;
-    if (label == ice::labels().total_mass_burned) return totals.tallies[tallied - 2] + fluid;
-    if (label == ice::labels().total_heat_released) return totals.tallies[tallied - 1] + fluid;
+    if (label == ice::labels().total_mass_burned) return totals.tracked_totals[tallied - 2] + fluid;
+    if (label == ice::labels().total_heat_released)
+      return totals.tracked_totals[tallied - 1] + fluid;
   }
   return solids_.has_history(label) ? solids_.history_value(label, totals)
-                                    : fluid_.history_value(label, of_fluid(totals));
+                                    : fluid_.history_value(label, fluid_totals(totals));
 }
 
 Vec3 MpmIce::history_vector(Label label, const Totals& totals) const {
   return solids_.has_history(label) ? solids_.history_vector(label, totals)
-                                    : fluid_.history_vector(label, of_fluid(totals));
+                                    : fluid_.history_vector(label, fluid_totals(totals));
 }
 
 }  // namespace sluice::mpmice

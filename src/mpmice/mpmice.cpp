@@ -12,8 +12,8 @@ namespace sluice::mpmice {
 namespace {
 
 // Where the fluid's numbers begin.
-Places places_of_fluid(const mpm::Mpm& solids, int fluids) {
-  Places places;
+IndexOffsets places_of_fluid(const mpm::Mpm& solids, int fluids) {
+  IndexOffsets places;
   places.effect = solids.effects().size();
   places.maximum = solids.reduction_maxima();
   places.sum = solids.reduction_sums();
@@ -180,9 +180,9 @@ void MpmIce::shape_step(StepShape& shape) const {
   if (implicit)
     stages.both(shape, "work pressure beside solids", &CouplingOnLevels::keep_work_pressure);
   shape.stage("energies of solids", judge_step);
-  shape.take_over();
+  shape.commit();
   stages.both(shape, "limits of the next step", &CouplingOnLevels::limit_step);
-  stages.solids(shape, "take over", &SolidLevels::take_over);
+  stages.solids(shape, "take over", &SolidLevels::commit);
   if (!burns_.empty()) stages.both(shape, "burned particles go", &CouplingOnLevels::remove_burned);
 }
 

@@ -79,8 +79,8 @@ class MpmIce final : public Component {
   std::vector<OutputSwitch> output_switches() const override;
   bool passes_switch(std::size_t n, const std::vector<double>& sums) const override;
   int first_volume_sum() const override { return fluid_.first_volume_sum(); }
-  bool quiet_blocks_allowed() const override { return fluid_.quiet_blocks_allowed(); }
-  bool may_sleep(int kind) const override { return fluid_.may_sleep(kind); }
+  bool skipping_allowed() const override { return fluid_.skipping_allowed(); }
+  bool may_be_skipped(int kind) const override { return fluid_.may_be_skipped(kind); }
   double courant_number() const override { return fluid_.courant_number(); }
   bool diffusive() const override { return fluid_.diffusive(); }
   void measure_rates(const Warehouse& state, Reductions& rates) const override {
@@ -99,10 +99,11 @@ class MpmIce final : public Component {
                             Communicator& ranks) const override {
     return solids_.place_of_gain(cloud, material, ranks);
   }
-  std::vector<std::string> tally_names() const override;
-  std::vector<double> tallies(const std::vector<double>& sums) const override;
+  std::vector<std::string> tracked_names() const override;
+  std::vector<double> tracked_totals(const std::vector<double>& sums) const override;
   std::vector<ConservedTotal> tallied_totals(const Totals& totals) const override;
-  std::vector<std::pair<std::string, double>> account(const Conservation& tallies) const override;
+  std::vector<std::pair<std::string, double>> budget(
+      const Conservation& tracked_totals) const override;
   double history_value(Label label, const Totals& totals) const override;
   Vec3 history_vector(Label label, const Totals& totals) const override;
   std::string describe_fault(int kind) const override { return fluid_.describe_fault(kind); }
@@ -110,8 +111,8 @@ class MpmIce final : public Component {
  private:
   std::size_t first_burned_sum() const;
   void add_reference_work(const ParticleCloud& particles, Totals& totals) const;
-  bool has_account() const;  // of energy: nothing burns, no solid is rigid
-  Totals of_fluid(const Totals& all) const;
+  bool has_budget() const;  // of energy: nothing burns, no solid is rigid
+  Totals fluid_totals(const Totals& all) const;
   const Scene& scene_;
   mpm::Mpm solids_;
   ice::Ice fluid_;

@@ -40,8 +40,8 @@ struct TuneRequest {
 constexpr double share_of_run = 0.3;
 // Of the budget for the picture, where one is asked for.
 constexpr double share_of_picture = 0.25;
-constexpr std::size_t most_right_sides = 4;  // of a system
-constexpr std::size_t most_curves = 6;
+constexpr std::size_t max_right_sides = 4;  // of a system
+constexpr std::size_t max_curves = 6;
 
 double seconds_now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -109,7 +109,7 @@ void need_solve(const Deck& deck) {
 
 // Runs the first steps of the deck; what they solve for is kept.
 CapturedSystems capture(const LoadedScene& loaded, const TuneRequest& o, TuneReport& report) {
-  solve::SystemCapture captured(wanted_numbers(o.steps, o.systems), most_right_sides);
+  solve::SystemCapture captured(wanted_numbers(o.steps, o.systems), max_right_sides);
   RunOptions options;
   options.output = false;
   options.threads = threads_to_use(o.threads);
@@ -201,7 +201,7 @@ int tune(const TuneRequest& o) {
   if (!o.picture.empty()) {
     line.show("residuals against time, for the picture");
     report.curve_goal = relative_tolerance(report.own, systems);
-    report.curves = search.curves(report.ranking, report.curve_goal, most_curves, o.budget);
+    report.curves = search.curves(report.ranking, report.curve_goal, max_curves, o.budget);
   }
   report.seconds = clock();
   line.clear();

@@ -106,7 +106,7 @@ void read_run(const Deck& deck, const SceneOptions& options, LoadedScene& run,
   std::erase_if(faults, [&](const Fault& f) { return !told.insert(to_string(f)).second; });
 }
 
-constexpr std::int64_t most_cells_to_make = 250'000;
+constexpr std::int64_t max_cells_to_make = 250'000;
 
 // What a run finds when it is made ready. Levels that a regridder will make have no cells yet.
 void make_ready(const Scene& scene, const Component& component, std::vector<Fault>& faults) {
@@ -130,7 +130,7 @@ std::vector<Fault> scene_faults(const Deck& deck) {
   LoadedScene run;
   try {
     read_run(deck, {}, run, faults);
-    if (any_error(faults) || run.scene.grid.cell_count() > most_cells_to_make) return faults;
+    if (any_error(faults) || run.scene.grid.cell_count() > max_cells_to_make) return faults;
     make_ready(run.scene, *run.component, faults);
     for (const auto& later : run.later) make_ready(later->scene, *later->component, faults);
   } catch (const DeckError& e) {

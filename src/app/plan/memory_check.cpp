@@ -63,7 +63,7 @@ double bytes_of_all(const LoadedScene& loaded, const PlannedParticles& particles
   return memory.all_ranks + particles.bytes();
 }
 
-std::string of_particles(const PlannedParticles& particles) {
+std::string particle_memory(const PlannedParticles& particles) {
   std::int64_t count = 0;
   for (const PlannedKind& k : particles.kinds) count += k.count;
   if (count == 0) return "";
@@ -82,7 +82,7 @@ void require_memory(const LoadedScene& loaded, Communicator& ranks, int threads,
     throw InputError(fmt::format(
         "the run needs {} of memory at its peak{}, but {} are {}{}\n  use larger cells, fewer "
         "particles per cell (res), or more machines; --any-memory starts it nevertheless",
-        human_bytes(all), of_particles(particles), human_bytes(machine.bytes), machine.limit,
+        human_bytes(all), particle_memory(particles), human_bytes(machine.bytes), machine.limit,
         machine.ranks < ranks.size()
             ? fmt::format(", of {} for the {} ranks on {}", human_bytes(here), machine.ranks, host)
             : ""));

@@ -197,9 +197,10 @@ std::string plan_text(const RunPlan& p) {
                             p.messages.neighbour_ranks, p.messages.neighbour_ranks == 1 ? "" : "s",
                             p.reductions == 1 ? "one" : "two", p.reductions == 1 ? "" : "s");
   text += kinds_text(p);
-  text += fmt::format("  skipped blocks: {}; {}{}\n\n", p.quiet_allowed ? "uniform ones" : "none",
-                      p.quiet_reason,
-                      p.quiet_where.file.empty() ? "" : " (" + short_place(p.quiet_where) + ")");
+  text +=
+      fmt::format("  skipped blocks: {}; {}{}\n\n", p.skipping_allowed ? "uniform ones" : "none",
+                  p.skipping_reason,
+                  p.skipping_where.file.empty() ? "" : " (" + short_place(p.skipping_where) + ")");
   text += outputs_text(p) + "\n";
   text += limits_text(p) + "\n";
   return text + memory_text(p);
@@ -228,9 +229,9 @@ std::string plan_json(const RunPlan& p) {
                        {"neighbour_ranks", p.messages.neighbour_ranks},
                        {"reductions", p.reductions}}},
                      {"quiet",
-                      {{"allowed", p.quiet_allowed},
-                       {"reason", p.quiet_reason},
-                       {"line", json_location(p.quiet_where)}}},
+                      {{"allowed", p.skipping_allowed},
+                       {"reason", p.skipping_reason},
+                       {"line", json_location(p.skipping_where)}}},
                      {"outputs", outputs_json(p)},
                      {"time_step", limits_json(p)},
                      {"memory", memory_json(p)}};

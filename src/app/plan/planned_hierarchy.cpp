@@ -138,7 +138,7 @@ double PlannedHierarchy::uniform_updates() const {
 }
 
 PlannedHierarchy plan_hierarchy(const LoadedScene& loaded, int ranks, int threads,
-                                std::int64_t most_cells) {
+                                std::int64_t max_cells) {
   const Scene& scene = loaded.scene;
   PlannedHierarchy p;
   p.adaptive = scene.refinement.adaptive;
@@ -149,7 +149,7 @@ PlannedHierarchy plan_hierarchy(const LoadedScene& loaded, int ranks, int thread
   if (p.levels.size() == 1) return p;
   if (p.adaptive) add_criteria(loaded, p);
   add_rules(loaded, p);
-  p.known = scene.grid.cell_count() <= most_cells;
+  p.known = scene.grid.cell_count() <= max_cells;
   if (p.known) settle(loaded, ranks, threads, p);
   p.known = p.known || !p.adaptive;
   return p;

@@ -44,6 +44,6 @@ struct PlannedHierarchy {
 
 // `most_cells`: a coarsest level with more is not set and flagged.
 PlannedHierarchy plan_hierarchy(const LoadedScene& loaded, int ranks, int threads,
-                                std::int64_t most_cells);
+                                std::int64_t max_cells);
 
 }  // namespace sluice

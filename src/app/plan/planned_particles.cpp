@@ -98,7 +98,7 @@ PlannedParticles count_particles(const LoadedScene& loaded) {
   return p;
 }
 
-PlannedParticles plan_particles(const LoadedScene& loaded, std::int64_t most_cells) {
+PlannedParticles plan_particles(const LoadedScene& loaded, std::int64_t max_cells) {
   PlannedParticles p = count_particles(loaded);
   if (!p.any()) return p;
   StepShape shape;
@@ -106,7 +106,7 @@ PlannedParticles plan_particles(const LoadedScene& loaded, std::int64_t most_cel
   for (const StepShape::Stage& stage : shape.stages()) p.stages.push_back(name_of(stage));
   const auto there = static_cast<double>(available_memory().bytes);
   const bool fits = there == 0 || p.bytes() < 0.5 * there;
-  if (fits && loaded.scene.grid.cell_count() <= most_cells) lay_out(loaded, p);
+  if (fits && loaded.scene.grid.cell_count() <= max_cells) lay_out(loaded, p);
   return p;
 }
 

@@ -37,7 +37,7 @@ PlannedParticles count_particles(const LoadedScene& loaded);
 
 // A coarsest level with more than `most_cells` cells is not set, nor are particles that would take
 // more than half of the memory that there is: they are counted.
-PlannedParticles plan_particles(const LoadedScene& loaded, std::int64_t most_cells);
+PlannedParticles plan_particles(const LoadedScene& loaded, std::int64_t max_cells);
 
 // For people: a line a kind, and the stages. Empty where there are none.
 std::string particles_text(const PlannedParticles& particles);

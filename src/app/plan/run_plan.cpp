@@ -31,8 +31,8 @@ class Planner {
         level_(loaded.scene.grid.levels.front()),
         options_(options) {
     plan_.hierarchy =
-        plan_hierarchy(loaded, options.ranks, options.threads, options.most_cells_for_levels);
-    plan_.particles = plan_particles(loaded, options.most_cells_for_limits);
+        plan_hierarchy(loaded, options.ranks, options.threads, options.max_cells_for_levels);
+    plan_.particles = plan_particles(loaded, options.max_cells_for_limits);
   }
 
   RunPlan plan() {
@@ -270,13 +270,14 @@ class Planner {
   }
 
   void describe_quiet() {
-    plan_.quiet_allowed = component_.quiet_blocks_allowed() && !options_.force_all;
+    plan_.skipping_allowed = component_.skipping_allowed() && !options_.force_all;
     const bool gravity = !(scene_.constants.gravity == Vec3{});
-    plan_.quiet_reason = options_.force_all    ? "--force-all"
-                         : plan_.quiet_allowed ? "no effect of the problem changes a uniform state"
-                         : gravity             ? "gravity changes a uniform state"
-                                               : "an effect of the problem changes a uniform state";
-    if (gravity) plan_.quiet_where = scene_.constants.gravity_where;
+    plan_.skipping_reason = options_.force_all ? "--force-all"
+                            : plan_.skipping_allowed
+                                ? "no effect of the problem changes a uniform state"
+                            : gravity ? "gravity changes a uniform state"
+                                      : "an effect of the problem changes a uniform state";
+    if (gravity) plan_.skipping_where = scene_.constants.gravity_where;
   }
 
   // The initial state slab by slab: its rates give the first step.
@@ -288,7 +289,7 @@ class Planner {
     else if (plan_.hierarchy.limit)
       physics = plan_.hierarchy.limit;
     else if (plan_.hierarchy.levels.size() == 1 &&
-             plan_.cell_count <= options_.most_cells_for_limits)
+             plan_.cell_count <= options_.max_cells_for_limits)
       physics = first_step_limit(component_, level_);
     TimeControl control(t, scene_.output);
     StepPlan first;

@@ -25,8 +25,8 @@ struct PlanOptions {
   bool force_all = false;
   bool output = true;  // --no-output
   IntVec3 block{};
-  std::int64_t most_cells_for_limits = 20'000'000;  // more: the first step is not predicted
-  std::int64_t most_cells_for_levels = 2'000'000;   // more: adaptive levels are not predicted
+  std::int64_t max_cells_for_limits = 20'000'000;  // more: the first step is not predicted
+  std::int64_t max_cells_for_levels = 2'000'000;   // more: adaptive levels are not predicted
 };
 
 struct PlannedOutput {
@@ -73,9 +73,9 @@ struct RunPlan {
   std::vector<PlannedOutput> outputs;
   std::string output_times, checkpoint_times;
   double output_bytes = 0, checkpoint_bytes = 0;  // of one
-  bool quiet_allowed = false;
-  std::string quiet_reason;
-  Location quiet_where;
+  bool skipping_allowed = false;
+  std::string skipping_reason;
+  Location skipping_where;
   std::vector<PlannedLimit> limits;
   std::optional<double> first_dt;
   std::string first_dt_reason;

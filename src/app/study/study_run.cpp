@@ -53,13 +53,13 @@ ArchiveStep last_output(const Study& study, const Archive& archive) {
 
 // What transfer, integration and contact took (or gave) and did not become heat, over the scale.
 exact::ErrorNorms lost_energy(const Study& study, const Json& told) {
-  const Json& account = told.at("energy_account");
-  if (account.empty())
+  const Json& budget = told.at("energy_account");
+  if (budget.empty())
     throw InputError(
         fmt::format("{}: the run of {} has no energy budget: no solids deform in explicit steps",
                     study.file, study.deck));
   double lost = 0;
-  for (const auto& [name, value] : account.members())
+  for (const auto& [name, value] : budget.members())
     if (name != "within particles") lost += value.get<double>();
   const double scale = told.at("conservation").at("total energy").at("scale").get<double>();
   const double share = scale > 0 ? std::fabs(lost) / scale : 0;

@@ -17,9 +17,9 @@ using solve::SolverTrial;
 constexpr double leaves_at = 2.5;         // times the fastest on the first system
 constexpr double stays_until = 1.6;       // times the fastest on several
 constexpr int probe_iterations = 5;       // that tell what an iteration costs
-constexpr int least_iterations = 20;      // are always allowed
+constexpr int min_iterations = 20;        // are always allowed
 constexpr std::size_t finalists = 5;      // that are measured again
-constexpr int most_repeats = 5;           // of each system
+constexpr int max_repeats = 5;            // of each system
 constexpr double curve_step = 0.1;        // from tolerance to tolerance
 constexpr double worth_repeating = 0.02;  // seconds
 constexpr double dear_seconds = 0.1;
@@ -118,7 +118,7 @@ void TuneSearch::first_trial(TunedSolver& solver, double best) {
   const double each = probe.solve_seconds / std::max(1, probe.iterations);
   const double allowed = (leaves_at * best - probe.set_up_seconds) / std::max(each, 1e-12);
   solver.settings.max_iterations = static_cast<int>(std::clamp<double>(
-      allowed, std::min(least_iterations, all.max_iterations), all.max_iterations));
+      allowed, std::min(min_iterations, all.max_iterations), all.max_iterations));
   measure(solver, 0);
   const bool bounded = solver.settings.max_iterations < all.max_iterations;
   solver.settings = all;
@@ -176,7 +176,7 @@ void TuneSearch::leave_behind(double times) {
 }
 
 void TuneSearch::repeat() {
-  for (int again = 1; again < most_repeats; ++again) {
+  for (int again = 1; again < max_repeats; ++again) {
     auto race = in_the_race();
     if (race.size() > finalists) race.resize(finalists);
     TunedSolver* own = &solvers_.front();
@@ -185,7 +185,7 @@ void TuneSearch::repeat() {
     for (TunedSolver* s : race)
       for (std::size_t n = 0; n < systems_done_; ++n) {
         if (!time_left()) return;
-        report(short_name(s->settings) + ", again", again, most_repeats);
+        report(short_name(s->settings) + ", again", again, max_repeats);
         if (s->state == TuneState::ranked) measure(*s, n);
       }
   }

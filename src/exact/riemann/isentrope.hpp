@@ -64,8 +64,8 @@ class Isentrope {
   };
   static constexpr int rows = 9;  // of the extrapolation table, 2, 4, ... 18 substeps
   static constexpr double tolerance = 1e-14, smallest_step = 1e-11;
-  static constexpr double thinnest = -500;         // logarithm of the density
-  static constexpr std::size_t most_nodes = 5000;  // else creeping towards c = 0
+  static constexpr double thinnest = -500;        // logarithm of the density
+  static constexpr std::size_t max_nodes = 5000;  // else creeping towards c = 0
 
   FluidState state(const Node& n) const {
     const double rho = rho0_ * std::exp(n.x);
@@ -141,7 +141,7 @@ class Isentrope {
   }
 
   bool extend() {
-    if (nodes_.back().x < thinnest || nodes_.size() > most_nodes) return false;
+    if (nodes_.back().x < thinnest || nodes_.size() > max_nodes) return false;
     for (;;) {
       Node to{};
       const int used = step(nodes_.back(), -next_, to);

@@ -41,7 +41,7 @@ struct ExampleDeck {
   std::string sides;         // <Face>s
   IntVec3 periodic{};
   double end = 1e9;
-  int most_steps = 0;  // 0: until the end
+  int max_steps = 0;  // 0: until the end
   double multiplier = 1;
 
   std::string text() const {
@@ -49,7 +49,7 @@ struct ExampleDeck {
     t << "<Uintah_specification>\n<SimulationComponent type=\"" << type << "\"/>\n<Time><maxTime>"
       << end << "</maxTime><initTime>0</initTime><delt_min>0</delt_min><delt_max>0</delt_max>"
       << "<timestep_multiplier>" << multiplier << "</timestep_multiplier><max_Timesteps>"
-      << most_steps << "</max_Timesteps><end_at_max_time_exactly>true</end_at_max_time_exactly>"
+      << max_steps << "</max_Timesteps><end_at_max_time_exactly>true</end_at_max_time_exactly>"
       << "</Time>\n<DataArchiver><filebase>example.uda</filebase><outputTimestepInterval>1000000"
       << "</outputTimestepInterval><outputLastTimestep>true</outputLastTimestep>" << save
       << "</DataArchiver>\n"

@@ -18,9 +18,9 @@ constexpr std::size_t vector = alignment / sizeof(double);
 // Numbers that arrays may fill together. A piece of memory for every array of every box would be
 // hundreds, with each level that is laid out; sanitizers shall see where those of each box end.
 #ifdef __SANITIZE_ADDRESS__
-constexpr std::size_t most_together = 0;
+constexpr std::size_t max_together = 0;
 #else
-constexpr std::size_t most_together = std::size_t{1} << 19;
+constexpr std::size_t max_together = std::size_t{1} << 19;
 #endif
 
 // Of an array, with one vector beyond its last number.
@@ -126,7 +126,7 @@ int Warehouse::add(const SlotInfo& info, Contents contents) {
   slot.views.resize(local_.size() * components);
   for (std::size_t first = 0, last = 0; first < frames.size(); first = last) {
     std::size_t count = components * room(last++);
-    while (last < frames.size() && count + components * room(last) <= most_together)
+    while (last < frames.size() && count + components * room(last) <= max_together)
       count += components * room(last++);
     slot.arrays.emplace_back(count, contents);
     double* data = slot.arrays.back().data();

@@ -17,7 +17,7 @@ namespace sluice {
 namespace {
 
 // Larger blocks of voxels are halved by who asks, rather than read whole each time.
-constexpr std::int64_t most_voxels_to_read = 4096;
+constexpr std::int64_t max_voxels_to_read = 4096;
 
 }  // namespace
 
@@ -62,7 +62,7 @@ Cover ImagePiece::cover(const Bounds& box) const {
     upper[d] = voxel(d, box.upper[d]) + 1;
   }
   const IntVec3 n = upper - lower;
-  if (static_cast<std::int64_t>(n.x) * n.y * n.z > most_voxels_to_read) return Cover::some;
+  if (static_cast<std::int64_t>(n.x) * n.y * n.z > max_voxels_to_read) return Cover::some;
   bool any = false, every = true;
   for (int k = lower.z; k < upper.z; ++k)
     for (int j = lower.y; j < upper.y; ++j)

@@ -85,8 +85,7 @@ struct Interpolation::Plan : InterpolationPlan {
 
 void Interpolation::Plan::prepare(int threads) {
   gathers.resize(std::max(gathers.size(), static_cast<std::size_t>(threads)));
-  const std::int64_t cells =
-      std::max(most_coarse_cells, std::min(coarse_cells_of_all, group_cells));
+  const std::int64_t cells = std::max(max_coarse_cells, std::min(coarse_cells_of_all, group_cells));
   const std::size_t count = cells * components;
   for (Gather& g : gathers)
     if (g.memory.size() < count) g.memory = AlignedArray(count, Contents::undefined);
@@ -169,14 +168,15 @@ Interpolation::Interpolation(Interpolation&&) noexcept = default;
 Interpolation& Interpolation::operator=(Interpolation&&) noexcept = default;
 Interpolation::~Interpolation() = default;
 
-Interpolation Interpolation::of_ghosts(const Level& coarse, int coarse_ghosts, const Level& fine,
-                                       int width, int rank, Arrays arrays) {
+Interpolation Interpolation::for_ghosts(const Level& coarse, int coarse_ghosts, const Level& fine,
+                                        int width, int rank, Arrays arrays) {
   return Interpolation(std::make_unique<Plan>(coarse, coarse_ghosts, fine,
                                               interface_ghosts(fine, width, arrays), rank));
 }
 
-Interpolation Interpolation::of_new_cells(const Level& coarse, int coarse_ghosts, const Level& fine,
-                                          const std::vector<GridBox>& earlier, int rank) {
+Interpolation Interpolation::for_new_cells(const Level& coarse, int coarse_ghosts,
+                                           const Level& fine, const std::vector<GridBox>& earlier,
+                                           int rank) {
   return Interpolation(
       std::make_unique<Plan>(coarse, coarse_ghosts, fine, new_cells(fine, earlier), rank));
 }

@@ -184,7 +184,7 @@ InterpolationPlan::InterpolationPlan(const Level& coarse_level, int coarse_ghost
   targets.insert(targets.end(), late.begin(), late.end());
   for (const Target& t : targets) {
     fine_cells += t.cells.volume();
-    most_coarse_cells = std::max(most_coarse_cells, t.coarse.volume());
+    max_coarse_cells = std::max(max_coarse_cells, t.coarse.volume());
     coarse_cells_of_all += t.coarse.volume();
   }
 }

@@ -53,7 +53,7 @@ struct InterpolationPlan {
   std::vector<Source> sources;
   std::vector<Send> sends;
   PackedMessages messages;
-  std::int64_t most_coarse_cells = 0;  // of one target
+  std::int64_t max_coarse_cells = 0;  // of one target
   std::int64_t coarse_cells_of_all = 0;
   std::int64_t fine_cells = 0;
 

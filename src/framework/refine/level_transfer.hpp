@@ -25,10 +25,10 @@ namespace sluice {
 // slots have `width` ghost layers where boxes share them.
 class Interpolation {
  public:
-  static Interpolation of_ghosts(const Level& coarse, int coarse_ghosts, const Level& fine,
-                                 int width, int rank, Arrays arrays = Arrays::own);
-  static Interpolation of_new_cells(const Level& coarse, int coarse_ghosts, const Level& fine,
-                                    const std::vector<GridBox>& earlier, int rank);
+  static Interpolation for_ghosts(const Level& coarse, int coarse_ghosts, const Level& fine,
+                                  int width, int rank, Arrays arrays = Arrays::own);
+  static Interpolation for_new_cells(const Level& coarse, int coarse_ghosts, const Level& fine,
+                                     const std::vector<GridBox>& earlier, int rank);
   Interpolation(Interpolation&&) noexcept;
   Interpolation& operator=(Interpolation&&) noexcept;
   ~Interpolation();

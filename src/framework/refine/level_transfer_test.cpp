@@ -49,7 +49,7 @@ void Transfers::fill_ghosts() {
   State fine(levels.fine, fine_ghosts);
   for (const int width : {1, 3}) {
     Interpolation ghosts =
-        Interpolation::of_ghosts(levels.coarse, coarse_ghosts, levels.fine, width, rank);
+        Interpolation::for_ghosts(levels.coarse, coarse_ghosts, levels.fine, width, rank);
     const auto is_target = [&](IntVec3 c, const IndexBox& cells) {
       const IntVec3 inside = wrapped(levels.fine, c);
       return cells.grown(levels.fine.ghosts(width)).contains(c) &&
@@ -86,7 +86,7 @@ void Transfers::fill_new_cells() {
     fine.fill([](IntVec3, int, const IndexBox&) { return untouched; });
     const std::vector<GridBox> held = first ? std::vector<GridBox>{} : earlier.boxes;
     Interpolation made =
-        Interpolation::of_new_cells(levels.coarse, coarse_ghosts, levels.fine, held, rank);
+        Interpolation::for_new_cells(levels.coarse, coarse_ghosts, levels.fine, held, rank);
     made.run(&before.warehouse, nullptr, 0, fine.warehouse, fine.slots, operators, 1);
     fine.expect([&](IntVec3 c, int component, const IndexBox& interior) {
       const bool is_new = interior.contains(c) && (first || !holds(earlier, c));
@@ -187,11 +187,11 @@ TEST_P(TransferBesideSides, does_not_show_which_box_filled_a_ghost) {
     });
     const int rank = world().rank();
     const auto ghosts = [&](int width) {
-      return Interpolation::of_ghosts(levels.coarse, coarse_ghosts, levels.fine, width, rank);
+      return Interpolation::for_ghosts(levels.coarse, coarse_ghosts, levels.fine, width, rank);
     };
     Interpolation all[] = {
         ghosts(1), ghosts(3),
-        Interpolation::of_new_cells(levels.coarse, coarse_ghosts, levels.fine, {}, rank)};
+        Interpolation::for_new_cells(levels.coarse, coarse_ghosts, levels.fine, {}, rank)};
     for (Interpolation& one : all) {
       fine.fill([](IntVec3, int, const IndexBox&) { return untouched; });
       one.run(&coarse.warehouse, nullptr, 0, fine.warehouse, fine.slots, MockOperators(), 1);
@@ -244,7 +244,7 @@ TEST(TransferLimits, threads_share_the_work) {
   before.fill_with_numbers(coarse_ghosts, old_salt);
   after.fill_with_numbers(coarse_ghosts, new_salt);
   Interpolation ghosts =
-      Interpolation::of_ghosts(levels.coarse, coarse_ghosts, levels.fine, 3, world().rank());
+      Interpolation::for_ghosts(levels.coarse, coarse_ghosts, levels.fine, 3, world().rank());
   ASSERT_GT(ghosts.cells(), 4 * 2048 / world().size() / 2);  // enough for several threads
   State alone(levels.fine, 3), together(levels.fine, 3);
   const ThreadTeam team(3);
@@ -288,7 +288,7 @@ TEST(TransferLimits, linear_functions_come_through) {
       return plane(levels.fine.centre(c), n);
     };
     fine.fill(exact);
-    Interpolation::of_ghosts(levels.coarse, coarse_ghosts, levels.fine, 3, world().rank())
+    Interpolation::for_ghosts(levels.coarse, coarse_ghosts, levels.fine, 3, world().rank())
         .run(&before.warehouse, nullptr, 0, fine.warehouse, fine.slots, MockOperators(), 1);
     fine.each([&](const RealView& v, int n, const IndexBox& cells) {
       for_each_cell(v.box, [&](IntVec3 c) { ASSERT_NEAR(v(c), exact(c, n, cells), 1e-12); });
@@ -303,8 +303,8 @@ TEST(TransferLimits, refuses_levels_that_do_not_nest) {
               {{{4, 0, 0}, {12, 1, 1}}}};
   const Levels close(shape);
   EXPECT_NO_THROW(
-      Interpolation::of_ghosts(close.coarse, 3, close.fine, 3, close.fine.boxes[0].owner));
-  EXPECT_THROW(Interpolation::of_ghosts(close.coarse, 2, close.fine, 3, close.fine.boxes[0].owner),
+      Interpolation::for_ghosts(close.coarse, 3, close.fine, 3, close.fine.boxes[0].owner));
+  EXPECT_THROW(Interpolation::for_ghosts(close.coarse, 2, close.fine, 3, close.fine.boxes[0].owner),
                std::logic_error);
   EXPECT_NO_THROW(Restriction(close.coarse, close.fine, 0));
   shape.fine[0].upper.x = 13;
@@ -318,7 +318,8 @@ TEST(TransferLimits, refuses_levels_that_do_not_nest) {
 TEST(TransferLimits, refuses_a_time_without_its_state) {
   const Levels levels({{{0, 0, 0}, {20, 1, 1}}, {}, {2, 1, 1}, {{{5, 0, 0}, {9, 1, 1}}}});
   State before(levels.coarse, 3), fine(levels.fine, 3);
-  Interpolation ghosts = Interpolation::of_ghosts(levels.coarse, 3, levels.fine, 3, world().rank());
+  Interpolation ghosts =
+      Interpolation::for_ghosts(levels.coarse, 3, levels.fine, 3, world().rank());
   const MockOperators operators;
   for (const double share : {0.5, 1.0, -0.1, 1.1})
     EXPECT_THROW(

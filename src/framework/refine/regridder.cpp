@@ -242,7 +242,7 @@ bool Regridder::regrid_at_start(const Flags& flags) {
 
 std::vector<GridBox> Regridder::boxes(int level) const {
   if (level == 0 || !adaptive()) return levels_[level].boxes;
-  return boxes_of_tiles(layouts_[level], present_[level], ranks_, threads_, most_cells_);
+  return boxes_of_tiles(layouts_[level], present_[level], ranks_, threads_, max_cells_);
 }
 
 std::int64_t Regridder::cells(int level) const {

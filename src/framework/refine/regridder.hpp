@@ -58,7 +58,7 @@ class Regridder {
   // owners by cells.
   std::vector<GridBox> boxes(int level) const;
   // Splits boxes above so many cells, in whole tiles: results must not depend on it.
-  void limit_boxes(std::int64_t most_cells) { most_cells_ = most_cells; }
+  void limit_boxes(std::int64_t max_cells) { max_cells_ = max_cells; }
   // Cells of all tiles of a level.
   std::int64_t cells(int level) const;
   IndexBox tile_cells(int level, IntVec3 tile) const;
@@ -90,7 +90,7 @@ class Regridder {
   std::vector<std::int64_t> cells_;  // of all tiles, by level
   double courant_ = 0;
   int ranks_ = 1, threads_ = 1;
-  std::int64_t most_cells_ = 0;  // of a box; 0: no limit
+  std::int64_t max_cells_ = 0;  // of a box; 0: no limit
   RegridState state_;
   Fields present_;  // its tiles
 };

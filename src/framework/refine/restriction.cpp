@@ -12,13 +12,13 @@ namespace sluice {
 namespace {
 
 // The most coarse cells that one thread takes at a time.
-constexpr std::int64_t most_cells = 2048;
+constexpr std::int64_t max_cells = 2048;
 
 // Slabs of a region, with whole rows.
 std::vector<IndexBox> slabs(const IndexBox& cells) {
   const int d = cells.size().z > 1 ? 2 : cells.size().y > 1 ? 1 : 0;
   const int n =
-      static_cast<int>(std::clamp<std::int64_t>(cells.volume() / most_cells, 1, cells.size()[d]));
+      static_cast<int>(std::clamp<std::int64_t>(cells.volume() / max_cells, 1, cells.size()[d]));
   IntVec3 pieces{1, 1, 1};
   pieces[d] = n;
   return split(cells, pieces);
@@ -101,7 +101,7 @@ void Restriction::run(const Warehouse& fine, Warehouse& coarse, const std::vecto
     const Plan::Part& l = p.locals[n];
     operators.restrict_to(p.fine_views[l.fine], p.coarse_views[l.coarse], l.cells, p.geometry);
   };
-  if (team != nullptr && team->size() > 1 && p.local_cells >= 2 * most_cells)
+  if (team != nullptr && team->size() > 1 && p.local_cells >= 2 * max_cells)
     team->for_each(p.locals.size(), restrict_local);
   else
     for (std::size_t n = 0; n < p.locals.size(); ++n) restrict_local(n, 0);

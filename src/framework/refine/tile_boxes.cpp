@@ -7,8 +7,8 @@ namespace sluice {
 
 namespace {
 
-constexpr int boxes_a_rank = 4;               // so that ranks can be balanced
-constexpr std::int64_t least_shared = 16384;  // cells of a box worth a thread of its own
+constexpr int boxes_a_rank = 4;             // so that ranks can be balanced
+constexpr std::int64_t min_shared = 16384;  // cells of a box worth a thread of its own
 
 // The longest direction in cells with more than one tile; of equal ones the last, so that rows
 // along x stay long. -1 when there is one tile.
@@ -21,13 +21,13 @@ int longest(const TileLayout& layout, const IndexBox& tiles) {
 }
 
 std::vector<IndexBox> split_above(const TileLayout& layout, std::vector<IndexBox> open,
-                                  std::int64_t most_cells) {
+                                  std::int64_t max_cells) {
   std::vector<IndexBox> done;
   while (!open.empty()) {
     const IndexBox block = open.back();
     open.pop_back();
     const int d = longest(layout, block);
-    if (d < 0 || layout.cells(block).volume() <= most_cells) {
+    if (d < 0 || layout.cells(block).volume() <= max_cells) {
       done.push_back(block);
       continue;
     }
@@ -42,7 +42,7 @@ std::vector<IndexBox> split_above(const TileLayout& layout, std::vector<IndexBox
 }  // namespace
 
 std::vector<GridBox> boxes_of_tiles(const TileLayout& layout, const FlagField& tiles, int ranks,
-                                    int threads, std::int64_t most_cells) {
+                                    int threads, std::int64_t max_cells) {
   std::vector<IndexBox> blocks = merged_tiles(tiles);
   std::int64_t total = 0;
   for (const IndexBox& b : blocks) total += layout.cells(b).volume();
@@ -50,8 +50,8 @@ std::vector<GridBox> boxes_of_tiles(const TileLayout& layout, const FlagField& t
   if (ranks > 1)
     most = total / (boxes_a_rank * ranks);
   else if (threads > 1)
-    most = std::max(total / threads, least_shared);
-  if (most_cells > 0) most = std::min(most, most_cells);
+    most = std::max(total / threads, min_shared);
+  if (max_cells > 0) most = std::min(most, max_cells);
   const std::int64_t wanted = std::min<std::int64_t>(ranks, tiles.count());
   blocks = split_above(layout, std::move(blocks), most);
   while (static_cast<std::int64_t>(blocks.size()) < wanted)

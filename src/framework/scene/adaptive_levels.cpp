@@ -13,9 +13,9 @@ namespace sluice {
 
 namespace {
 
-constexpr int smallest_tile = 4;               // cells, in a direction that has as many
-constexpr std::int64_t most_extent = 1 << 30;  // cells a direction of the finest level
-constexpr double most_flags = 1e10;            // cells of the finest level that is flagged: 1.2 GB
+constexpr int smallest_tile = 4;              // cells, in a direction that has as many
+constexpr std::int64_t max_extent = 1 << 30;  // cells a direction of the finest level
+constexpr double max_flags = 1e10;            // cells of the finest level that is flagged: 1.2 GB
 
 bool good_ratio(int ratio) {
   return ratio == 1 || ratio == 2 || ratio == 4;
@@ -130,7 +130,7 @@ bool check_tile(IntVec3& tile, IntVec3 ratio, IntVec3 cells, std::size_t level,
 bool check_extent(IntVec3 coarse_cells, IntVec3 ratio, const Location& where,
                   std::vector<Fault>& faults) {
   for (int d = 0; d < 3; ++d) {
-    if (static_cast<std::int64_t>(coarse_cells[d]) * ratio[d] <= most_extent) continue;
+    if (static_cast<std::int64_t>(coarse_cells[d]) * ratio[d] <= max_extent) continue;
     add_error(faults, where,
               fmt::format("the finest level would have more than 2^30 cells in direction {}",
                           axis_letter[d]),
@@ -142,12 +142,12 @@ bool check_extent(IntVec3 coarse_cells, IntVec3 ratio, const Location& where,
 
 bool check_flags(IntVec3 cells, const Location& where, std::vector<Fault>& faults) {
   const double count = 1.0 * cells.x * cells.y * cells.z;
-  if (count <= most_flags) return true;
+  if (count <= max_flags) return true;
   add_error(
       faults, where,
       fmt::format(
           "a domain of {:.3g} cells is to be flagged for refinement; at most {:.0e} are allowed",
-          count, most_flags),
+          count, max_flags),
       "use fewer levels");
   return false;
 }

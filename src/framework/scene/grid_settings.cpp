@@ -20,7 +20,7 @@ constexpr double on_node = 1e-6;            // cells
 constexpr double integral_ratio = 1e-5;     // of refinement ratios
 constexpr double largest_extent = 1 << 30;  // cells a direction
 constexpr double largest_level = 1e11;      // cells
-constexpr double most_patches = 1e6;        // of one box
+constexpr double max_patches = 1e6;         // of one box
 
 // Where the deck gives the cells of a box: one of the two, in the box or in the level around it.
 struct CellSource {
@@ -124,10 +124,10 @@ void read_patches(const DeckNode& node, BoxSettings& box, std::vector<Fault>& fa
                 fmt::format("box: {} patches in direction {}; there must be at least 1",
                             box.patches[d], axis_letter[d]));
   const double count = 1.0 * box.patches.x * box.patches.y * box.patches.z;
-  if (count > most_patches || box.auto_patch > most_patches)
+  if (count > max_patches || box.auto_patch > max_patches)
     add_error(faults, node.where,
               fmt::format("box: {:.3g} patches; more than {:.0e} are refused",
-                          std::max(count, 1.0 * box.auto_patch), most_patches));
+                          std::max(count, 1.0 * box.auto_patch), max_patches));
 }
 
 struct RawBox {

@@ -14,8 +14,8 @@ namespace sluice {
 
 namespace {
 
-constexpr double in_plane = 1e-6;          // of a cell, for the plane of a shape
-constexpr std::size_t most_regions = 255;  // a region number is one byte
+constexpr double in_plane = 1e-6;         // of a cell, for the plane of a shape
+constexpr std::size_t max_regions = 255;  // a region number is one byte
 
 constexpr std::array<std::string_view, 6> shape_names = {"side",    "circle",    "annulus",
                                                          "ellipse", "rectangle", "rectangulus"};
@@ -254,9 +254,8 @@ class BoundaryReader {
         if (r.where.line == 0) r.where = face.where;
         return r;
       }
-    if (regions.size() >= most_regions)
-      throw InputError(
-          fmt::format("side {}: more than {} shapes", name_of(side), most_regions - 1));
+    if (regions.size() >= max_regions)
+      throw InputError(fmt::format("side {}: more than {} shapes", name_of(side), max_regions - 1));
     BoundaryRegion region;
     region.shape = shape;
     region.where = face.where;

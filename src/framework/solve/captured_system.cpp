@@ -201,7 +201,7 @@ class SystemCapture::OnLevels final : public CapturedSystem {
 };
 
 SystemCapture::SystemCapture(std::vector<int> wanted, std::size_t most_right_sides)
-    : wanted_(std::move(wanted)), most_right_sides_(most_right_sides) {}
+    : wanted_(std::move(wanted)), max_right_sides_(most_right_sides) {}
 
 SystemCapture::~SystemCapture() = default;
 
@@ -232,11 +232,11 @@ void SystemCapture::matrix(std::span<const LevelCoefficients> levels,
 }
 
 void SystemCapture::right_side(const ConstBoxViews& right_side, const ConstBoxViews& start) {
-  if (one_ != nullptr && one_->right_sides() < most_right_sides_) one_->add(right_side, start);
+  if (one_ != nullptr && one_->right_sides() < max_right_sides_) one_->add(right_side, start);
 }
 
 void SystemCapture::right_side(const CompositeVector& right_side) {
-  if (several_ != nullptr && several_->right_sides() < most_right_sides_) several_->add(right_side);
+  if (several_ != nullptr && several_->right_sides() < max_right_sides_) several_->add(right_side);
 }
 
 std::vector<std::unique_ptr<CapturedSystem>> SystemCapture::take() {

@@ -65,7 +65,7 @@ class SystemCapture final : public SystemWatch {
   void next(const SolverSettings& settings);
 
   std::vector<int> wanted_;
-  std::size_t most_right_sides_;
+  std::size_t max_right_sides_;
   SolverSettings settings_;
   int count_ = 0;
   std::vector<std::unique_ptr<CapturedSystem>> kept_;

@@ -35,7 +35,7 @@ struct WholeLevel {
     const std::size_t box = map.box_of(c);
     return face[side][d].views()[box](map.image(c));
   }
-  double& of_itself(IntVec3 c) const { return own.views()[map.box_of(c)](map.image(c)); }
+  double& own_coefficient(IntVec3 c) const { return own.views()[map.box_of(c)](map.image(c)); }
 
   const Level& level;
   CellMap map;
@@ -62,8 +62,8 @@ void take_from_above(const WholeLevel& fine, WholeLevel& coarse) {
                   [&](IntVec3 c) {
                     const IndexBox children{times(c, ratio), times(c + IntVec3::all(1), ratio)};
                     double sum = 0;
-                    for_each_cell(children, [&](IntVec3 f) { sum += fine.of_itself(f); });
-                    coarse.of_itself(c) = sum;
+                    for_each_cell(children, [&](IntVec3 f) { sum += fine.own_coefficient(f); });
+                    coarse.own_coefficient(c) = sum;
                     for (int d = 0; d < 3; ++d)
                       for (const int side : {0, 1}) {
                         IndexBox layer = children;

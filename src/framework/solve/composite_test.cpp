@@ -94,12 +94,12 @@ double wave(const Level& l, IntVec3 c) {
 struct Case {
   int dimensions, cells, levels, ratio;
   double jump;
-  int most_iterations, most_with_amg;  // two more than measured with amg, to 1e-11
+  int max_iterations, most_with_amg;  // two more than measured with amg, to 1e-11
 };
 
 class CompositeCase : public testing::TestWithParam<Case> {
  protected:
-  static void solve_with(const SolverSettings& settings, int most_iterations) {
+  static void solve_with(const SolverSettings& settings, int max_iterations) {
     const Case k = GetParam();
     const std::vector<Level> levels = nested(k.dimensions, k.cells, k.levels, k.ratio);
     CompositeSolver solver(settings);
@@ -118,7 +118,7 @@ class CompositeCase : public testing::TestWithParam<Case> {
     CompositeVector x = system.vector();
     const SolveReport report = solver.solve(Aa, x);
     EXPECT_TRUE(report.converged) << report.reason;
-    EXPECT_LE(report.iterations, most_iterations);
+    EXPECT_LE(report.iterations, max_iterations);
     double worst = 0;
     for (std::size_t l = 0; l < x.size(); ++l)
       for (std::size_t c = 0; c < x[l].size(); ++c)
@@ -128,7 +128,7 @@ class CompositeCase : public testing::TestWithParam<Case> {
 };
 
 TEST_P(CompositeCase, IsSymmetricAndSolvedInFewIterations) {
-  solve_with({}, GetParam().most_iterations);
+  solve_with({}, GetParam().max_iterations);
 }
 
 // hypre's rows are those of the system: its cycle would not converge so fast on others.

@@ -60,7 +60,7 @@ DenseSystem::DenseSystem(const CellMatrix& matrix)
   const std::array<ConstBoxViews, 3> low = couplings_of(matrix);
   choose_directions(total_couplings(low, true));
   take_shape();
-  slabs_ = Slabs::of_ranks(shape_);
+  slabs_ = Slabs::slabs_of_ranks(shape_);
   clear_rows();
   load(constant(matrix.diagonal()), diagonal_);
   for (int d = 0; d < 3; ++d) load(low[axis_[d]], low_[d]);

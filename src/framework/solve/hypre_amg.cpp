@@ -23,7 +23,7 @@ const mv_InterfaceInterpreter& vector_functions() {
 }
 
 // HMIS, extended interpolation of at most four cells, l1-Gauss-Seidel.
-constexpr int hmis = 10, extended = 6, most_terms = 4, l1_gauss_seidel = 8;
+constexpr int hmis = 10, extended = 6, max_terms = 4, l1_gauss_seidel = 8;
 
 }  // namespace
 
@@ -42,7 +42,7 @@ HYPRE_ParVector vector_of(HYPRE_IJVector from) {
 void choose_amg_methods(HYPRE_Solver amg) {
   HYPRE_BoomerAMGSetCoarsenType(amg, hmis);
   HYPRE_BoomerAMGSetInterpType(amg, extended);
-  HYPRE_BoomerAMGSetPMaxElmts(amg, most_terms);
+  HYPRE_BoomerAMGSetPMaxElmts(amg, max_terms);
   HYPRE_BoomerAMGSetRelaxType(amg, l1_gauss_seidel);
   HYPRE_BoomerAMGSetAggNumLevels(amg, 1);
 }

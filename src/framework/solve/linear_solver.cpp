@@ -24,9 +24,9 @@ double seconds_since(Clock::time_point start) {
 }
 
 // A solver whose own residual met the goal while the true one does not may go on this often.
-constexpr int most_attempts = 4;
+constexpr int max_attempts = 4;
 // Of a diagonal, relative, at which a solver is built anew; and how iterations may grow before.
-constexpr double most_drift = 0.1;
+constexpr double max_drift = 0.1;
 bool have_grown(int iterations, int first) {
   return iterations > first + first / 2 + 2;
 }
@@ -72,13 +72,13 @@ bool LinearSolver::serves(const DenseSystem& system) const {
   system.for_cells([&](std::size_t c) {
     drift = std::max(drift, std::fabs(system.diagonal()[c] - built_of_[c]) / built_of_[c]);
   });
-  return system.slabs().largest(drift) <= most_drift;
+  return system.slabs().largest(drift) <= max_drift;
 }
 
 // Attempts until the true residual meets the goal, a solver gives up or nothing improves.
 void LinearSolver::iterate(DenseVector& x, const Goal& goal, SolveReport& report) {
   double before = report.residuals.back();
-  for (int n = 0; n < most_attempts && before > goal.residual; ++n) {
+  for (int n = 0; n < max_attempts && before > goal.residual; ++n) {
     const Goal rest{goal.residual, goal.max_iterations - report.iterations};
     if (rest.max_iterations < 1) break;
     system_->copy(x, kept_);

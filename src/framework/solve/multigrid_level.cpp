@@ -59,8 +59,8 @@ double DenseEquations::diagonal(std::ptrdiff_t c) const {
   return d;
 }
 
-DenseEquations::DenseEquations(const DenseShape& s, const Slabs& of_ranks)
-    : shape(s), slabs(of_ranks), sum(zeros<double>(s, slabs)) {
+DenseEquations::DenseEquations(const DenseShape& s, const Slabs& slabs_of_ranks)
+    : shape(s), slabs(slabs_of_ranks), sum(zeros<double>(s, slabs)) {
   for (RawVector<double>& v : low) v = zeros<double>(s, slabs);
 }
 

@@ -14,7 +14,7 @@ namespace sluice::solve {
 // A grid's equations in full precision while the hierarchy is made: the couplings (positive) with
 // the cell below in each direction, and what a row sums to.
 struct DenseEquations {
-  DenseEquations(const DenseShape& s, const Slabs& of_ranks);  // zeros
+  DenseEquations(const DenseShape& s, const Slabs& slabs_of_ranks);  // zeros
 
   DenseShape shape;
   Slabs slabs;

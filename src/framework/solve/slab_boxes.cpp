@@ -46,14 +46,14 @@ std::size_t SlabBoxes::cells_between(int owner, int slab_rank) const {
   return count;
 }
 
-SlabBoxes::Buffers SlabBoxes::of_owners() const {
+SlabBoxes::Buffers SlabBoxes::owner_buffers() const {
   Buffers buffers(world().size());
   for (int r = 0; r < world().size(); ++r)
     if (r != world().rank()) buffers[r].resize(cells_between(r, world().rank()));
   return buffers;
 }
 
-SlabBoxes::Buffers SlabBoxes::of_slabs() const {
+SlabBoxes::Buffers SlabBoxes::slab_buffers() const {
   Buffers buffers(world().size());
   for (int r = 0; r < world().size(); ++r)
     if (r != world().rank()) buffers[r].resize(cells_between(world().rank(), r));
@@ -61,7 +61,7 @@ SlabBoxes::Buffers SlabBoxes::of_slabs() const {
 }
 
 void SlabBoxes::load(const ConstBoxViews& own, const Put& put) const {
-  Buffers in = of_owners(), out = of_slabs();
+  Buffers in = owner_buffers(), out = slab_buffers();
   const int rank = world().rank();
   for (int r = 0; r < world().size(); ++r) {
     double* next = out[r].data();
@@ -82,7 +82,7 @@ void SlabBoxes::load(const ConstBoxViews& own, const Put& put) const {
 }
 
 void SlabBoxes::store(const Take& take, const BoxViews& own) const {
-  Buffers in = of_slabs(), out = of_owners();
+  Buffers in = slab_buffers(), out = owner_buffers();
   const int rank = world().rank();
   for (int r = 0; r < world().size(); ++r) {
     double* next = out[r].data();

@@ -26,8 +26,8 @@ class SlabBoxes {
   std::size_t cells_between(int owner, int slab_rank) const;
   // A buffer for each rank, of the cells of its boxes in the own slab, or of the own boxes in its.
   using Buffers = std::vector<std::vector<double>>;
-  Buffers of_owners() const;
-  Buffers of_slabs() const;
+  Buffers owner_buffers() const;
+  Buffers slab_buffers() const;
 
   const Level& level_;
   SlabOf slab_of_;

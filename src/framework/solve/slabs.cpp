@@ -10,9 +10,8 @@
 namespace sluice::solve {
 namespace {
 
-constexpr std::size_t least_cells =
-    4096;                            // of a window that is dealt out: below, messages cost more
-constexpr double most_uneven = 1.1;  // the largest slab over the mean
+constexpr std::size_t min_cells = 4096;  // of a window that is dealt out: below, messages cost more
+constexpr double max_uneven = 1.1;       // the largest slab over the mean
 constexpr int down_tag = 61, up_tag = 62;
 
 // Slabs begin at multiples of a power of 2, at least 2, the largest that deals them out evenly: as
@@ -21,7 +20,7 @@ int even_unit(int slices, int ranks) {
   int unit = 2;
   for (int u = 4; u * ranks <= slices; u *= 2) {
     const int units = (slices + u - 1) / u, most = (units + ranks - 1) / ranks;
-    if (most * u * ranks <= most_uneven * slices) unit = u;
+    if (most * u * ranks <= max_uneven * slices) unit = u;
   }
   return unit;
 }
@@ -41,10 +40,10 @@ int Slabs::end() const {
   return shared() ? begin_of(world().rank() + 1) : bounds_.back();
 }
 
-Slabs Slabs::of_ranks(const DenseShape& shape) {
+Slabs Slabs::slabs_of_ranks(const DenseShape& shape) {
   Slabs slabs(shape);
   const int ranks = world().size(), slices = shape.count[2];
-  if (ranks == 1 || slices < 2 * ranks || shape.cells() < least_cells) return slabs;
+  if (ranks == 1 || slices < 2 * ranks || shape.cells() < min_cells) return slabs;
   const int unit = even_unit(slices, ranks);
   const std::int64_t units = (slices + unit - 1) / unit;
   slabs.bounds_.clear();
@@ -68,7 +67,7 @@ Slabs Slabs::coarsened(const DenseShape& coarse, int ratio) const {
   // The next coarser one must have its fine slices on one rank as well.
   const bool odd = std::any_of(slabs.bounds_.begin() + 1, slabs.bounds_.end() - 1,
                                [](int bound) { return bound % 2 != 0; });
-  return odd || coarse.cells() < least_cells ? Slabs(coarse) : slabs;
+  return odd || coarse.cells() < min_cells ? Slabs(coarse) : slabs;
 }
 
 template <class T>

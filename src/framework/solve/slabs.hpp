@@ -18,7 +18,7 @@ class Slabs {
   // Whole on every rank.
   explicit Slabs(const DenseShape& shape = {}) : bounds_{0, shape.count[2]} {}
   // Dealt out to the ranks of world(), where that pays.
-  static Slabs of_ranks(const DenseShape& shape);
+  static Slabs slabs_of_ranks(const DenseShape& shape);
   // Of a coarser window that groups `ratio` slices: dealt out in the same way where the bounds
   // allow, so that a coarse slice has its fine ones on the same rank.
   Slabs coarsened(const DenseShape& coarse, int ratio) const;

@@ -85,7 +85,7 @@ BlockSweep::BoundTask BlockSweep::bind_task(const PlannedTask& planned,
   const auto stored = [&](VariableId v) { return (*list_)[v].storage != Storage::temporary; };
   const std::size_t reads = t.reads.size(), all = reads + t.writes.size();
   BoundTask task{&t.kernel,
-                 t.owner->of_reductions(),
+                 t.owner->reduction_offsets(),
                  sharing_of(planned),
                  t.always || std::any_of(t.writes.begin(), t.writes.end(), stored),
                  static_cast<int>(reads),

@@ -81,7 +81,7 @@ class BlockSweep {
   // A planned task as it is bound.
   struct BoundTask {
     const RowKernel* kernel;
-    ReductionPlaces places;
+    ReductionOffsets places;
     Sharing sharing;
     bool stores;     // or reduces
     int reads;       // accesses before the writes

@@ -146,9 +146,9 @@ struct Tree {
     add("update", a, now);
     add("store", a, saved);
     add("account input", old, b);
-    TaskBuilder account = list.task("account", 0);
-    account.read(b);
-    account.kernel(nothing).always();
+    TaskBuilder budget = list.task("account", 0);
+    budget.read(b);
+    budget.kernel(nothing).always();
     add("useless", a, c);
   }
   void add(const char* name, VariableId in, VariableId out) {

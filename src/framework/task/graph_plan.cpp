@@ -36,10 +36,10 @@ struct Need {
 void check_reach(const TaskList& list, const Task& task, const Access& a) {
   const IntVec3 reach = max(a.stencil.low, a.stencil.high);
   const int far = std::max({reach.x, reach.y, reach.z});
-  if (far > most_reach)
+  if (far > max_reach)
     throw std::logic_error("task '" + task.name + "' reads '" + list[a.variable].name + "' " +
                            std::to_string(far) + " cells away; at most " +
-                           std::to_string(most_reach) + " are possible");
+                           std::to_string(max_reach) + " are possible");
 }
 
 // The direction along which blocks are swept, or -1 in 1-D (a block is one row).

@@ -142,13 +142,13 @@ TEST(GraphPlan, PrunedTasksLeaveNoTrace) {
 TEST(GraphPlan, RefusesStencilsThatReachTooFar) {
   Chain chain;
   TaskBuilder extra = chain.list.task("smooth", 0);
-  extra.read(chain.old, Stencil::along(1, most_reach, 0));
+  extra.read(chain.old, Stencil::along(1, max_reach, 0));
   extra.always().kernel(nothing);
   EffectList effects;
   effects.add({"flow", true, "", {}});
   const auto plan = [&] { compile(chain.list, effects, {chain.now}, axes_of({0, 1, 2})); };
   EXPECT_NO_THROW(plan());
-  extra.read(chain.old, Stencil::along(0, 0, most_reach + 1));
+  extra.read(chain.old, Stencil::along(0, 0, max_reach + 1));
   EXPECT_THAT(plan, testing::ThrowsMessage<std::logic_error>(testing::HasSubstr(
                         "task 'smooth' reads 'test_mass (old)' 4 cells away; at most 3")));
 }

@@ -22,8 +22,9 @@ Sweep sweep_node(std::string name, const Level& level, SweepExecutor& executor,
 }
 
 // An exchange of ghost cells as a node.
-HaloPoint halo_node(std::string name, const Level& level, int width, HaloExchange& exchange,
-                    Warehouse& warehouse, std::vector<int> slots) {
+GhostExchange ghost_exchange_node(std::string name, const Level& level, int width,
+                                  HaloExchange& exchange, Warehouse& warehouse,
+                                  std::vector<int> slots) {
   return {std::move(name), level.index, width,
           [&exchange, &warehouse, slots = std::move(slots)](const StepScope&, StepJournal&) {
             exchange.run(warehouse, slots);
@@ -147,8 +148,9 @@ struct TwoLevels {
   Schedule schedule(int most_retries) {
     Communicator& ranks = world();
     const Schedule fine_step = {
-        {HaloPoint{"fine ghosts", 1, ghosts,
-                   [this](const StepScope& s, StepJournal& j) { return fill_fine_ghosts(s, j); }}},
+        {GhostExchange{
+            "fine ghosts", 1, ghosts,
+            [this](const StepScope& s, StepJournal& j) { return fill_fine_ghosts(s, j); }}},
         {Sweep{"fine upwind", 1,
                [this, &ranks](const StepScope& s, StepJournal& j) {
                  const std::size_t n = s.substep;
@@ -156,8 +158,8 @@ struct TwoLevels {
                }}},
         {Sweep{"match fluxes", 1,
                [this](const StepScope& s, StepJournal& j) { return match_fluxes(s, j); }}}};
-    const Schedule step = {{halo_node("coarse ghosts", coarse.level, ghosts, *coarse.halo,
-                                      coarse.fields[0], {coarse.slot})},
+    const Schedule step = {{ghost_exchange_node("coarse ghosts", coarse.level, ghosts, *coarse.halo,
+                                                coarse.fields[0], {coarse.slot})},
                            {sweep_node("coarse upwind", coarse.level, *coarse.sweeps[0], ranks)},
                            {LevelCycle{"fine level", 1, ratio, fine_step}}};
     const auto accept = [this](const StepScope& s, int n) {

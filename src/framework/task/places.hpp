@@ -13,12 +13,12 @@
 namespace sluice {
 
 // Of what a row kernel reduces.
-struct ReductionPlaces {
+struct ReductionOffsets {
   int maximum = 0, sum = 0, fault = 0;
   const std::vector<int>* material = nullptr;  // null: as the part counts them
 };
 
-struct Places {
+struct IndexOffsets {
   int effect = 0;             // of the part's first effect in the EffectList
   int maximum = 0, sum = 0;   // of its first maximum and exact sum in the Reductions
   int fault = 0;              // added to the kinds of its faults
@@ -29,7 +29,7 @@ struct Places {
     return std::find(common.begin(), common.end(), label) == common.end() ? material_of(own) : 0;
   }
   int material_of(int own) const { return material.empty() ? own : material[own]; }
-  ReductionPlaces of_reductions() const {
+  ReductionOffsets reduction_offsets() const {
     return {maximum, sum, fault, material.empty() ? nullptr : &material};
   }
 };

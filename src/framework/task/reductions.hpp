@@ -64,7 +64,7 @@ class Reductions {
 // What the kernels of one part add to the reductions of all: numbers are the part's own.
 class PartReductions {
  public:
-  PartReductions(Reductions& all, const ReductionPlaces& places) : all_(&all), places_(places) {}
+  PartReductions(Reductions& all, const ReductionOffsets& places) : all_(&all), places_(places) {}
 
   void maximum(int slot, std::int64_t bits) const { all_->maximum(slot + places_.maximum, bits); }
   ExactSum& sum(int slot) const { return all_->sum(slot + places_.sum); }
@@ -76,7 +76,7 @@ class PartReductions {
 
  private:
   Reductions* all_;
-  ReductionPlaces places_;
+  ReductionOffsets places_;
 };
 
 inline PartReductions Row::reductions() const {

@@ -29,7 +29,7 @@ struct Axes {
 };
 
 // Cells that a stencil may reach along one axis.
-constexpr int most_reach = 3;
+constexpr int max_reach = 3;
 
 // Where the row at hand begins in what its task reads and writes: found once a row, asked for
 // hundreds of times. By number of the access.
@@ -110,7 +110,7 @@ class Row {
   RowMarks* new_marks_ = nullptr;
   const StepConstants* step_ = nullptr;
   Reductions* reductions_ = nullptr;
-  const ReductionPlaces* places_ = nullptr;
+  const ReductionOffsets* places_ = nullptr;
 };
 
 }  // namespace sluice

@@ -5,7 +5,7 @@ namespace sluice {
 namespace {
 
 constexpr std::array<std::ptrdiff_t, Steps::size> unit_steps{-3, -2, -1, 0, 1, 2, 3};
-static_assert(unit_steps[2 * most_reach] == most_reach);
+static_assert(unit_steps[2 * max_reach] == max_reach);
 constexpr std::array<std::ptrdiff_t, Steps::size> no_steps{};
 
 std::size_t whole_vectors(std::size_t n) {
@@ -18,7 +18,7 @@ std::size_t whole_vectors(std::size_t n) {
 void BoundArray::find_steps(bool middle_axis, Steps* steps) {
   middle_steps = steps;
   swept_steps = steps + 1;
-  for (int shift = -most_reach; shift <= most_reach; ++shift) {
+  for (int shift = -max_reach; shift <= max_reach; ++shift) {
     steps[0].at(shift) = middle_axis ? shift * middle : 0;
     for (std::ptrdiff_t phase = 0; phase <= (mask < 0 ? 0 : mask); ++phase)
       steps[1 + phase].at(shift) = (((phase + shift) & mask) - phase) * swept;
@@ -32,9 +32,9 @@ RowArrays::RowArrays(std::size_t accesses, int axes)
   first_.resize(n);
   for (auto* v : {&component_, &middle_, &swept_, &mask_}) v->resize(n);
   phase_0_.resize(n);
-  along_[0].assign(n, unit_steps.data() + most_reach);
-  along_[1].assign(n, no_steps.data() + most_reach);
-  along_[2].assign(n, no_steps.data() + most_reach);
+  along_[0].assign(n, unit_steps.data() + max_reach);
+  along_[1].assign(n, no_steps.data() + max_reach);
+  along_[2].assign(n, no_steps.data() + max_reach);
   starts_ = {
       first_.data(), component_.data(), {along_[0].data(), along_[1].data(), along_[2].data()}};
 }

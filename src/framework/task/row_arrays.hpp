@@ -14,10 +14,10 @@ namespace sluice {
 // How far the cells are that lie so many cells along an axis.
 class Steps {
  public:
-  static constexpr int size = 2 * most_reach + 2;  // one more makes it as long as a cache line
+  static constexpr int size = 2 * max_reach + 2;  // one more makes it as long as a cache line
 
-  std::ptrdiff_t& at(int shift) { return steps_[shift + most_reach]; }
-  const std::ptrdiff_t* centre() const { return steps_.data() + most_reach; }
+  std::ptrdiff_t& at(int shift) { return steps_[shift + max_reach]; }
+  const std::ptrdiff_t* centre() const { return steps_.data() + max_reach; }
 
  private:
   std::array<std::ptrdiff_t, size> steps_{};

@@ -32,7 +32,7 @@ void check(const Schedule& schedule, int level, bool outermost) {
                             require_level("sweep", s.name, s.level, level);
                             if (!s.run) refuse("sweep", s.name, "has no action");
                           },
-                          [&](const HaloPoint& h) {
+                          [&](const GhostExchange& h) {
                             require_level("ghost exchange", h.name, h.level, level);
                             if (!h.exchange) refuse("ghost exchange", h.name, "has no action");
                             if (h.width < 1) refuse("ghost exchange", h.name, "has no width");
@@ -99,7 +99,7 @@ void describe(const Schedule& schedule, const std::string& indent, std::string& 
   const std::string inner = indent + "  ";
   for (const Node& node : schedule)
     std::visit(Overloaded{[&](const Sweep& s) { text += indent + "sweep " + s.name + "\n"; },
-                          [&](const HaloPoint& h) {
+                          [&](const GhostExchange& h) {
                             text += indent + "ghost exchange " + h.name + ", width " +
                                     std::to_string(h.width) + "\n";
                           },
@@ -145,7 +145,7 @@ Verdict run(const Schedule& schedule, const StepScope& scope, StepJournal& journ
   for (const Node& node : schedule) {
     const Verdict verdict =
         std::visit(Overloaded{[&](const Sweep& s) { return s.run(scope, journal); },
-                              [&](const HaloPoint& h) { return h.exchange(scope, journal); },
+                              [&](const GhostExchange& h) { return h.exchange(scope, journal); },
                               [&](const Stage& s) { return s.run(scope, journal); },
                               [&](const Loop& l) { return run_loop(l, scope, journal); },
                               [&](const LevelCycle& c) { return run_cycle(c, scope, journal); },

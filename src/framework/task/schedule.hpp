@@ -62,7 +62,7 @@ struct Sweep {
 
 // Ghost cells, or the particles of neighbour boxes within `width` cells: the width is declared by
 // who reads them (a stencil, a shape function).
-struct HaloPoint {
+struct GhostExchange {
   std::string name;
   int level = 0;
   int width = 0;
@@ -102,7 +102,7 @@ struct Retry {
 };
 
 struct Node {
-  std::variant<Sweep, HaloPoint, Stage, Loop, LevelCycle, Retry> what;
+  std::variant<Sweep, GhostExchange, Stage, Loop, LevelCycle, Retry> what;
 };
 
 // Throws std::logic_error naming the node: nodes stand in a step of their own level, cycles go one

@@ -39,7 +39,7 @@ TEST(Schedule, RefusesWhatCannotRunAndNamesIt) {
               HasSubstr("'finest' must go from level 0 to 1"));
   EXPECT_THAT(refusal({{LevelCycle{"fine", 1, 0, {}}}}), HasSubstr("no substeps"));
   EXPECT_THAT(refusal({{Loop{"pressure", {}, {}, 5}}}), HasSubstr("'pressure' would never end"));
-  EXPECT_THAT(refusal({{HaloPoint{"state", 0, 0, good()}}}), HasSubstr("'state' has no width"));
+  EXPECT_THAT(refusal({{GhostExchange{"state", 0, 0, good()}}}), HasSubstr("'state' has no width"));
   EXPECT_THAT(
       refusal({{LevelCycle{"fine", 1, 2, {{Retry{"again", {}, 1, 0.5, {}}}}}}}),
       HasSubstr("retry 'again' is not outermost: the unit of acceptance is the coarse step"));

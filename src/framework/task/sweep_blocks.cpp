@@ -81,7 +81,7 @@ const IndexBox& wider(const IndexBox& a, const IndexBox& b) {
 }  // namespace
 
 std::vector<std::vector<std::size_t>> stack_blocks(const std::vector<Block>& blocks,
-                                                   const Level& level, std::int64_t most_cells) {
+                                                   const Level& level, std::int64_t max_cells) {
   std::vector<std::vector<std::size_t>> stacks;
   const int swept = level.active[2] ? 2 : level.active[1] ? 1 : 0;
   std::vector<std::size_t> order(blocks.size());
@@ -106,7 +106,7 @@ std::vector<std::vector<std::size_t>> stack_blocks(const std::vector<Block>& blo
     for (std::size_t s = 0; s < below.size(); ++s) {
       const Stack& stack = all[below[s]];
       const std::int64_t common = intersection(across(stack.last, swept), plane).volume();
-      if (common <= most || stack.cells + cells.volume() > most_cells) continue;
+      if (common <= most || stack.cells + cells.volume() > max_cells) continue;
       if (!narrow(bounding(stack.hull, plane), wider(stack.widest, plane),
                   level.active_count() == 3))
         continue;

@@ -10,7 +10,7 @@ namespace sluice {
 struct Block {
   int box = 0;  // local box number
   IndexBox cells;
-  bool may_sleep = true;
+  bool may_be_skipped = true;
   int kind = 0;  // of the graph that it runs
 };
 
@@ -27,6 +27,6 @@ IntVec3 even_blocks(IntVec3 extents, const Level& level, const std::vector<GridB
 // across, in order, by number: each block is in one stack. A stack holds `most_cells` or less (a
 // block that has more is one), and are not much wider than their widest block.
 std::vector<std::vector<std::size_t>> stack_blocks(const std::vector<Block>& blocks,
-                                                   const Level& level, std::int64_t most_cells);
+                                                   const Level& level, std::int64_t max_cells);
 
 }  // namespace sluice

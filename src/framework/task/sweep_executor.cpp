@@ -99,7 +99,7 @@ void SweepExecutor::bind(const Warehouse& old_state, Warehouse& new_state, Wareh
   remembers_ = new_state.blocks().extents() == extents;
   for (Block& b : blocks_) {
     b.kind = kinds_.count - 1;
-    if (options_.never_sleeps) b.may_sleep = !options_.never_sleeps(b.box, b.cells);
+    if (options_.never_skipped) b.may_be_skipped = !options_.never_skipped(b.box, b.cells);
   }
   place_stacks();
   IntVec3 largest{1, 1, 1};
@@ -148,22 +148,22 @@ void SweepExecutor::make_sweep(Worker& worker, int kind) const {
   const Graph& graph = *graphs_[kind];
   worker.sweeps[kind] = std::make_unique<BlockSweep>(*graph.list, graph.plan, *level_,
                                                      graph.binding, largest_, worker.scratch);
-  worker.tallies[kind].times.assign(graph.plan.tasks.size(), 0);
+  worker.counts[kind].times.assign(graph.plan.tasks.size(), 0);
 }
 
 // What the workers counted and timed, before they are made anew.
 void SweepExecutor::keep_counts() {
   for (const auto& w : workers_) {
-    kept_asleep_.add(w->asleep);
+    kept_skipped_.add(w->skipped);
     for (std::size_t k = 0; k < graphs_.size(); ++k)
-      if (graphs_[k] != nullptr) graphs_[k]->kept.add(w->tallies[k]);
+      if (graphs_[k] != nullptr) graphs_[k]->kept.add(w->counts[k]);
   }
 }
 
-SweepExecutor::Tally SweepExecutor::tally(int kind) const {
-  Tally sum;
+SweepExecutor::SweepCounts SweepExecutor::counts_of(int kind) const {
+  SweepCounts sum;
   if (graphs_[kind] != nullptr) sum = graphs_[kind]->kept;
-  for (const auto& w : workers_) sum.add(w->tallies[kind]);
+  for (const auto& w : workers_) sum.add(w->counts[kind]);
   return sum;
 }
 
@@ -228,14 +228,15 @@ void SweepExecutor::leave_absent(const Graph& graph, std::size_t n) {
 // The awake blocks that were collected.
 void SweepExecutor::sweep_pieces(Worker& worker, const StepConstants& step, int kind, bool sample) {
   if (worker.pieces.empty()) return;
-  Tally& tally = worker.tallies[kind];
+  SweepCounts& counts_of = worker.counts[kind];
   const auto blocks = static_cast<std::int64_t>(worker.pieces.size());
   const auto start = std::chrono::steady_clock::now();
-  worker.sweeps[kind]->run(step, worker.pieces, worker.reductions, sample ? &tally.times : nullptr);
+  worker.sweeps[kind]->run(step, worker.pieces, worker.reductions,
+                           sample ? &counts_of.times : nullptr);
   if (options_.time_boxes)
     charge(worker, (std::chrono::steady_clock::now() - start).count(), worker.pieces);
-  tally.run += blocks;
-  if (sample) tally.sampled += blocks;
+  counts_of.run += blocks;
+  if (sample) counts_of.sampled += blocks;
   worker.pieces.clear();
 }
 
@@ -247,20 +248,20 @@ void SweepExecutor::run_stack(Worker& worker, const StepConstants& step, std::si
     const Block& block = blocks_[n];
     const Graph& graph = *graphs_[block.kind];
     leave_absent(graph, n);
-    const bool asleep =
-        options_.quiet_blocks && graph.may_sleep && block.may_sleep && is_quiet(graph, block);
-    if (asleep || block.kind != kind) sweep_pieces(worker, step, kind, sample);
+    const bool skipped = options_.skip_uniform_blocks && graph.may_be_skipped &&
+                         block.may_be_skipped && is_skippable(graph, block);
+    if (skipped || block.kind != kind) sweep_pieces(worker, step, kind, sample);
     kind = block.kind;
     const SweepPiece piece{block.box, block.cells};
-    if (!asleep) {
+    if (!skipped) {
       worker.pieces.push_back(piece);
       continue;
     }
     const auto start = std::chrono::steady_clock::now();
-    sleep(worker, step, block);
+    skip(worker, step, block);
     if (options_.time_boxes)
       charge(worker, (std::chrono::steady_clock::now() - start).count(), {&piece, 1});
-    ++worker.asleep.blocks;
+    ++worker.skipped.blocks;
   }
   sweep_pieces(worker, step, kind, sample);
 }
@@ -273,10 +274,10 @@ const Reductions& SweepExecutor::run(const StepConstants& step) {
                   [&](std::size_t n, int thread) { run_stack(*workers_[thread], step, n); });
   total_.clear();
   blocks_run_ = 0;
-  asleep_ = kept_asleep_;
+  skipped_ = kept_skipped_;
   for (auto& w : workers_) {
     total_.merge(w->reductions);
-    asleep_.add(w->asleep);
+    skipped_.add(w->skipped);
   }
   for (int kind = 0; kind < kinds_.count; ++kind) blocks_run_ += blocks_run(kind);
   ++passes_;
@@ -293,7 +294,7 @@ const TaskList& SweepExecutor::list(int kind) {
 
 std::int64_t SweepExecutor::blocks_run(int kind) const {
   std::int64_t n = graphs_[kind] != nullptr ? graphs_[kind]->kept.run : 0;
-  for (const auto& w : workers_) n += w->tallies[kind].run;
+  for (const auto& w : workers_) n += w->counts[kind].run;
   return n;
 }
 
@@ -304,7 +305,7 @@ std::size_t SweepExecutor::scratch_bytes() const {
 }
 
 std::vector<double> SweepExecutor::task_seconds(int kind) const {
-  const Tally t = tally(kind);
+  const SweepCounts t = counts_of(kind);
   std::vector<double> seconds(t.times.size(), 0.0);
   const double scale =
       t.sampled > 0 ? static_cast<double>(t.run) / static_cast<double>(t.sampled) : 0.0;

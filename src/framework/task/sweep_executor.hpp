@@ -22,13 +22,13 @@ namespace sluice {
 struct SweepOptions {
   int threads = 1;
   std::shared_ptr<const ThreadTeam> team;  // of that many threads; none: an own one
-  IntVec3 block{};            // extents of a block; 0: chosen from the number of active directions
-  bool quiet_blocks = false;  // may uniform blocks sleep
-  int maxima = 0, sums = 0;   // of the reductions
-  int sample_every = 0;       // time every n-th block per task; 0: never
-  bool time_boxes = false;    // measure what each box costs
+  IntVec3 block{};  // extents of a block; 0: chosen from the number of active directions
+  bool skip_uniform_blocks = false;  // may uniform blocks sleep
+  int maxima = 0, sums = 0;          // of the reductions
+  int sample_every = 0;              // time every n-th block per task; 0: never
+  bool time_boxes = false;           // measure what each box costs
   // Blocks (local box number, cells) that must not sleep; asked when bound.
-  std::function<bool(int, const IndexBox&)> never_sleeps;
+  std::function<bool(int, const IndexBox&)> never_skipped;
 };
 
 class SweepExecutor {
@@ -59,8 +59,8 @@ class SweepExecutor {
 
   std::int64_t blocks_run() const { return blocks_run_; }  // since construction
   std::int64_t blocks_run(int kind) const;
-  std::int64_t blocks_asleep() const { return asleep_.blocks; }
-  std::int64_t cells_asleep() const { return asleep_.cells; }  // that were not updated
+  std::int64_t blocks_skipped() const { return skipped_.blocks; }
+  std::int64_t cells_skipped() const { return skipped_.cells; }  // that were not updated
   std::size_t scratch_bytes() const;
   // Seconds spent in each local box since the last bind, where boxes are timed.
   std::vector<double> box_seconds() const;
@@ -69,7 +69,7 @@ class SweepExecutor {
 
  private:
   struct Graph;
-  struct Tally;
+  struct SweepCounts;
   struct Worker;
   Graph& meet(int kind);
   void bind(Graph& graph) const;
@@ -77,14 +77,14 @@ class SweepExecutor {
   void make_workers(IntVec3 largest);
   void make_sweep(Worker& worker, int kind) const;
   void keep_counts();
-  Tally tally(int kind) const;
+  SweepCounts counts_of(int kind) const;
   void place_stacks();
   void run_stack(Worker& worker, const StepConstants& step, std::size_t stack);
   void sweep_pieces(Worker& worker, const StepConstants& step, int kind, bool sample);
   void charge(Worker& worker, std::int64_t nanoseconds, std::span<const SweepPiece> pieces) const;
   void leave_absent(const Graph& graph, std::size_t n);
-  bool is_quiet(const Graph& graph, const Block& block) const;
-  void sleep(Worker& worker, const StepConstants& step, const Block& block);
+  bool is_skippable(const Graph& graph, const Block& block) const;
+  void skip(Worker& worker, const StepConstants& step, const Block& block);
 
   SweepKinds kinds_;
   std::vector<std::unique_ptr<Graph>> graphs_;  // by kind, those that were met
@@ -101,16 +101,16 @@ class SweepExecutor {
   IntVec3 largest_{};  // block or stack that the workers' memory holds
   Reductions total_;
   // What slept, since construction.
-  struct Asleep {
+  struct Skipped {
     std::int64_t blocks = 0, cells = 0;
-    void add(const Asleep& other) {
+    void add(const Skipped& other) {
       blocks += other.blocks;
       cells += other.cells;
     }
   };
   std::int64_t blocks_run_ = 0, passes_ = 0;
-  Asleep asleep_;
-  Asleep kept_asleep_;  // counted before the workers were made anew
+  Skipped skipped_;
+  Skipped kept_skipped_;  // counted before the workers were made anew
 };
 
 }  // namespace sluice

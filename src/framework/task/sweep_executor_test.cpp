@@ -135,7 +135,7 @@ Warehouse bump(const Level& level) {
 struct Outcome {
   std::vector<double> values;
   double maximum = 0, sum = 0;
-  std::int64_t faults = 0, run = 0, asleep = 0, cells_asleep = 0;
+  std::int64_t faults = 0, run = 0, skipped = 0, cells_skipped = 0;
   CellFault lowest;
   int rows = 0;
 
@@ -170,8 +170,8 @@ Outcome outcome(const Level& level, const SweepOptions& given, int passes = 1) {
       if (&f == &r.faults().front() || before(f, o.lowest)) o.lowest = f;
   }
   o.run = executor.blocks_run();
-  o.asleep = executor.blocks_asleep();
-  o.cells_asleep = executor.cells_asleep();
+  o.skipped = executor.blocks_skipped();
+  o.cells_skipped = executor.cells_skipped();
   o.rows = graph.rows;
   o.values.resize(level.domain.volume());
   const IntVec3 n = level.domain.size();
@@ -190,20 +190,20 @@ TEST_P(ExecutorOnShapes, ThreadsBlocksAndSleepChangeNothing) {
   const Outcome plain = outcome(level, {});
   EXPECT_GT(plain.faults, 0);  // so that faults are compared, too
   EXPECT_GT(plain.sum, 0);
-  EXPECT_EQ(plain.asleep, 0);
+  EXPECT_EQ(plain.skipped, 0);
   SweepOptions o;
   o.threads = 2;
   o.block = {8, 2, 2};
   plain.expect_equal(outcome(level, o));
-  o.quiet_blocks = true;
+  o.skip_uniform_blocks = true;
   const Outcome threads_asleep = outcome(level, o);
   plain.expect_equal(threads_asleep);
   o.threads = 1;
-  const Outcome asleep = outcome(level, o);
-  plain.expect_equal(asleep);
-  EXPECT_GT(asleep.asleep, asleep.run);  // most of the level is quiet
-  EXPECT_EQ(asleep.asleep, threads_asleep.asleep);
-  EXPECT_EQ(asleep.cells_asleep, threads_asleep.cells_asleep);
+  const Outcome skipped = outcome(level, o);
+  plain.expect_equal(skipped);
+  EXPECT_GT(skipped.skipped, skipped.run);  // most of the level is quiet
+  EXPECT_EQ(skipped.skipped, threads_asleep.skipped);
+  EXPECT_EQ(skipped.cells_skipped, threads_asleep.cells_skipped);
   plain.expect_equal(outcome(level_of(cells, {3, cells.y > 1 ? 2 : 1, cells.z > 1 ? 2 : 1}), o));
 }
 
@@ -216,20 +216,20 @@ TEST(SweepExecutor, ASleepingBlockIsCheap) {
   o.block = {50, 50, 1};
   const Level level = level_of({250, 50, 1});
   const int awake = outcome(level, o).rows;
-  o.quiet_blocks = true;
-  const Outcome asleep = outcome(level, o);
-  EXPECT_EQ(asleep.asleep, 3);  // of five: the bump lies in [40, 60] and two cells around
-  EXPECT_LT(asleep.rows, 2 * awake);
-  EXPECT_EQ(asleep.run, 2);
+  o.skip_uniform_blocks = true;
+  const Outcome skipped = outcome(level, o);
+  EXPECT_EQ(skipped.skipped, 3);  // of five: the bump lies in [40, 60] and two cells around
+  EXPECT_LT(skipped.rows, 2 * awake);
+  EXPECT_EQ(skipped.run, 2);
   // All but cells at the boundary of the domain, and one of each block that stands for the rest.
-  EXPECT_EQ(asleep.cells_asleep, 2 * (50 * 48 - 1) + 49 * 48 - 1);
+  EXPECT_EQ(skipped.cells_skipped, 2 * (50 * 48 - 1) + 49 * 48 - 1);
 }
 
 TEST(SweepExecutor, ANanIsNotQuiet) {
   const Level level = level_of({64, 1, 1});
   Diffusion graph(level);
   SweepOptions o;
-  o.quiet_blocks = true;
+  o.skip_uniform_blocks = true;
   o.maxima = o.sums = 1;
   SweepExecutor executor(graph.list, plan_sweep(graph.list, {0, 1}, axes_of(level)), level, o);
   Warehouse old(level, 0), now(level, 0);
@@ -239,7 +239,7 @@ TEST(SweepExecutor, ANanIsNotQuiet) {
   for_each_cell(v.box, [&](IntVec3 c) { v(c) = std::numeric_limits<double>::quiet_NaN(); });
   executor.bind(old, now, nullptr);
   const Reductions& r = executor.run({});
-  EXPECT_EQ(executor.blocks_asleep(), 0);
+  EXPECT_EQ(executor.blocks_skipped(), 0);
   EXPECT_TRUE(std::isnan(r.maximum(0)));  // NaN is the largest of all
 }
 

@@ -23,7 +23,7 @@ struct SweepGraph {
   const TaskList* list = nullptr;
   SweepPlan plan;
   std::vector<AbsentSlot> absent;
-  bool may_sleep = true;  // blocks of uniform state
+  bool may_be_skipped = true;  // blocks of uniform state
 };
 
 // The last kind is right for every block.

@@ -4,7 +4,7 @@
 
 namespace sluice {
 
-bool SweepExecutor::is_quiet(const Graph& graph, const Block& block) const {
+bool SweepExecutor::is_skippable(const Graph& graph, const Block& block) const {
   for (VariableId id : graph.plan.states_read) {
     const Variable& variable = (*graph.list)[id];
     const int slot = graph.binding.slot[id.index];

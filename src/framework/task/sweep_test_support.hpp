@@ -93,7 +93,7 @@ class RandomGraph {
     t.read = pick(static_cast<int>(reads.size()));
     t.component = pick(list[reads[t.read]].components);
     t.axis = pick(axes_.count);
-    t.shift = pick(2 * most_reach + 1) - most_reach;
+    t.shift = pick(2 * max_reach + 1) - max_reach;
     if (axes_.count > 1 && pick(2) == 0) {
       t.other = (t.axis + 1 + pick(axes_.count - 1)) % axes_.count;
       t.step = pick(4) - 1;

@@ -20,13 +20,16 @@ struct SweepExecutor::Tally {
 // A graph as it is bound to warehouses.
 struct SweepExecutor::Graph {
   explicit Graph(SweepGraph g)
-      : list(g.list), plan(std::move(g.plan)), absent(std::move(g.absent)), may_sleep(g.may_sleep) {
+      : list(g.list),
+        plan(std::move(g.plan)),
+        absent(std::move(g.absent)),
+        may_be_skipped(g.may_be_skipped) {
     kept.times.assign(plan.tasks.size(), 0);
   }
   const TaskList* list;
   SweepPlan plan;
   std::vector<AbsentSlot> absent;
-  bool may_sleep;
+  bool may_be_skipped;
   StateBinding binding;
   std::vector<int> written;       // slots of the new state
   std::vector<int> absent_slots;  // of `absent`, in the new state or among the outputs
@@ -35,14 +38,14 @@ struct SweepExecutor::Graph {
 
 struct SweepExecutor::Worker {
   Worker(int kinds, const SweepOptions& o)
-      : sweeps(kinds), tallies(kinds), reductions(o.maxima, o.sums) {}
+      : sweeps(kinds), tracked_totals(kinds), reductions(o.maxima, o.sums) {}
   std::shared_ptr<AlignedArray> scratch = std::make_shared<AlignedArray>();
   std::vector<std::unique_ptr<BlockSweep>> sweeps;  // by kind
-  std::vector<Tally> tallies;                       // by kind
+  std::vector<Tally> tracked_totals;                // by kind
   Reductions reductions;
   TaskTimes boxes;                 // by local box
   std::vector<SweepPiece> pieces;  // awake, of one kind, to be swept as one
-  Asleep asleep;
+  Skipped asleep;
 };
 
 }  // namespace sluice

@@ -8,8 +8,8 @@ VariableId TaskList::add(Variable v) {
   return {static_cast<int>(variables_.size()) - 1};
 }
 
-void TaskList::enter(Places part) {
-  part_ = std::make_shared<const Places>(std::move(part));
+void TaskList::enter(IndexOffsets part) {
+  part_ = std::make_shared<const IndexOffsets>(std::move(part));
 }
 
 VariableId TaskList::state(Storage storage, const char* when, Label label, int material,

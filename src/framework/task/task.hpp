@@ -65,8 +65,8 @@ using BlockPart = std::function<IndexBox(int box, const IndexBox& block)>;
 
 struct Task {
   std::string name;
-  int effect = 0;                       // index into the EffectList
-  std::shared_ptr<const Places> owner;  // the part that declared it
+  int effect = 0;                             // index into the EffectList
+  std::shared_ptr<const IndexOffsets> owner;  // the part that declared it
   std::vector<Access> reads;
   std::vector<VariableId> writes;
   RowKernel kernel;
@@ -96,7 +96,7 @@ class TaskBuilder {
 class TaskList {
  public:
   // Effects, materials and reductions of what is declared from now on are counted from here.
-  void enter(Places part);
+  void enter(IndexOffsets part);
 
   VariableId old_state(Label label, int material, int components);
   VariableId new_state(Label label, int material, int components);
@@ -112,7 +112,7 @@ class TaskList {
   friend class TaskBuilder;
   VariableId add(Variable v);
   VariableId state(Storage storage, const char* when, Label label, int material, int components);
-  std::shared_ptr<const Places> part_ = std::make_shared<const Places>();
+  std::shared_ptr<const IndexOffsets> part_ = std::make_shared<const IndexOffsets>();
   std::vector<Variable> variables_;
   std::vector<Task> tasks_;
 };

@@ -49,18 +49,18 @@ IndexBox cells_at_sides(const IndexBox& domain, int d, const IndexBox& block) {
 void account_side(const Row& row, const FaceFluxHandles& h, const SchemeOptions& o, const Side& s) {
   const int d = o.axes.direction[s.axis];
   const int wanted = s.plus ? o.domain.upper[d] - 1 : o.domain.lower[d];
-  const auto account = [&](int first, int end) { account_faces(row, h, o, s, first, end); };
+  const auto budget = [&](int first, int end) { account_faces(row, h, o, s, first, end); };
   const int cell = wanted - row.cell()[d];
   if (s.axis == 0 && cell >= 0 && cell < row.count())
-    for_uncovered(row, o, cell, cell + 1, account);
+    for_uncovered(row, o, cell, cell + 1, budget);
   else if (s.axis != 0 && cell == 0)
-    for_uncovered(row, o, account);
+    for_uncovered(row, o, budget);
 }
 
 }  // namespace
 
-void add_boundary_account(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
-                          int effect) {
+void add_boundary_budget(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+                         int effect) {
   static const char* names[] = {"boundary account 0", "boundary account 1", "boundary account 2"};
   for (int axis = 0; axis < o.axes.count; ++axis) {
     if (o.periodic[o.axes.direction[axis]]) continue;

@@ -28,11 +28,11 @@ inline FaceFluxHandles read_face_fluxes(TaskBuilder& task, const SchemeVariables
   h.flux = task.read(v.flux[axis], both);
   h.face_velocity = task.read(v.face_velocity[axis], both);
   h.face_pressure = task.read(v.face_pressure[axis], both);
-  if (o.walled) h.covered = task.read(v.walls.covered[axis], both);
+  if (o.has_cut_cells) h.covered = task.read(v.walls.covered[axis], both);
   if (o.mixture) {
     h.materials = task.read(v.material_flux[axis], both);
     h.pure = task.read(v.pure, Stencil::along(direction, 1, 1));
-    if (o.own_velocities) h.material_velocities = task.read(v.material_velocity[axis], both);
+    if (o.multi_velocity) h.material_velocities = task.read(v.material_velocity[axis], both);
   }
   if (o.conducting) h.heat_flux = task.read(v.heat_flux[axis], both);
   if (o.shears_shocks) {
@@ -109,7 +109,7 @@ class FaceFluxRows {
     velocity_ = faces(h.face_velocity);
     pressure_ = faces(h.face_pressure);
     if (o.conducting) heat_ = faces(h.heat_flux);
-    if (o.walled) covered_ = faces(h.covered);
+    if (o.has_cut_cells) covered_ = faces(h.covered);
     if (o.shears_shocks) {
       shear_ = faces(h.shear, axis);
       sheared_ = faces(h.sheared);
@@ -130,12 +130,12 @@ class FaceFluxRows {
     flux.mass = F;
     double FU2 = 0, friction = 0;
     const bool apart =
-        o.own_velocities && o.mixture && alone_at_face(*row_, *h_, o, axis_, shift_, i) < 0;
+        o.multi_velocity && o.mixture && alone_at_face(*row_, *h_, o, axis_, shift_, i) < 0;
     for (int c = 0; c < o.components; ++c) {
       // The flux holds U, or F U in the classic form.
       const double carried = carried_[c][i];
-      double FU = o.classic ? carried : F * carried;
-      const double U = !o.classic ? carried : F != 0.0 ? carried / F : 0.0;
+      double FU = o.internal_energy_form ? carried : F * carried;
+      const double U = !o.internal_energy_form ? carried : F != 0.0 ? carried / F : 0.0;
       if (apart) {
         const CarriedApart sum = carried_apart(*row_, *h_, o, axis_, shift_, i, c);
         FU = sum.momentum;
@@ -200,7 +200,7 @@ inline MaterialFlux material_flux(const Row& row, const FaceFluxHandles& h, cons
   if (alone < 0) {
     const int c = 3 * material;
     flux = {face(h.materials, c), face(h.materials, c + 1), face(h.materials, c + 2), {}};
-    if (o.own_velocities)
+    if (o.multi_velocity)
       for (int n = 0; n < o.components; ++n)
         flux.momentum[n] = flux.mass * face(h.material_velocities, material * o.components + n);
     return flux;

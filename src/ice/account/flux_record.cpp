@@ -59,14 +59,14 @@ void record_segment(const Row& row, const FaceFluxRows& rows, int next, const Fa
     const int i = start + n;
     const FaceFlux flux = rows(i + next);
     const int momentum = materials, energies = momentum + o.components;
-    const int apart = o.own_velocities ? materials * o.components : 0;
+    const int apart = o.multi_velocity ? materials * o.components : 0;
     const int amounts = energies + (materials == 1 ? 1 : 2 * materials + 1 + apart);
     for (std::size_t k = 0; k < o.scalars.size(); ++k)
       value(amounts + static_cast<int>(k), n) = scalar_flux(row, scalars, k, axis, shift, i);
     for (int c = 0; c < o.components; ++c) value(momentum + c, n) = flux.momentum[c];
     if (materials == 1) {
       value(0, n) = flux.mass;
-      value(energies, n) = o.classic ? row(h.flux, 1, axis, shift)[i] : flux.energy;
+      value(energies, n) = o.internal_energy_form ? row(h.flux, 1, axis, shift)[i] : flux.energy;
       continue;
     }
     for (int m = 0; m < materials; ++m) {
@@ -76,7 +76,7 @@ void record_segment(const Row& row, const FaceFluxRows& rows, int next, const Fa
       value(energies + materials + m, n) = part.volume;
     }
     value(energies + 2 * materials, n) = flux.energy;
-    if (!o.own_velocities) continue;
+    if (!o.multi_velocity) continue;
     for (int m = 0; m < materials; ++m) {
       const MaterialFlux part = material_flux(row, h, o, axis, shift, i, m);
       for (int c = 0; c < o.components; ++c)

@@ -34,8 +34,8 @@ void account_cells(const Row& row, const Handles& h, const SchemeOptions& o, int
 
 }  // namespace
 
-void add_gravity_account(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
-                         int effect) {
+void add_gravity_budget(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+                        int effect) {
   if (!o.gravity_on || (o.coverage == nullptr && !o.force_on)) return;
   TaskBuilder task = list.task("gravity account", effect);
   Handles h;

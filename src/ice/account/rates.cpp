@@ -30,7 +30,7 @@ class CellStates {
         laws_{o.fluids, o.mixed},
         equilibration_(o.fluids) {
     const std::vector<Fluid>& fluids = fluids_;
-    const bool own_velocities = o.own_velocities;
+    const bool multi_velocity = o.multi_velocity;
     const auto view = [&](Label label, int m) {
       return state.view(state.find(label, o.place(m)), 0, box);
     };
@@ -38,7 +38,7 @@ class CellStates {
       mass_.push_back(view(labels().mass, m));
       energy_.push_back(view(labels().energy, m));
       if (fluids.size() > 1) volume_.push_back(view(labels().volume, m));
-      if (own_velocities) slip_.push_back(state.find(labels().slip, o.place(m)));
+      if (multi_velocity) slip_.push_back(state.find(labels().slip, o.place(m)));
     }
     if (!laws_.all_plain())
       for (const models::TransportedScalar* f : fractions_of(o))
@@ -50,7 +50,7 @@ class CellStates {
   };
   State at(IntVec3 cell) {
     if (fluids_.size() == 1) return of_one(0, mass_[0](cell), energy_[0](cell));
-    double M[most_materials], V[most_materials], E[most_materials];
+    double M[max_materials], V[max_materials], E[max_materials];
     double rho = 0;
     for (std::size_t m = 0; m < fluids_.size(); ++m) {
       M[m] = mass_[m](cell);
@@ -83,7 +83,7 @@ class CellStates {
     return state_.view(slip_[m], c, box_)(cell) / present.M[n];
   }
   // rho times the largest diffusivity of species that spread.
-  double of_species(IntVec3 cell, kinetics::Transport& transport) const {
+  double species_totals(IntVec3 cell, kinetics::Transport& transport) const {
     return species_coefficient(*laws_.gas->species->gas, transport, mass_[0](cell),
                                energy_[0](cell), laws_.rows(cell));
   }
@@ -143,7 +143,7 @@ class Diffusion {
   }
 
   double coefficient(const CellStates& states, IntVec3 cell) const {
-    if (species_ != nullptr) return states.of_species(cell, *species_);
+    if (species_ != nullptr) return states.species_totals(cell, *species_);
     const double mu = molecular(0, cell, [&] { return states.temperature(cell); });
     const double eddy = with_eddies_ ? eddy_viscosity(cell) : 0.0;
     if (!o_.conducting) return mu;
@@ -156,7 +156,7 @@ class Diffusion {
   double rate(const CellStates& states, const mixture::DiffusionRates& rates, IntVec3 cell) const {
     mixture::MaterialRows s = states.materials(cell);
     const double eddy = with_eddies_ ? eddy_viscosity(cell) : 0.0, rho = density(cell);
-    double viscosity = eddy, conductivity[most_materials] = {};
+    double viscosity = eddy, conductivity[max_materials] = {};
     s.viscosity = &viscosity;
     for (std::size_t m = 0; m < o_.fluids.size(); ++m) {
       s.conductivity[m] = conductivity + m;
@@ -234,7 +234,7 @@ class Waves {
   void add_mixture(const double* velocity, double c) const {
     if (o_.conservative_time_step) {
       double outflow = 0;
-      const double margin = o_.sound_speed_knob * c + gravity_speed_;
+      const double margin = o_.sound_speed_factor * c + gravity_speed_;
       for (int a = 0; a < o_.axes.count; ++a) {
         const double u = std::fabs(velocity[a]);
         outflow += (std::max(0.0, u + margin) + std::max(0.0, margin - u)) / dx_[a];
@@ -247,7 +247,7 @@ class Waves {
     double deck = 0, flow = 0, sound = 0, sum = 0;
     for (int a = 0; a < o_.axes.count; ++a) {
       const double u = std::fabs(velocity[a]), dx = dx_[a];
-      deck = std::max(deck, (u + o_.sound_speed_knob * c) / dx);
+      deck = std::max(deck, (u + o_.sound_speed_factor * c) / dx);
       flow += u / dx;
       sound = std::max(sound, (u + c) / dx);
       sum += (u + c) / dx;

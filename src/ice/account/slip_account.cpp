@@ -5,8 +5,8 @@
 #include "ice/step/cell_sums.hpp"
 
 namespace sluice::ice::mixture {
-void add_slip_force_account(TaskList& list, const Variables& v, const SchemeOptions& o,
-                            int effect) {
+void add_relative_velocity_force_budget(TaskList& list, const Variables& v, const SchemeOptions& o,
+                                        int effect) {
   if (!o.force_on) return;
   TaskBuilder task = list.task("account of the force on slip", effect);
   const In work = task.read(v.slip.force_work);

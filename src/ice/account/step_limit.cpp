@@ -12,7 +12,9 @@ StepLimit step_limit(const SchemeOptions& o, const std::vector<double>& maxima) 
   const double diffusion_share = o.implicit ? 0.6 : 0.7;
   // Of a semi-implicit step: beyond, the pressure of a closed box is hardly determined.
   constexpr double most_cells_of_sound = 2e4;
-  const double sound_share = o.classic ? classic::sound_share(o.axes.count) : most_in_one_direction;
+  const double sound_share = o.internal_energy_form
+                                 ? internal_energy_form::sound_share(o.axes.count)
+                                 : max_in_one_direction;
   StepLimit limit{o.cfl / maxima[StepSlots::deck_rate], o.conservative_time_step
                                                             ? "deck: conservative rule"
                                                             : "deck: cfl dx/(|u| + knob c)"};
@@ -27,10 +29,10 @@ StepLimit step_limit(const SchemeOptions& o, const std::vector<double>& maxima) 
       at_most(o.cfl / maxima[StepSlots::sound_rate], "start from rest: cfl dx/c");
   } else
     at_most(sound_share / maxima[StepSlots::sound_rate],
-            o.classic ? "scheme: 0.98/sqrt(2 axes) dx/(|u| + c)"
-                      : "scheme: 0.8 dx/(|u| + c), 1/sum (|u| + c)/dx");
+            o.internal_energy_form ? "scheme: 0.98/sqrt(2 axes) dx/(|u| + c)"
+                                   : "scheme: 0.8 dx/(|u| + c), 1/sum (|u| + c)/dx");
   const double diffusion = maxima[StepSlots::diffusion_rate];
-  at_most(o.cfl / (o.diffusion_knob * diffusion), "deck: cfl/(2 knob D sum 1/dx^2)");
+  at_most(o.cfl / (o.diffusion_factor * diffusion), "deck: cfl/(2 knob D sum 1/dx^2)");
   at_most(diffusion_share / diffusion,
           o.implicit ? "scheme: 0.6/(2 D sum 1/dx^2)" : "scheme: 0.7/(2 D sum 1/dx^2)");
   return limit;

@@ -5,9 +5,9 @@
 
 namespace sluice::ice {
 
-void add_boundary_account(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
-void add_gravity_account(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
-void add_volume_account(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+void add_boundary_budget(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+void add_gravity_budget(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+void add_volume_budget(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
 void add_flux_record(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
 
 }  // namespace sluice::ice
@@ -15,6 +15,7 @@ void add_flux_record(TaskList&, const SchemeVariables&, const SchemeOptions&, in
 namespace sluice::ice::mixture {
 
 // What a driving force works on the slip, summed; absent without one. In slip_account.cpp.
-void add_slip_force_account(TaskList&, const Variables&, const SchemeOptions&, int effect);
+void add_relative_velocity_force_budget(TaskList&, const Variables&, const SchemeOptions&,
+                                        int effect);
 
 }  // namespace sluice::ice::mixture

@@ -20,7 +20,7 @@ class TotalsOfRows {
     for (int m = 0; m < materials; ++m) {
       mass_.push_back(state.find(labels().mass, options.place(m)));
       energy_.push_back(state.find(labels().energy, options.place(m)));
-      if (options.own_velocities) slip_.push_back(state.find(labels().slip, options.place(m)));
+      if (options.multi_velocity) slip_.push_back(state.find(labels().slip, options.place(m)));
     }
     fraction_ = state.find(labels().solid_fraction, options.place(0));
     for (const models::TransportedScalar& s : options.scalars)
@@ -135,14 +135,14 @@ void add_totals(const Warehouse& state, const LevelCoverage& coverage, const Sch
   }
 }
 
-std::vector<std::string> tally_names(const SchemeOptions& o) {
+std::vector<std::string> tracked_names(const SchemeOptions& o) {
   if (o.sources == nullptr) return {};
   return {"model mass",       "model momentum x", "model momentum y",
           "model momentum z", "model energy",     "exchanged mass",
           "exchanged energy", "burned mass",      "released heat"};
 }
 
-std::vector<double> tallies(const SchemeOptions& o, const std::vector<double>& sums) {
+std::vector<double> tracked_totals(const SchemeOptions& o, const std::vector<double>& sums) {
   if (o.sources == nullptr) return {};
   StepBalance added;
   add_source_balance(o, sums, added);
@@ -194,7 +194,7 @@ double history_value(const SchemeOptions& o, Label label, const Totals& totals) 
     return all.value();
   }
   const auto tally = [&](std::size_t n) {
-    return n < totals.tallies.size() ? totals.tallies[n] : 0.0;
+    return n < totals.tracked_totals.size() ? totals.tracked_totals[n] : 0.0;
   };
   if (label == labels().total_model_mass) return tally(0);
   if (label == labels().total_model_energy) return tally(4);
@@ -210,8 +210,8 @@ double history_value(const SchemeOptions& o, Label label, const Totals& totals) 
 
 Vec3 history_vector(Label label, const Totals& totals) {
   if (label == labels().total_model_momentum) {
-    if (totals.tallies.empty()) return {};
-    return {totals.tallies[1], totals.tallies[2], totals.tallies[3]};
+    if (totals.tracked_totals.empty()) return {};
+    return {totals.tracked_totals[1], totals.tracked_totals[2], totals.tracked_totals[3]};
   }
   return {totals.momentum[0].sum.value(), totals.momentum[1].sum.value(),
           totals.momentum[2].sum.value()};

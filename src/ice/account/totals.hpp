@@ -19,8 +19,8 @@ StepBalance balance(const SchemeOptions& options, const std::vector<double>& sum
                     const StepStart* start, double dt);
 
 // What models add: mass, momentum, total energy; what passes between materials.
-std::vector<std::string> tally_names(const SchemeOptions& options);
-std::vector<double> tallies(const SchemeOptions& options, const std::vector<double>& sums);
+std::vector<std::string> tracked_names(const SchemeOptions& options);
+std::vector<double> tracked_totals(const SchemeOptions& options, const std::vector<double>& sums);
 
 // One value of a history at the end of a step.
 double history_value(const SchemeOptions& options, Label label, const Totals& totals);

@@ -94,8 +94,8 @@ void account_inside(const Row& row, const Handles& h, const SchemeOptions& o) {
 
 }  // namespace
 
-void add_volume_account(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
-                        int effect) {
+void add_volume_budget(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+                       int effect) {
   if (o.volumes == nullptr || o.volumes->count() == 0) return;
   static const char* names[] = {"control volumes, axis 0", "control volumes, axis 1",
                                 "control volumes, axis 2"};

@@ -49,7 +49,7 @@ class TwoFluids : public testing::Test {
     volume_ = cells_of(control_volumes(scene_.analysis).front(), level);
     solver_->watch(VolumeFaces({volume_}, level, level, nullptr, 0));
     for_each_cell(level.domain, [&](IntVec3 c) { fill(c, level.centre(c)); });
-    solver_->touch();
+    solver_->mark_modified();
   }
 
   double& at(Label label, int material, int component, IntVec3 c) {

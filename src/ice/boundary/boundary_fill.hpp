@@ -44,7 +44,7 @@ struct StateSlots {
   std::vector<int> directions;  // of the momentum components
   Label volume{};               // of several materials
   Label slip{};                 // of those with velocities of their own; none: they have one
-  Places places{};              // of the materials
+  IndexOffsets places{};        // of the materials
   Label offset{};               // of semi-implicit steps: work pressure less that of the state
 };
 

@@ -170,8 +170,7 @@ double GhostStates::mixture_pressure(IntVec3 source) const {
 }
 
 // What the ghost has of the cell that it looks at, before pressure and temperatures act on it.
-void GhostStates::take_over(const MixtureRule& rule, IntVec3 ghost, IntVec3 source,
-                            double distance) {
+void GhostStates::commit(const MixtureRule& rule, IntVec3 ghost, IntVec3 source, double distance) {
   Fluid room;
   for (std::size_t m = 0; m < parts_.size(); ++m) {
     const MixtureRule::Part& r = rule.parts[m];
@@ -233,7 +232,7 @@ double GhostStates::fill_cell(const MixtureRule& rule, double p) {
 
 void GhostStates::mixture(const MixtureRule& rule, IntVec3 ghost, IntVec3 source) {
   const double distance = std::abs(ghost[d_] - source[d_]) * setting_.level->spacing[d_];
-  take_over(rule, ghost, source, distance);
+  commit(rule, ghost, source, distance);
   double p = given_pressure(rule.common, ghost, source, 0);
   double rho = 0;
   if (!rule.common.gives_pressure()) {

@@ -114,7 +114,7 @@ class GhostStates {
                      double rho) const;
   int alone_in(IntVec3 cell) const;
   double mixture_pressure(IntVec3 source) const;
-  void take_over(const MixtureRule& rule, IntVec3 ghost, IntVec3 source, double distance);
+  void commit(const MixtureRule& rule, IntVec3 ghost, IntVec3 source, double distance);
   double fill_cell(const MixtureRule& rule, double p);
   void set_velocities(const MixtureRule& rule, IntVec3 ghost, IntVec3 source, double distance,
                       bool slides);

@@ -11,7 +11,7 @@ namespace sluice::ice {
 namespace {
 
 constexpr double trace = 1e-9;  // of the largest density
-constexpr int most_bisections = 200;
+constexpr int max_bisections = 200;
 
 using Part = MixtureRule::Part;
 
@@ -150,7 +150,7 @@ class MixtureRuleMaker {
     double low = 1e-12, high = 1e15;
     if (!(excess(low) > 0) || !(excess(high) < 0))
       refuse("these densities and temperatures fill a cell at no pressure");
-    for (int n = 0; n < most_bisections && high > low * (1 + 1e-15); ++n) {
+    for (int n = 0; n < max_bisections && high > low * (1 + 1e-15); ++n) {
       const double middle = std::sqrt(low * high);
       (excess(middle) > 0 ? low : high) = middle;
     }

@@ -275,7 +275,7 @@ TEST(ClassicForm, StaysStableUpToItsOwnLimit) {
                   [&](IntVec3 c) { most = std::max(most, std::fabs(run.velocity(c))); });
     return most;
   };
-  const double limit = classic::sound_share(3);
+  const double limit = internal_energy_form::sound_share(3);
   EXPECT_LT(largest(limit), 1e-6);        // measured 1.5e-8
   EXPECT_GT(largest(1.1 * limit), 1e-5);  // measured 1.9e-5, growing
 }

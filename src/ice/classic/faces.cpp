@@ -11,7 +11,7 @@
 #include "ice/step/held_faces.hpp"
 #include "ice/step/wall_faces.hpp"
 
-namespace sluice::ice::classic {
+namespace sluice::ice::internal_energy_form {
 namespace {
 
 struct VelocityHandles {
@@ -115,4 +115,4 @@ void add_face_pressure(TaskList& list, const Variables& v, const SchemeOptions& 
   }
 }
 
-}  // namespace sluice::ice::classic
+}  // namespace sluice::ice::internal_energy_form

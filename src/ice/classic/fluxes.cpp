@@ -7,7 +7,7 @@
 // First order: r = 0. r is the centroid of the slab that leaves.
 #include "ice/classic/variables.hpp"
 
-namespace sluice::ice::classic {
+namespace sluice::ice::internal_energy_form {
 namespace {
 
 struct Handles {
@@ -119,4 +119,4 @@ void add_fluxes(TaskList& list, const Variables& v, const SchemeOptions& o, int 
   }
 }
 
-}  // namespace sluice::ice::classic
+}  // namespace sluice::ice::internal_energy_form

@@ -6,7 +6,7 @@
 #include "ice/step/held_faces.hpp"
 #include "ice/step/impulse.hpp"
 
-namespace sluice::ice::classic {
+namespace sluice::ice::internal_energy_form {
 namespace {
 
 struct Handles {
@@ -66,4 +66,4 @@ void add_lagrangian(TaskList& list, const Variables& v, const SchemeOptions& o, 
   });
 }
 
-}  // namespace sluice::ice::classic
+}  // namespace sluice::ice::internal_energy_form

@@ -11,7 +11,7 @@
 #pragma once
 #include "ice/fluid/limiters.hpp"
 
-namespace sluice::ice::classic {
+namespace sluice::ice::internal_energy_form {
 
 // What the fluxes of mass carry with them: the density and its limited slopes.
 template <int D>
@@ -50,4 +50,4 @@ double limiter_of_cell(double q, const double (&low)[D], const double (&high)[D]
   return limiter(q, least, most, q + corner_least, q + corner_most);
 }
 
-}  // namespace sluice::ice::classic
+}  // namespace sluice::ice::internal_energy_form

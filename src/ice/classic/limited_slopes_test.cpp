@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sluice::ice::classic::limited_slopes_test {
+namespace sluice::ice::internal_energy_form::limited_slopes_test {
 namespace {
 
 const MassSlopes<1> unweighted_1d;
@@ -55,4 +55,4 @@ TEST(ClassicLimiter, WeightsCornersWithTheirDensity) {
 }
 
 }  // namespace
-}  // namespace sluice::ice::classic::limited_slopes_test
+}  // namespace sluice::ice::internal_energy_form::limited_slopes_test

@@ -2,7 +2,7 @@
 #pragma once
 #include <cmath>
 
-namespace sluice::ice::classic {
+namespace sluice::ice::internal_energy_form {
 
 // Largest stable (|u| + c) dt/dx. Face velocity and pressure change are leap-frogged over two
 // cells: a sound wave of the shortest length is damped by 1 - 4 axes (c dt/dx)^2, which must stay
@@ -12,4 +12,4 @@ inline double sound_share(int axes) {
   return margin / std::sqrt(2.0 * axes);
 }
 
-}  // namespace sluice::ice::classic
+}  // namespace sluice::ice::internal_energy_form

@@ -6,7 +6,7 @@
 // the faces is their velocity.
 #include "ice/classic/variables.hpp"
 
-namespace sluice::ice::classic {
+namespace sluice::ice::internal_energy_form {
 namespace {
 
 struct Handles {
@@ -67,4 +67,4 @@ void add_pressure_change(TaskList& list, const Variables& v, const SchemeOptions
   });
 }
 
-}  // namespace sluice::ice::classic
+}  // namespace sluice::ice::internal_energy_form

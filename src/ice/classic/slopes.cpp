@@ -7,7 +7,7 @@
 #include "ice/classic/limited_slopes.hpp"
 #include "ice/classic/variables.hpp"
 
-namespace sluice::ice::classic {
+namespace sluice::ice::internal_energy_form {
 namespace {
 
 struct Handles {
@@ -155,4 +155,4 @@ void add_slopes(TaskList& list, const Variables& v, const SchemeOptions& o, int 
   });
 }
 
-}  // namespace sluice::ice::classic
+}  // namespace sluice::ice::internal_energy_form

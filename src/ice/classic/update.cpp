@@ -7,7 +7,7 @@
 #include "ice/sources/source_tasks.hpp"
 #include "ice/step/end_of_step.hpp"
 
-namespace sluice::ice::classic {
+namespace sluice::ice::internal_energy_form {
 namespace {
 
 struct Handles {
@@ -121,4 +121,4 @@ void add_update(TaskList& list, const Variables& v, const SchemeOptions& o, int 
   });
 }
 
-}  // namespace sluice::ice::classic
+}  // namespace sluice::ice::internal_energy_form

@@ -12,7 +12,7 @@
 #pragma once
 #include "ice/step/variables.hpp"
 
-namespace sluice::ice::classic {
+namespace sluice::ice::internal_energy_form {
 
 struct Variables {
   SchemeVariables common;  // state, primitives, faces, stress, impulse, E* (energy after work)
@@ -47,4 +47,4 @@ inline int ghost_layers(const SchemeOptions& o) {
   return o.second_order ? 4 : 3;
 }
 
-}  // namespace sluice::ice::classic
+}  // namespace sluice::ice::internal_energy_form

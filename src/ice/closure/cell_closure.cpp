@@ -5,12 +5,12 @@ namespace sluice::ice::mixture {
 
 Equilibration::Result CellClosure::close(const Equilibration::Cell& cell, double density, double dt,
                                          const HeatExchange::Surface& surface) const {
-  double before[most_materials];
+  double before[max_materials];
   const std::uint64_t bubbles = collapse_.possible() ? collapse_.traces_of_gas(cell, density) : 0;
   if (bubbles != 0) collapse_.remember(cell, bubbles, before);
   Equilibration::Result result = equilibration_.equilibrate(cell);
   // A cavity that tension has torn open does not close.
-  if (bubbles != 0 && result.failed < 0 && !result.torn &&
+  if (bubbles != 0 && result.failed < 0 && !result.is_cavitating &&
       collapse_.settle(cell, bubbles, before, result.pressure))
     result = equilibration_.equilibrate(cell);
   if (heat_.on() && result.failed < 0 && heat_.exchange(cell, dt, surface))

@@ -11,7 +11,7 @@ namespace sluice::ice::mixture {
 class CellClosure {
  public:
   CellClosure(const std::vector<Fluid>& fluids, const PairCoefficients& heat,
-              const std::optional<SlipExchange>& slip)
+              const std::optional<MultiVelocityExchange>& slip)
       : equilibration_(fluids), collapse_(fluids), heat_(fluids, heat, slip) {}
 
   // The law of a gas in the next cell, where it is another in every cell.

@@ -11,7 +11,7 @@
 namespace sluice::ice::mixture {
 
 HeatContacts::HeatContacts(int materials, const PairCoefficients& heat_exchange,
-                           std::optional<SlipExchange> slip,
+                           std::optional<MultiVelocityExchange> slip,
                            std::optional<ConvectiveExchange> convective)
     : materials_(materials),
       H_(heat_exchange),
@@ -46,13 +46,13 @@ void HeatContacts::conduct(const ContactSide& low, const ContactSide& high, doub
                            double* given, double* taken) const {
   const int count = materials_;
   const double inverse_dx = 1.0 / dx;
-  double rest_low[most_materials], rest_high[most_materials];
+  double rest_low[max_materials], rest_high[max_materials];
   double sum_low = 0, sum_high = 0;
-  const auto share = [](double s) { return s >= least_conducting_share ? s : 0.0; };
+  const auto share = [](double s) { return s >= min_conducting_share ? s : 0.0; };
   const auto heat = [&](int a, int b) {
     const double k = conductivity(low, a, high, b, dx);
     if (!(k > 0.0)) return 0.0;
-    const double bound = std::min(low.most_conductivity[a], high.most_conductivity[b]);
+    const double bound = std::min(low.max_conductivity[a], high.max_conductivity[b]);
     return std::min(k, bound) * ((low.temperature[a] - high.temperature[b]) * inverse_dx);
   };
   for (int m = 0; m < count; ++m) {

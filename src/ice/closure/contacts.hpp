@@ -20,15 +20,15 @@
 namespace sluice::ice::mixture {
 
 // Below this share of the cell a material neither gives nor takes heat.
-constexpr double least_conducting_share = 1e-8;
+constexpr double min_conducting_share = 1e-8;
 // Below this one, or this share of the mass, it does not limit the time step.
-constexpr double least_limiting_share = 0.01, least_limiting_mass = 1e-9;
+constexpr double min_limiting_share = 0.01, min_limiting_mass = 1e-9;
 
 // One side of a face, by material.
 struct ContactSide {
-  const double* share;              // 0: absent
-  const double* temperature;        // K
-  const double* most_conductivity;  // W/(m K)
+  const double* share;             // 0: absent
+  const double* temperature;       // K
+  const double* max_conductivity;  // W/(m K)
   const double* conductivity;
   const double* density;  // own; where exchange varies with it
   double jump = 0;        // h of the gas that slips, W/(m^2 K)
@@ -37,7 +37,7 @@ struct ContactSide {
 class HeatContacts {
  public:
   HeatContacts(int materials, const PairCoefficients& heat_exchange,
-               std::optional<SlipExchange> slip = {},
+               std::optional<MultiVelocityExchange> slip = {},
                std::optional<ConvectiveExchange> convective = {});
 
   // Heat per area and time along the axis: what each material of the low side gives, and what each
@@ -55,7 +55,7 @@ class HeatContacts {
 
   int materials_;
   PairCoefficients H_;
-  std::optional<SlipExchange> slip_;
+  std::optional<MultiVelocityExchange> slip_;
   std::optional<ConvectiveExchange> convective_;
 };
 

@@ -34,7 +34,7 @@ struct Heat {
 struct Contacts {
   std::vector<double> k;  // of each material
   PairCoefficients H;
-  std::optional<SlipExchange> slip{};
+  std::optional<MultiVelocityExchange> slip{};
   std::optional<ConvectiveExchange> convective{};
 };
 Heat through(const Contacts& c, const Cell& low, const Cell& high, double dx) {
@@ -87,7 +87,7 @@ TEST(HeatContacts, ACoefficientMayGrowWithTheRatioOfMasses) {
 // The jump of temperature of a rarefied gas is a layer of its own, h (T_gas - T_wall) = q.
 TEST(HeatContacts, TemperatureJumpsAtASurface) {
   const double dx = .01, k_gas = 2, k_wall = 50, h = 30;
-  SlipExchange slip;
+  MultiVelocityExchange slip;
   slip.fluid = 1;
   slip.solid = 0;
   Cell gas = cell({0, 1}, {0, 400}), wall = cell({1, 0}, {300, 0});

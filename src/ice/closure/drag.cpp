@@ -43,7 +43,7 @@ void split(const DragCell& cell, int directions, ByMaterial* w, Act act) {
     for (int c = 0; c < directions; ++c) act(false, w[c]);
     return;
   }
-  double across[most_materials];
+  double across[max_materials];
   for (int k = 0; k < cell.count; ++k) {
     across[k] = 0;
     for (int c = 0; c < directions; ++c) across[k] += cell.normal[c] * w[c][k];
@@ -87,7 +87,7 @@ double Drag::pair(const DragCell& cell, int i, int j, double dt, double part, bo
 void Drag::relax(const DragCell& cell, double dt, double part, bool along, const double* w,
                  const double* push, double* after) const {
   const int n = cell.count;
-  double k[most_materials * most_materials], gain[most_materials];
+  double k[max_materials * max_materials], gain[max_materials];
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j) k[i * n + j] = i == j ? 0.0 : pair(cell, i, j, dt, part, along);
   relax_pairs(n, cell.M, w, k, gain, push);
@@ -111,7 +111,7 @@ void Drag::decay_one(const DragCell& cell, double dt, double part, bool along, d
 
 void Drag::respond_one(const DragCell& cell, double dt, double part, bool along, const double* push,
                        double* w) const {
-  double given[most_materials];  // `push` and `w` may be one
+  double given[max_materials];  // `push` and `w` may be one
   std::copy_n(push, cell.count, given);
   std::fill_n(w, cell.count, 0.0);
   if (is_zero(cell, given)) return;
@@ -148,7 +148,7 @@ void Drag::push(const DragCell& cell, double dp, double* momentum) {
     momentum[1 - small] = -momentum[small];
     return;
   }
-  double k[most_materials * most_materials], rest = 0;
+  double k[max_materials * max_materials], rest = 0;
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j) k[i * n + j] = i == j ? 0.0 : virtual_mass(cell, i, j);
   solve_pairs(n, cell.M, k, momentum);
@@ -160,7 +160,7 @@ void Drag::push(const DragCell& cell, double dp, double* momentum) {
 double Drag::inverse_inertia(const DragCell& cell) {
   const double together = 1.0 / cell.total;
   if (cell.count < 2) return together;
-  double given[most_materials], sum = together;
+  double given[max_materials], sum = together;
   push(cell, -1.0, given);
   for (int n = 0; n < cell.count; ++n) sum += cell.V[n] * (given[n] / cell.M[n]);
   return larger(sum, together);

@@ -25,11 +25,11 @@ namespace sluice::ice::mixture {
 // The materials present in a cell, one after the other.
 struct DragCell {
   int count = 0;
-  int index[most_materials];
-  double M[most_materials], V[most_materials];  // per volume of the cell
-  double total = 0;                             // mass
-  double lock = 0;                              // of an interface
-  double bind[most_materials];                  // of each material to the mixture
+  int index[max_materials];
+  double M[max_materials], V[max_materials];  // per volume of the cell
+  double total = 0;                           // mass
+  double lock = 0;                            // of an interface
+  double bind[max_materials];                 // of each material to the mixture
   // Of the surface along which a gas slips.
   double surface = 0;                  // share of the cell that is nothing but one
   double passes = 0;                   // along it for a unit of slip, kg/(m^3 s)
@@ -37,7 +37,7 @@ struct DragCell {
 };
 
 // Velocities or momenta of the materials present, by direction of the state.
-using ByMaterial = double[most_materials];
+using ByMaterial = double[max_materials];
 
 // Of a volume fraction: 0 where it is so small that the material moves with the mixture, 1 where it
 // need not.
@@ -48,7 +48,7 @@ double binding(const DragCell& cell, int i, double courant);
 
 class Drag {
  public:
-  explicit Drag(const PairCoefficients& K, const std::optional<SlipExchange>& slip = {})
+  explicit Drag(const PairCoefficients& K, const std::optional<MultiVelocityExchange>& slip = {})
       : K_(K), slip_(slip) {}
 
   // Velocities w relative to the mixture, sum M w = 0, after a time: `part` of the step dt.
@@ -80,7 +80,7 @@ class Drag {
   void respond_one(const DragCell& cell, double dt, double part, bool along, const double* push,
                    double* w) const;
   PairCoefficients K_;
-  std::optional<SlipExchange> slip_;
+  std::optional<MultiVelocityExchange> slip_;
 };
 
 // The materials that a cell holds; i: its place in the rows.

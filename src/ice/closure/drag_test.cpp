@@ -151,7 +151,7 @@ TEST(Drag, OfFiveIsOfSecondOrder) {
 TEST(Drag, PressureKnowsVirtualMass) {
   const double dp = 2;
   const auto change = [&](const DragCell& cell, int m) {
-    double push[most_materials], sum = 0;
+    double push[max_materials], sum = 0;
     Drag::push(cell, dp, push);
     for (int n = 0; n < cell.count; ++n) sum += push[n];
     EXPECT_LE(std::fabs(sum), 1e-15 * std::fabs(push[m]));
@@ -163,7 +163,7 @@ TEST(Drag, PressureKnowsVirtualMass) {
   const DragCell bubble = cell_of({1.2 * little, 1000 * (1 - little)}, {little, 1 - little});
   EXPECT_NEAR(change(bubble, 0), -3 * dp / 1000, 1e-2 * dp / 1000);
   const DragCell three = cell_of({300, 10, .1}, {.3, .5, .2});
-  double push[most_materials];
+  double push[max_materials];
   Drag::push(three, dp, push);
   EXPECT_NEAR(push[0] + push[1] + push[2], 0, 1e-16);
   EXPECT_LT(push[2], 0);  // the lightest runs ahead, down the pressure

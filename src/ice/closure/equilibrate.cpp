@@ -9,8 +9,8 @@
 namespace sluice::ice::mixture {
 namespace {
 
-constexpr double trace = 1e-8;                   // volume fraction
-constexpr double least_cavity_pressure = 1e-12;  // of the stiffest pi
+constexpr double trace = 1e-8;                 // volume fraction
+constexpr double min_cavity_pressure = 1e-12;  // of the stiffest pi
 
 }  // namespace
 
@@ -158,7 +158,7 @@ bool Equilibration::mend(const Cell& cell) const {
   if (!(cell.M[heaviest] > 0.0 && cell.V[heaviest] > 0.0)) return false;
   const double p =
       stiffness(heaviest, cell.M[heaviest], cell.V[heaviest], cell.E[heaviest]).pressure;
-  const double least = least_cavity_pressure * std::fmax(stiffest, p);
+  const double least = min_cavity_pressure * std::fmax(stiffest, p);
   if (!(least > 0.0 && least < infinity)) return false;
   bool mended = false;
   for (int m = 0; m < materials(); ++m) {
@@ -192,12 +192,13 @@ bool Equilibration::settle(const Cell& cell, Present& in, Result& result) const 
   double q = result.pressure, least = -infinity;
   if (in.weakest >= 0 && in.count > 1)
     if (const Linear& l = linear_[in.weakest]; l.is)
-      least = least_cavity_pressure * in.stiffest - l.pi;
+      least = min_cavity_pressure * in.stiffest - l.pi;
   const bool found = find_pressure(cell, in, q);
-  result.torn = found && q < least;
-  if (!found || (result.torn && !in.linear)) result.torn = leaves_room(cell, in, least);
-  result.pressure = result.torn ? least : q;
-  return found || result.torn;
+  result.is_cavitating = found && q < least;
+  if (!found || (result.is_cavitating && !in.linear))
+    result.is_cavitating = leaves_room(cell, in, least);
+  result.pressure = result.is_cavitating ? least : q;
+  return found || result.is_cavitating;
 }
 
 Equilibration::Result Equilibration::equilibrate(const Cell& cell) const {
@@ -218,7 +219,7 @@ Equilibration::Result Equilibration::equilibrate(const Cell& cell) const {
         return result;
       }
     }
-    if (result.torn)
+    if (result.is_cavitating)
       fill_cavity(cell, in, result.pressure);
     else
       cell.E[in.largest] -= relax(cell, in, result.pressure, in.largest);

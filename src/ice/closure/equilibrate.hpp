@@ -39,9 +39,9 @@ class Equilibration {
   };
   struct Result {
     double pressure = 0;
-    double modulus = 0;  // of the mixture
-    int failed = -1;     // the material without a state, or -1
-    bool torn = false;   // a liquid bears no more: the weakest material holds a cavity open
+    double modulus = 0;          // of the mixture
+    int failed = -1;             // the material without a state, or -1
+    bool is_cavitating = false;  // a liquid bears no more: the weakest material holds a cavity open
   };
   // Materials with M = 0 are absent and must have V = E = 0. At least one is present.
   Result equilibrate(const Cell& cell) const;
@@ -63,13 +63,13 @@ class Equilibration {
     double pressure, modulus;
   };
   struct Present {
-    int index[most_materials];
+    int index[max_materials];
     int count = 0;
     int largest = -1, weakest = -1;    // by volume; by the tension that it bears
     double stiffest = 0;               // pi, Pa
     double volume = 1.0;               // that they fill together
-    Stiffness before[most_materials];  // by material
-    double relaxed[most_materials];    // by material: what is not linear has this volume at q
+    Stiffness before[max_materials];   // by material
+    double relaxed[max_materials];     // by material: what is not linear has this volume at q
     bool linear = true, ideal = true;  // all laws
   };
   struct Balance;

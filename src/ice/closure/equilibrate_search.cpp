@@ -17,7 +17,7 @@
 namespace sluice::ice::mixture {
 namespace {
 
-constexpr int most_iterations = 100, most_together = 12;
+constexpr int max_iterations = 100, max_together = 12;
 constexpr double thin = 0x1p-80;  // of the pressure sought: halves would take too many iterations
 constexpr double newton_ends = 1e-9;  // a step: what is left of it is round-off
 constexpr double volume_tolerance = 4e-16, pressure_tolerance = 1e-15;
@@ -58,7 +58,7 @@ Response solve(const Fluid& fluid, int m, const Cell& cell, double q, double sta
         double low = cell.M[m] / law.highest_density(), high = infinity;
         double v = start > low ? start : V > low ? V : 2.0 * low;
         Response r{};
-        for (int n = 0; n < most_iterations; ++n) {
+        for (int n = 0; n < max_iterations; ++n) {
           r = response(law, m, cell, q, v);
           (r.excess > 0.0 ? low : high) = v;
           const bool far = r.pressure > 0.0 && r.pressure < thin * q;
@@ -90,8 +90,8 @@ double volume_at(const Fluid& fluid, int m, const Cell& cell, double q, double s
 // sum a/(x + delta) + sum of the volumes of others = room, in x = q - lo.
 struct Equilibration::Balance {
   int linear = 0, others = 0;
-  double a[most_materials], delta[most_materials];
-  int other[most_materials];
+  double a[max_materials], delta[max_materials];
+  int other[max_materials];
   double room, lo;
 
   // Volumes of the linear laws without the room, and the slope.
@@ -105,7 +105,7 @@ struct Equilibration::Balance {
     return {f, slope};
   }
   // The positive root of room x^2 + (room d - a_0 - a_1) x - a_0 d for two of them, d apart.
-  double of_pair() const {
+  double pair_balance() const {
     const int soft = delta[0] == 0.0 ? 0 : 1;
     const double d = delta[1 - soft], b = room * d - (a[0] + a[1]), c = a[soft] * d;
     const double root = std::sqrt(b * b + 4.0 * room * c);
@@ -142,7 +142,7 @@ bool Equilibration::find_pressure(const Cell& cell, Present& in, double& q) cons
     q = energy / b.room;
     return q > 0.0 && q < infinity;
   }
-  if (b.linear == 2 && b.others == 0) x = b.of_pair();
+  if (b.linear == 2 && b.others == 0) x = b.pair_balance();
   if (!(x > 0.0 && x < infinity)) x = 1e-3 * (std::fabs(q) + std::fabs(b.lo)) + 1e-300;
   const double start = x;
   bool found = b.others > 0 && search_together(cell, in, b, x);
@@ -157,7 +157,7 @@ bool Equilibration::find_pressure(const Cell& cell, Present& in, double& q) cons
 bool Equilibration::leaves_room(const Cell& cell, Present& in, double q) const {
   const Balance b = balance(cell, in);
   if (!(q > b.lo)) return false;
-  double f = b.at(q - b.lo).first, volume[most_materials];
+  double f = b.at(q - b.lo).first, volume[max_materials];
   for (int n = 0; n < b.others; ++n) {
     const int m = b.other[n];
     f += volume[n] = volume_at(fluid(m), m, cell, q, cell.V[m]);
@@ -176,8 +176,8 @@ bool Equilibration::search_together(const Cell& cell, Present& in, const Balance
     const double gap = s.pressure - (x + b.lo);
     v[m] = cell.V[m] * (s.modulus + std::fmax(gap, 0.0)) / (s.modulus - std::fmin(gap, 0.0));
   }
-  Response responses[most_materials];
-  for (int iteration = 0; iteration < most_together; ++iteration) {
+  Response responses[max_materials];
+  for (int iteration = 0; iteration < max_together; ++iteration) {
     auto [f, slope] = b.at(x);
     for (int n = 0; n < b.others; ++n) {
       const int m = b.other[n];
@@ -208,11 +208,11 @@ bool Equilibration::search_in_bracket(const Cell& cell, Present& in, const Balan
   double highest = 0.0;  // of their pressures: above it only volumes that overfill the cell lead
   for (int n = 0; n < in.count; ++n)
     highest = std::fmax(highest, in.before[in.index[n]].pressure - b.lo);
-  Response responses[most_materials];
-  double start[most_materials];
+  Response responses[max_materials];
+  double start[max_materials];
   for (int n = 0; n < b.others; ++n) start[n] = cell.V[b.other[n]];
   bool found = false;
-  for (int iteration = 0; iteration < most_iterations && !found; ++iteration) {
+  for (int iteration = 0; iteration < max_iterations && !found; ++iteration) {
     auto [f, slope] = b.at(x);
     for (int n = 0; n < b.others; ++n) {
       const int m = b.other[n];

@@ -12,7 +12,7 @@ namespace sluice::ice::mixture {
 namespace {
 
 // Of its temperature: below it too few digits of the energy are left.
-constexpr double least_share = 1e-6;
+constexpr double min_share = 1e-6;
 
 bool has_constant_heat(const Fluid& fluid) {
   if (fluid.heat) return false;
@@ -22,7 +22,7 @@ bool has_constant_heat(const Fluid& fluid) {
 }  // namespace
 
 HeatExchange::HeatExchange(const std::vector<Fluid>& fluids, const PairCoefficients& H,
-                           std::optional<SlipExchange> slip)
+                           std::optional<MultiVelocityExchange> slip)
     : fluids_(fluids),
       H_(H),
       slip_(std::move(slip)),
@@ -47,13 +47,13 @@ bool HeatExchange::exchange(const Equilibration::Cell& cell, double dt,
   }
   const auto [coldest, hottest] = std::minmax_element(in.T, in.T + n);
   if (*coldest == *hottest) return false;
-  double k[most_materials * most_materials], gain[most_materials];
+  double k[max_materials * max_materials], gain[max_materials];
   couple(cell, in, dt, surface, k);
   relax_pairs(n, in.C, in.T, k, gain);
   bool sound = true;
   for (int i = 0; i < n; ++i) {
     const double after = in.T[i] + gain[i] / in.C[i];
-    sound = sound && after >= *coldest && after <= *hottest && after >= least_share * in.T[i];
+    sound = sound && after >= *coldest && after <= *hottest && after >= min_share * in.T[i];
   }
   if (!sound) {
     couple(cell, in, dt, surface, k);
@@ -87,7 +87,7 @@ void HeatExchange::couple(const Equilibration::Cell& cell, const Present& in, do
 // their digits. Energies are those of T'.
 void HeatExchange::take_means(const Equilibration::Cell& cell, Present& in, double* k,
                               double* gain) const {
-  double T[most_materials];
+  double T[max_materials];
   for (int i = 0; i < in.count; ++i) T[i] = in.C[i] * in.T[i];
   solve_pairs(in.count, in.C, k, T);
   for (int i = 0; i < in.count; ++i) {

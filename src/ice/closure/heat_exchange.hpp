@@ -15,7 +15,7 @@ class HeatExchange {
   // H in W/(m^3 K); without any coefficient above zero it does nothing.
   // With slip of a gas along a surface, of which a cell holds what surface.hpp says.
   HeatExchange(const std::vector<Fluid>& fluids, const PairCoefficients& H,
-               std::optional<SlipExchange> slip = {});
+               std::optional<MultiVelocityExchange> slip = {});
 
   // Of a gas with a constant specific heat.
   void set_law(int m, const Fluid& fluid) { fluids_[m] = fluid; }
@@ -32,10 +32,10 @@ class HeatExchange {
 
  private:
   struct Present {
-    int index[most_materials];
+    int index[max_materials];
     int count = 0;
-    double T[most_materials], C[most_materials];  // K, J/(m^3 K)
-    double E[most_materials];                     // after it, of take_means
+    double T[max_materials], C[max_materials];  // K, J/(m^3 K)
+    double E[max_materials];                    // after it, of take_means
   };
   // What a pair exchanges for a unit of difference, in n x n.
   void couple(const Equilibration::Cell& cell, const Present& in, double dt, const Surface& surface,
@@ -45,7 +45,7 @@ class HeatExchange {
   std::vector<Fluid> fluids_;
   std::vector<bool> constant_heat_;
   PairCoefficients H_;
-  std::optional<SlipExchange> slip_;
+  std::optional<MultiVelocityExchange> slip_;
   bool on_ = false;
 };
 

@@ -107,7 +107,7 @@ TEST(HeatExchange, IsTheExponentialForAnyCoefficient) {
 
 // Through a surface the two resist one after the other; without one only the coefficient does.
 TEST(HeatExchange, PassesASurface) {
-  SlipExchange slip;
+  MultiVelocityExchange slip;
   slip.fluid = 1;
   slip.solid = 0;
   const double dt = 1e-3, h = 5e4, V = .3;

@@ -21,7 +21,7 @@ IdealRelaxation::IdealRelaxation(const std::vector<Fluid>& fluids) {
 
 // What the steps below hand on, of each cell.
 struct IdealRelaxation::Sums {
-  using Work = double[most_cells];
+  using Work = double[max_cells];
   Work filled, softness;     // sum V/gamma, sum V/K; then the inverse of the second
   Work energy, volume;       // sum g E, sum g V
   Work largest, largest_of;  // volume and number of the largest gas

@@ -19,7 +19,7 @@ struct GasRows {
 
 class IdealRelaxation {
  public:
-  static constexpr int most_cells = 64;
+  static constexpr int max_cells = 64;
 
   explicit IdealRelaxation(const std::vector<Fluid>& fluids);
   // All materials are ideal gases.

@@ -12,7 +12,7 @@
 namespace sluice::ice::mixture::ideal_relaxation_test {
 namespace {
 
-constexpr int cells = IdealRelaxation::most_cells;
+constexpr int cells = IdealRelaxation::max_cells;
 
 struct Cells {
   double M[3][cells], V[3][cells], E[3][cells];

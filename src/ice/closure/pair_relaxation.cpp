@@ -40,7 +40,7 @@ class Elimination {
  private:
   int n_;
   double* k_;
-  double capacity_[most_materials], diagonal_[most_materials];
+  double capacity_[max_materials], diagonal_[max_materials];
 };
 
 }  // namespace
@@ -70,7 +70,7 @@ void relax_pairs(int n, const double* capacity, const double* value, double* k, 
     if (capacity[m] > capacity[largest]) largest = m;
   }
   mean /= total;
-  double stage[most_materials];
+  double stage[max_materials];
   for (int m = 0; m < n; ++m) {
     stage[m] = capacity[m] * (value[m] - mean);
     if (push != nullptr) stage[m] += g * push[m];

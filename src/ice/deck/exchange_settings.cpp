@@ -152,13 +152,14 @@ double growth_with_mass_ratio(double M_m, double M_n) {
 
 // rho sqrt(2 R T/pi) a/(2 - a): Maxwell's slip length is (2 - a)/a mean free paths
 // mu/(rho sqrt(2 R T/pi)).
-double SlipExchange::momentum_transfer(const Fluid& gas, double rho, double T) const {
+double MultiVelocityExchange::momentum_transfer(const Fluid& gas, double rho, double T) const {
   const double R = (gas.gamma - 1.0) * gas.specific_heat, a = momentum_accommodation;
   return rho * std::sqrt(2.0 * R * std::max(T, 0.0) / std::numbers::pi) * (a / (2.0 - a));
 }
 
 // Smoluchowski's jump of temperature, (2 - a)/a 2/(gamma + 1) k/(cv mu) mean free paths.
-double SlipExchange::heat_transfer(const Fluid& gas, double rho, double T, double cv) const {
+double MultiVelocityExchange::heat_transfer(const Fluid& gas, double rho, double T,
+                                            double cv) const {
   const double R = (gas.gamma - 1.0) * gas.specific_heat, a = thermal_accommodation;
   return rho * std::sqrt(2.0 * R * std::max(T, 0.0) / std::numbers::pi) * (a / (2.0 - a)) * cv *
          (0.5 * (gas.gamma + 1.0));
@@ -176,7 +177,7 @@ bool PairCoefficients::any() const {
   return std::any_of(values_.begin(), values_.end(), [](double k) { return k > 0; });
 }
 
-double PairCoefficients::least_of_pairs() const {
+double PairCoefficients::min_of_pairs() const {
   double least = materials_ < 2 ? 0.0 : std::numeric_limits<double>::infinity();
   for (int m = 0; m < materials_; ++m)
     for (int n = m + 1; n < materials_; ++n) least = std::min(least, (*this)(m, n));
@@ -199,13 +200,13 @@ ExchangeSettings read_exchange(const DeckNode& root, int materials) {
     s.heat_where = heat != nullptr ? heat->where : exchange->where;
   }
   if (const DeckNode* model = exchange->child("Model")) {
-    const SlipExchange usual;
-    s.slip = SlipExchange{integer_or(*model, "fluidMatlIndex", usual.fluid),
-                          integer_or(*model, "solidMatlIndex", usual.solid),
-                          real_or(*model, "momentum_accommodation_coeff", 1.0),
-                          real_or(*model, "thermal_accommodation_coeff", 1.0),
-                          boolean_or(*model, "useSlipCoeffs", true),
-                          model->where};
+    const MultiVelocityExchange usual;
+    s.slip = MultiVelocityExchange{integer_or(*model, "fluidMatlIndex", usual.fluid),
+                                   integer_or(*model, "solidMatlIndex", usual.solid),
+                                   real_or(*model, "momentum_accommodation_coeff", 1.0),
+                                   real_or(*model, "thermal_accommodation_coeff", 1.0),
+                                   boolean_or(*model, "useSlipCoeffs", true),
+                                   model->where};
   }
   if (boolean_or(*exchange, "do_convective_heat_transfer", false))
     s.convective = ConvectiveExchange{integer_or(*exchange, "convective_fluid", 0),

@@ -40,7 +40,7 @@ class PairCoefficients {
   }
   PairCoefficients of(int first, int count) const;  // of some that follow each other
   bool any() const;                                 // one pair at least exchanges
-  double least_of_pairs() const;                    // 0 when there is no pair
+  double min_of_pairs() const;                      // 0 when there is no pair
 
  private:
   std::size_t index(int m, int n) const { return static_cast<std::size_t>(m) * materials_ + n; }
@@ -50,7 +50,7 @@ class PairCoefficients {
 };
 
 // Slip of a rarefied gas at the surface of a solid, or of what takes the place of one.
-struct SlipExchange {
+struct MultiVelocityExchange {
   int fluid = 0, solid = 1;
   double momentum_accommodation = 1, thermal_accommodation = 1;
   bool use_slip_coefficients = true;
@@ -78,7 +78,7 @@ struct ConvectiveExchange {
 struct ExchangeSettings {
   PairCoefficients momentum;  // K, kg/(m^3 s): force per volume, K theta_m theta_n (u_n - u_m)
   PairCoefficients heat;      // H, W/(m^3 K)
-  std::optional<SlipExchange> slip;
+  std::optional<MultiVelocityExchange> slip;
   std::optional<ConvectiveExchange> convective;
   bool written = false;  // the deck has coefficients
   Location where, momentum_where, heat_where;

@@ -62,7 +62,7 @@ void read_numerics(const DeckNode& root, const DeckNode& cfd, IceScene& s) {
   s.cfl_where = place(cfd.child("cfl"));
   const DeckNode* ice = cfd.child("ICE");
   if (ice == nullptr) return;
-  s.classic = scheme_of(root).internal_energy;
+  s.internal_energy_form = scheme_of(root).internal_energy;
   if (const DeckNode* scheme = ice->child("scheme")) s.scheme_where = scheme->where;
   if (const DeckNode* advection = ice->child("advection")) {
     s.second_order = advection->attribute("type").value_or("SecondOrder") == "SecondOrder";
@@ -76,8 +76,8 @@ void read_numerics(const DeckNode& root, const DeckNode& cfd, IceScene& s) {
     if (const DeckNode* n = control->child("Scheme_for_delT_calc"))
       s.conservative_time_step = n->text == "conservative";
     if (const DeckNode* n = control->child("knob_for_speedSound"))
-      s.sound_speed_knob = n->as_real();
-    if (const DeckNode* n = control->child("knob_for_diffusion")) s.diffusion_knob = n->as_real();
+      s.sound_speed_factor = n->as_real();
+    if (const DeckNode* n = control->child("knob_for_diffusion")) s.diffusion_factor = n->as_real();
   }
   s.added_heat = read_added_heat(*ice);
   s.driving_force = read_driving_force(*ice);
@@ -205,7 +205,7 @@ void place_added_heat(IceScene& s, std::vector<Fault>& faults) {
 }  // namespace
 
 bool IceScene::one_velocity() const {
-  return materials.size() < 2 || exchange.momentum.least_of_pairs() >= one_velocity_coefficient;
+  return materials.size() < 2 || exchange.momentum.min_of_pairs() >= one_velocity_coefficient;
 }
 
 const IceMaterial& IceScene::surrounding() const {

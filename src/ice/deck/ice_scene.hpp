@@ -49,15 +49,15 @@ struct RefinementCriterion {
 };
 
 struct IceScene {
-  int solids = 0;            // materials of solids, which come first among those of the scene
-  bool classic = false;      // <scheme>classic</scheme>
-  bool second_order = true;  // <advection type=>
+  int solids = 0;  // materials of solids, which come first among those of the scene
+  bool internal_energy_form = false;  // <scheme>classic</scheme>
+  bool second_order = true;           // <advection type=>
   bool compatible_fluxes = true;
   bool shears_shocks = true;  // shearAlongShocks
   std::optional<ImplicitSettings> implicit;
   double cfl = 0.4;
-  double sound_speed_knob = 1;
-  double diffusion_knob = 1;
+  double sound_speed_factor = 1;
+  double diffusion_factor = 1;
   bool conservative_time_step = false;  // Scheme_for_delT_calc
   bool hydrostatic_start = true;
   std::vector<IceMaterial> materials;

@@ -45,7 +45,7 @@ void check_gas_beside_others(const DeckNode& root, const DeckNode& model,
       ice::read_exchange(root, static_cast<int>(ice_materials(root).size()));
   const DeckNode* written = root.find("MaterialProperties/exchange_properties");
   const DeckNode* properties = written != nullptr ? written : &model;
-  if (exchange.momentum.least_of_pairs() < ice::one_velocity_coefficient)
+  if (exchange.momentum.min_of_pairs() < ice::one_velocity_coefficient)
     refuse(properties, "one velocity per material",
            "use momentum coefficients of 1e10 or more for all pairs");
   if (exchange.slip) refuse(properties, "slip of a gas along a material", "remove the <Model>");

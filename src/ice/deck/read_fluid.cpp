@@ -96,8 +96,7 @@ std::optional<eos::SpecificHeat> read_polynomial(const DeckNode& node) {
   const eos::PolynomialHeat usual;
   const auto list = parsed_child<std::vector<double>>(&node, "coefficient", parse_reals);
   const auto order = integer_of(&node, "MaxOrder");
-  if (!list || !order || *order < 0 || *order > eos::PolynomialHeat::most_order)
-    return std::nullopt;
+  if (!list || !order || *order < 0 || *order > eos::PolynomialHeat::max_order) return std::nullopt;
   return eos::polynomial_heat(*list, *order, real_of(&node, "Tmin").value_or(usual.T_min),
                               real_of(&node, "Tmax").value_or(usual.T_max));
 }
@@ -249,7 +248,7 @@ TagSpec specific_heat_tag() {
            .once()
            .integer()
            .at_least(0)
-           .at_most(eos::PolynomialHeat::most_order)
+           .at_most(eos::PolynomialHeat::max_order)
            .only_for("type", {"Polynomial"}),
        tag("Tmin", "below it the specific heat is constant; absent: 1")
            .real()

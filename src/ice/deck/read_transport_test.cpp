@@ -111,9 +111,10 @@ TEST(TransportSettings, TellsWhatIsMissing) {
 }
 
 TEST(TransportSettings, RefusesWhatDoesNotGoTogether) {
-  const std::string classic = "<scheme>classic</scheme>";
-  EXPECT_THAT(said(deck(classic + smagorinsky)), HasSubstr("<scheme> classic has no <turbulence>"));
-  EXPECT_THAT(said(deck(classic, sutherland)),
+  const std::string internal_energy_form = "<scheme>classic</scheme>";
+  EXPECT_THAT(said(deck(internal_energy_form + smagorinsky)),
+              HasSubstr("<scheme> classic has no <turbulence>"));
+  EXPECT_THAT(said(deck(internal_energy_form, sutherland)),
               HasSubstr("<scheme> classic has no <dynamicViscosityModels>"));
   EXPECT_THAT(said(deck(smagorinsky, sutherland, material(""))), Not(HasSubstr("turbulence")));
   const std::string slip =

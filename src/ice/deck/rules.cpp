@@ -240,7 +240,7 @@ void check_ice_materials(const DeckNode& root, std::vector<Fault>& faults) {
   const auto materials = ice_materials(root);
   check_names(materials, faults);
   check_surrounding(root, materials, faults);
-  constexpr std::size_t most = ice::most_materials;
+  constexpr std::size_t most = ice::max_materials;
   if (materials.size() > most)
     add_error(faults, materials[most]->where,
               fmt::format("{} materials are more than the {} of one deck", materials.size(), most),

@@ -9,7 +9,7 @@ namespace sluice::ice {
 
 // One pointer for each fraction, from the first cell of the row on; beyond them nothing is set.
 struct FractionRows {
-  std::array<const double*, models::most_species> of;
+  std::array<const double*, models::max_species> of;
 
   FractionRows() {}  // NOLINT: made once a row, and only what is there is set
   explicit FractionRows(const double* alone) { of[0] = alone; }

@@ -6,7 +6,7 @@
 namespace sluice::ice {
 
 // A bit per material: exact in a double up to 2^53.
-constexpr int most_materials = 32;
+constexpr int max_materials = 32;
 inline double only(int material) {
   return static_cast<double>(std::uint64_t{1} << material);
 }

@@ -43,7 +43,7 @@ inline void blend_strided(const double* a, const double* b, double share, std::p
 class Children {
  public:
   static constexpr int most = 64;
-  static constexpr int most_in(int axes) { return 1 << 2 * axes; }
+  static constexpr int max_in(int axes) { return 1 << 2 * axes; }
 
   // std::logic_error for a ratio other than 1, 2 or 4.
   explicit Children(const TransferGeometry& geometry);

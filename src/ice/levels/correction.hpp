@@ -11,7 +11,7 @@
 
 namespace sluice::ice {
 
-constexpr double least_kept_by_corrections = 0.1;
+constexpr double min_kept_by_corrections = 0.1;
 constexpr double correction_shares[] = {1.0, 0.5, 0.25, 0.125};
 
 struct GasCell {
@@ -37,9 +37,9 @@ inline double kinetic_change(const GasCell& s, const GasCell& change, double sha
 // gas, of its internal energy.
 inline bool bearable(const Fluid& fluid, const GasCell& before, const GasCell& after) {
   constexpr double most = std::numeric_limits<double>::max();
-  if (!(after.rho >= least_kept_by_corrections * before.rho && after.rho <= most)) return false;
+  if (!(after.rho >= min_kept_by_corrections * before.rho && after.rho <= most)) return false;
   if (fluid.gamma_law() != nullptr)
-    return after.E >= least_kept_by_corrections * before.E && after.E <= most;
+    return after.E >= min_kept_by_corrections * before.E && after.E <= most;
   return std::fabs(after.E) <= most && fluid.admissible(after.rho, after.E);
 }
 

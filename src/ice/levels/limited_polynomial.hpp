@@ -58,7 +58,7 @@ struct PolynomialBasis {
     return sum;
   }
 
-  double value[Children::most_in(D)][terms];
+  double value[Children::max_in(D)][terms];
   double most[terms];
 };
 

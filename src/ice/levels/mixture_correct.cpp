@@ -75,7 +75,7 @@ class MixtureCorrector {
                   state[layout_.volume(m)](cell)};
       change_[m] = {change.amount[layout_.mass(m)][n], change.amount[layout_.energy(m)][n],
                     change.amount[layout_.volume(m)][n]};
-      for (std::size_t c = 0; c < layout_.components && layout_.own_velocities; ++c) {
+      for (std::size_t c = 0; c < layout_.components && layout_.multi_velocity; ++c) {
         part_[m].S[c] = state[layout_.slip(m, c)](cell);
         change_[m].S[c] = change.amount[layout_.material_momentum(m, c)][n];
       }
@@ -93,7 +93,7 @@ class MixtureCorrector {
       state[layout_.mass(m)](cell) = part_[m].M;
       state[layout_.energy(m)](cell) = part_[m].E;
       state[layout_.volume(m)](cell) = part_[m].V;
-      for (std::size_t c = 0; c < layout_.components && layout_.own_velocities; ++c)
+      for (std::size_t c = 0; c < layout_.components && layout_.multi_velocity; ++c)
         state[layout_.slip(m, c)](cell) = part_[m].S[c];
     }
     for (std::size_t c = 0; c < layout_.components; ++c)
@@ -132,7 +132,7 @@ class MixtureCorrector {
     const double density =
         std::fmax(s.V > 0.0 ? s.M / s.V : 0.0, d.V != 0.0 ? std::fabs(d.M / d.V) : 0.0);
     if (!(std::fabs(n.M) <= round_off * density)) return false;
-    return std::fabs(n.V) < mixture::least_volume ||
+    return std::fabs(n.V) < mixture::min_volume ||
            !(n.M > 0.0 && n.V > 0.0 && fluids_[m].admissible(n.M / n.V, n.E / n.V));
   }
 
@@ -143,21 +143,21 @@ class MixtureCorrector {
     for (std::size_t m = 0; m < part_.size(); ++m) {
       const Part &s = part_[m], &d = change_[m];
       now_[m] = {s.M + share * d.M, s.E + share * d.E, s.V + share * d.V};
-      const bool little = now_[m].M < least_kept_by_corrections * s.M;
+      const bool little = now_[m].M < min_kept_by_corrections * s.M;
       if (little && !nothing_left(m)) keep_state(m);
       keep_density(m);
       if (nothing_left(m))
         now_[m] = {};
       else if (!(now_[m].M > 0.0 && now_[m].V > 0.0))
         return false;
-      else if (layout_.own_velocities)
+      else if (layout_.multi_velocity)
         bring_slip(m, share);
       moved = moved || now_[m].V != s.V;
       rho += now_[m].M;
       volume += now_[m].V;
       present += now_[m].M > 0.0;
     }
-    if (!(rho >= least_kept_by_corrections * mixture_.rho && volume >= least_kept_by_corrections))
+    if (!(rho >= min_kept_by_corrections * mixture_.rho && volume >= min_kept_by_corrections))
       return false;
     double gained = 0;
     for (std::size_t m = 0; m < part_.size(); ++m) {
@@ -196,7 +196,7 @@ class MixtureCorrector {
   void keep_density(std::size_t m) {
     if (!(part_[m].M > 0.0 && now_[m].M > 0.0)) return;
     const double whole = part_[m].V * (now_[m].M / part_[m].M);
-    if (now_[m].V < least_kept_by_corrections * whole) now_[m].V = whole;
+    if (now_[m].V < min_kept_by_corrections * whole) now_[m].V = whole;
   }
 
   // Of what is next to nothing the differences of what went, and the work on its volume, may leave
@@ -229,7 +229,7 @@ class MixtureCorrector {
   // Slips of those present sum to zero; what their kinetic energy gains.
   double slip_energy_gained(double rho, int present) {
     double gained = 0;
-    for (std::size_t c = 0; c < layout_.components && layout_.own_velocities; ++c) {
+    for (std::size_t c = 0; c < layout_.components && layout_.multi_velocity; ++c) {
       double sum = 0;
       for (const Part& now : now_) sum += now.S[c];
       for (std::size_t m = 0; m < part_.size(); ++m) {

@@ -9,8 +9,8 @@
 namespace sluice::ice {
 
 MixtureTransfer::MixtureTransfer(std::vector<Fluid> fluids, int components, bool matches_fluxes,
-                                 bool own_velocities, MixedGasView gas)
-    : layout_{fluids.size(), static_cast<std::size_t>(components), own_velocities},
+                                 bool multi_velocity, MixedGasView gas)
+    : layout_{fluids.size(), static_cast<std::size_t>(components), multi_velocity},
       fluids_(std::move(fluids)),
       mixed_(gas),
       matches_fluxes_(matches_fluxes) {
@@ -133,7 +133,7 @@ void MixtureTransfer::prolong(const StateViews& coarse, const StateViews& fine,
       write(fine[mixed_.fraction], part, along, 0.0);
     for (std::size_t m = 0; m < layout_.materials; ++m) {
       write(fine[layout_.volume(m)], part, along, m == present ? 1.0 : 0.0);
-      for (std::size_t c = 0; c < layout_.components && layout_.own_velocities; ++c)
+      for (std::size_t c = 0; c < layout_.components && layout_.multi_velocity; ++c)
         write(fine[layout_.slip(m, c)], part, along, 0.0);
       if (m == present) continue;
       write(fine[layout_.mass(m)], part, along, 0.0);

@@ -18,7 +18,7 @@ namespace {
 template <int D>
 class MixtureRestrictor {
  public:
-  static constexpr int width = D == 3 ? 16 : 64, most_components = 3;
+  static constexpr int width = D == 3 ? 16 : 64, max_components = 3;
 
   MixtureRestrictor(const StateViews& fine, const StateViews& coarse, const Children& children,
                     int along, const MixtureLayout& layout)
@@ -32,7 +32,7 @@ class MixtureRestrictor {
   // n coarse cells along the line.
   void run(IntVec3 first, int n) {
     add_masses(first, n);
-    double U[most_components][width];
+    double U[max_components][width];
     for (std::size_t c = 0; c < layout_.components; ++c) {
       gather(layout_.momentum(c), first, n, momentum_[c]);
       mean(momentum_[c], n);
@@ -41,13 +41,13 @@ class MixtureRestrictor {
     }
     double heat[width];
     lost_kinetic_energy(U, n, heat);
-    if (layout_.own_velocities)
+    if (layout_.multi_velocity)
       for (std::size_t m = 0; m < layout_.materials; ++m) restrict_slip(m, first, n, U, heat);
     for (std::size_t m = 0; m < layout_.materials; ++m) finish(m, first, n, heat);
   }
 
  private:
-  using Rows = double[Children::most_in(D)][width];
+  using Rows = double[Children::max_in(D)][width];
 
   [[gnu::noinline]] void gather(std::size_t q, IntVec3 first, int n, Rows& rows) const {
     children_.gather<D>(fine_[q], along_, first, n, rows);
@@ -170,7 +170,7 @@ class MixtureRestrictor {
   int along_;
   const MixtureLayout& layout_;
   std::vector<char> present_;  // somewhere in the line
-  Rows rho_, momentum_[most_components], rows_;
+  Rows rho_, momentum_[max_components], rows_;
   double mean_rho_[width];
 };
 

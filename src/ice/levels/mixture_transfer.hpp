@@ -20,7 +20,7 @@ namespace sluice::ice {
 // Places of the views.
 struct MixtureLayout {
   std::size_t materials = 1, components = 1;
-  bool own_velocities = false;  // then also the slip of each material, by component
+  bool multi_velocity = false;  // then also the slip of each material, by component
 
   std::size_t mass(std::size_t m) const { return m; }
   std::size_t momentum(std::size_t c) const { return materials + c; }
@@ -30,7 +30,7 @@ struct MixtureLayout {
     return 3 * materials + components + m * components + c;
   }
   std::size_t quantities() const {
-    return 3 * materials + components + (own_velocities ? materials * components : 0);
+    return 3 * materials + components + (multi_velocity ? materials * components : 0);
   }
   // Among the changes of a flux register.
   std::size_t total_energy() const { return 3 * materials + components; }
@@ -49,7 +49,7 @@ class MixtureTransfer final : public TransferOperators {
  public:
   // `fluids`: of each material.
   MixtureTransfer(std::vector<Fluid> fluids, int components, bool matches_fluxes = true,
-                  bool own_velocities = false, MixedGasView mixed = {});
+                  bool multi_velocity = false, MixedGasView mixed = {});
 
   // A coarse cell whose neighbours, across edges and corners too, hold nothing but its own one
   // material is treated as a gas; elsewhere the fine cells are as the coarse one: whatever is in

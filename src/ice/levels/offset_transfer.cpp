@@ -20,7 +20,7 @@ int floor_of(int a, int b) {
 void OffsetTransfer::prolong(const StateViews& coarse, const StateViews& fine,
                              const IndexBox& cells, const TransferGeometry& geometry,
                              int order) const {
-  flow_->prolong(of_flow(coarse), of_flow(fine), cells, geometry, order);
+  flow_->prolong(flow_views(coarse), flow_views(fine), cells, geometry, order);
   const RealView &Y = coarse.back(), &Y_f = fine.back();
   const IntVec3 ratio = geometry.ratio;
   for_each_cell(cells, [&](IntVec3 cell) {
@@ -42,7 +42,7 @@ void OffsetTransfer::prolong(const StateViews& coarse, const StateViews& fine,
 void OffsetTransfer::restrict_to(const StateViews& fine, const StateViews& coarse,
                                  const IndexBox& coarse_cells,
                                  const TransferGeometry& geometry) const {
-  flow_->restrict_to(of_flow(fine), of_flow(coarse), coarse_cells, geometry);
+  flow_->restrict_to(flow_views(fine), flow_views(coarse), coarse_cells, geometry);
   const Children children(geometry);
   for_each_cell(coarse_cells, [&](IntVec3 parent) {
     double values[Children::most][1];
@@ -61,7 +61,7 @@ void OffsetTransfer::restrict_to(const StateViews& fine, const StateViews& coars
 
 void OffsetTransfer::correct(const StateViews& state, const ConservedChange& change,
                              std::span<double> share) const {
-  flow_->correct(of_flow(state), change, share);
+  flow_->correct(flow_views(state), change, share);
 }
 
 }  // namespace sluice::ice

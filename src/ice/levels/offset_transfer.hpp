@@ -22,7 +22,7 @@ class OffsetTransfer final : public TransferOperators {
                std::span<double> share) const override;
 
  private:
-  static StateViews of_flow(const StateViews& all) { return {all.begin(), all.end() - 1}; }
+  static StateViews flow_views(const StateViews& all) { return {all.begin(), all.end() - 1}; }
 
   std::unique_ptr<TransferOperators> flow_;
 };

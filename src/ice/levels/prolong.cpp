@@ -45,7 +45,7 @@ void prolong_regions(std::span<const Prolongation> regions, const TransferGeomet
 
 void IceTransfer::prolong_all(std::span<const Prolongation> regions,
                               const TransferGeometry& geometry, int order) const {
-  const bool by_polynomial = order > 0 && by_volume_.size() <= most_prolonged_scalars;
+  const bool by_polynomial = order > 0 && by_volume_.size() <= max_prolonged_scalars;
   if (by_polynomial && order == 2)
     return prolong_regions<2>(regions, geometry, components_, fluid_, by_volume_);
   if (by_polynomial) return prolong_regions<1>(regions, geometry, components_, fluid_, by_volume_);

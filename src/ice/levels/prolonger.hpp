@@ -34,17 +34,17 @@
 
 namespace sluice::ice {
 
-constexpr int most_prolonged_scalars = 2;  // of those that are carried by volume
+constexpr int max_prolonged_scalars = 2;  // of those that are carried by volume
 
 // Made once for each number of axes and each order: components of momentum and scalars that are
 // carried by volume are counted at run time, outside of the loops over cells.
 template <int D, int Order>
 class Prolonger {
-  static constexpr double least_kept = 0.25;   // of density and energy, by slopes
-  static constexpr double most_kinetic = 0.5;  // of the internal energy
+  static constexpr double min_kept = 0.25;    // of density and energy, by slopes
+  static constexpr double max_kinetic = 0.5;  // of the internal energy
   static constexpr int width = D == 3 ? 16 : 64;
-  static constexpr int most_components = 3,
-                       most_quantities = most_components + 2 + most_prolonged_scalars;
+  static constexpr int max_components = 3,
+                       max_quantities = max_components + 2 + max_prolonged_scalars;
   using Functions = PolynomialBasis<D, Order>;
   using Lines = CoarseLines<D, width>;
 
@@ -203,7 +203,7 @@ class Prolonger {
       double deepest = 0;
       for (int k = 0; k < Functions::terms; ++k)
         deepest += std::fabs(term_[q][k][i]) * basis_.most[k];
-      const double room = (1.0 - least_kept) * centre_[q][i];
+      const double room = (1.0 - min_kept) * centre_[q][i];
       factor[i] = deepest > room ? larger(0.0, room) / deepest : 1.0;
     }
   }
@@ -250,7 +250,7 @@ class Prolonger {
   }
 
   void take_kinetic_energy(int n) {
-    double U[most_components][width];
+    double U[max_components][width];
     for (int c = 0; c < components_; ++c) {
       for (int i = 0; i < n; ++i) U[c][i] = centre_[1 + c][i] / centre_[0][i];
       for (int k = 0; k < Functions::terms; ++k)
@@ -276,7 +276,7 @@ class Prolonger {
 #pragma GCC ivdep
     for (int i = 0; i < n; ++i) {
       const double K = rows_[0][i], E = centre_[energy_at_][i];
-      const double room = larger(0.0, most_kinetic * E);
+      const double room = larger(0.0, max_kinetic * E);
       share[i] = K > room ? std::sqrt(room / K) : 1.0;
       rest_[i] = K > 0.0 ? 1.0 - smaller(K, room) / E : 1.0;
     }
@@ -357,14 +357,14 @@ class Prolonger {
   Lines lines_;
   ChildRows<D, width> rows_of_children_;
   std::span<const std::size_t> by_volume_;
-  double centre_[most_quantities][width];
-  double term_[most_quantities][Functions::terms][width];
-  double scalar_[most_prolonged_scalars][width], lowest_[most_prolonged_scalars][width],
-      highest_[most_prolonged_scalars][width];
-  double w_[most_components][Functions::terms][width];  // terms of momentum about the mean velocity
-  double rest_[width];                                  // share of the internal energy that stays
-  double energy_[width];                                // of the coarse cells; not of an ideal gas
-  double rows_[Children::most_in(D)][width];
+  double centre_[max_quantities][width];
+  double term_[max_quantities][Functions::terms][width];
+  double scalar_[max_prolonged_scalars][width], lowest_[max_prolonged_scalars][width],
+      highest_[max_prolonged_scalars][width];
+  double w_[max_components][Functions::terms][width];  // terms of momentum about the mean velocity
+  double rest_[width];                                 // share of the internal energy that stays
+  double energy_[width];                               // of the coarse cells; not of an ideal gas
+  double rows_[Children::max_in(D)][width];
   double ones_[width], nothing_[width];  // to add -0.0 changes no bit
 };
 

@@ -85,9 +85,9 @@ class Restrictor {
   Axes axes_;
   int ratio_[3];
   Average average_;
-  const double* rows_[quantities][Average::most_rows];  // of fine cells, by quantity
-  const double* heat_rows_[Average::most_rows];
-  double heat_[Average::most_rows][Average::longest_row];
+  const double* rows_[quantities][Average::max_rows];  // of fine cells, by quantity
+  const double* heat_rows_[Average::max_rows];
+  double heat_[Average::max_rows][Average::longest_row];
   double U_[C][Average::longest_row];
 };
 

@@ -10,7 +10,7 @@ namespace sluice::ice {
 template <int D, int Width>
 class RowMean {
  public:
-  static constexpr int most_rows = 1 << 2 * (D - 1);
+  static constexpr int max_rows = 1 << 2 * (D - 1);
   static constexpr int longest_row = 4 * Width;
 
   // Ratios by axis: 1, 2 or 4.
@@ -22,7 +22,7 @@ class RowMean {
 
   // mean[i] of the children of n coarse cells; fine[y + ratio * z] are the rows above them.
   void operator()(const double* const* fine, int n, double* mean) {
-    const double* part[most_rows];
+    const double* part[max_rows];
     std::copy_n(fine, rows(), part);
     int left[3] = {ratio_[0], ratio_[1], ratio_[2]};
     for (int pass = 0; left[0] * left[1] * left[2] > 1; ++pass) halve(part, left, n, sum_[pass]);
@@ -32,7 +32,7 @@ class RowMean {
   }
 
  private:
-  using Sums = double[most_rows][longest_row];
+  using Sums = double[max_rows][longest_row];
 
   void halve(const double** part, int (&left)[3], int n, Sums& to) {
     const int most = std::max({left[0], left[1], left[2]});

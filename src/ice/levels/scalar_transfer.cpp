@@ -69,7 +69,7 @@ void spread_out(const Children& children, const Linear& f, double q, ChildRows& 
     moments[child][0] = mass[child][0] * sum;
   }
   const double weight = mean(children, mass);
-  const double shift = mean(children, moments) / larger(weight, least_mass);
+  const double shift = mean(children, moments) / larger(weight, min_mass);
   double share = 1.0;
   for (int child = 0; child < children.count(); ++child) {
     double& x = deviation[child];
@@ -124,7 +124,7 @@ void ScalarTransfer::prolong_whole_cells(const StateViews& coarse, const StateVi
                                          int order) const {
   const IndexBox cells = refine(parents, geometry.ratio);
   if (by_volume_.empty())
-    flow_->prolong(of_flow(coarse), of_flow(fine), cells, geometry, order);
+    flow_->prolong(flow_views(coarse), flow_views(fine), cells, geometry, order);
   else
     flow_->prolong(coarse, fine, cells, geometry, order);
   const Children children(geometry);
@@ -151,7 +151,7 @@ void ScalarTransfer::restrict_to(const StateViews& fine, const StateViews& coars
                                  const IndexBox& coarse_cells,
                                  const TransferGeometry& geometry) const {
   if (coarse_cells.empty()) return;
-  flow_->restrict_to(of_flow(fine), of_flow(coarse), coarse_cells, geometry);
+  flow_->restrict_to(flow_views(fine), flow_views(coarse), coarse_cells, geometry);
   const Children children(geometry);
   for (std::size_t s = 0; s < mass_.size(); ++s) {
     const RealView &fine_q = fine[views_ + s], &fine_M = fine[mass_[s]];
@@ -176,7 +176,7 @@ void ScalarTransfer::restrict_to(const StateViews& fine, const StateViews& coars
 
 void ScalarTransfer::correct(const StateViews& state, const ConservedChange& change,
                              std::span<double> share) const {
-  flow_->correct(by_volume_.empty() ? of_flow(state) : state, change, share);
+  flow_->correct(by_volume_.empty() ? flow_views(state) : state, change, share);
   const std::size_t first = flow_->flux_quantities();
   for (std::size_t s = 0; s < mass_.size(); ++s) {
     const RealView &q = state[views_ + s], &M = state[mass_[s]];

@@ -36,7 +36,7 @@ class ScalarTransfer final : public TransferOperators {
                std::span<double> share) const override;
 
  private:
-  StateViews of_flow(const StateViews& all) const {
+  StateViews flow_views(const StateViews& all) const {
     return {all.begin(), all.begin() + static_cast<std::ptrdiff_t>(views_)};
   }
   void prolong_whole_cells(const StateViews& coarse, const StateViews& fine,

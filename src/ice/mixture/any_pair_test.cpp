@@ -59,7 +59,7 @@ Distances distances(const MixtureBox& run, const Fluid* fluids) {
     for (int m = 0; m < 2; ++m) {
       if (run.mass(m, c) == 0) continue;
       const double V = run.volume(m, c);
-      const double u = run.has_own_velocities() ? run.velocity_of(m, c) : run.velocity(c);
+      const double u = run.is_multi_velocity() ? run.velocity_of(m, c) : run.velocity(c);
       keep_larger(d.T, fluids[m].temperature(run.mass(m, c) / V, run.energy(m, c) / V),
                   temperature);
       keep_larger(d.u, u, velocity);

@@ -136,11 +136,11 @@ TEST_P(CompactSupport, FragmentsStayTogether) {
   Fragments fragments(sweep.start);
   double worst = 0;
   int steps = 0, with_front = 0;
-  bool torn = false;
+  bool is_cavitating = false;
   for (; steps < 1500; ++steps) {
-    torn = torn || lowest_pressure(run, m) <= cavity;
+    is_cavitating = is_cavitating || lowest_pressure(run, m) <= cavity;
     fragments.step(run);
-    if (torn) continue;
+    if (is_cavitating) continue;
     ++with_front;
     worst = std::fmax(worst, fragments.reach(run, m));
   }

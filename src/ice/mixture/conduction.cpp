@@ -79,14 +79,14 @@ constexpr double round_off = 1e-13;
 
 // Rows of one side of the faces of a row, by material.
 struct SideRows {
-  const double *presence, *share[most_materials], *temperature[most_materials],
-      *capacity[most_materials], *conductivity[most_materials], *mass[most_materials], *jump;
+  const double *presence, *share[max_materials], *temperature[max_materials],
+      *capacity[max_materials], *conductivity[max_materials], *mass[max_materials], *jump;
 };
 
 // All that one side of a face has, gathered for one face.
 struct Gathered {
-  double share[most_materials], temperature[most_materials], most[most_materials],
-      conductivity[most_materials], density[most_materials];
+  double share[max_materials], temperature[max_materials], most[max_materials],
+      conductivity[max_materials], density[max_materials];
   double jump = 0;
 
   ContactSide side() const { return {share, temperature, most, conductivity, density, jump}; }
@@ -98,7 +98,7 @@ class FaceHeat {
       : o_(o),
         h_(h),
         axis_(axis),
-        contacts_(static_cast<int>(o.fluids.size()), o.heat_exchange, o.slip_exchange,
+        contacts_(static_cast<int>(o.fluids.size()), o.heat_exchange, o.multi_velocity_exchange,
                   o.convective) {}
 
   void run(const Row& row) const {
@@ -144,8 +144,8 @@ class FaceHeat {
   SideRows side(const Row& row, int shift) const {
     SideRows s;
     s.presence = row(h_.presence, 0, axis_, shift);
-    s.jump =
-        o_.slip_exchange ? row(h_.surface, SurfaceParts::heat_per_area, axis_, shift) : nullptr;
+    s.jump = o_.multi_velocity_exchange ? row(h_.surface, SurfaceParts::heat_per_area, axis_, shift)
+                                        : nullptr;
     for (int m = 0; m < materials(); ++m) {
       s.share[m] = row(h_.volume[m], 0, axis_, shift);
       s.temperature[m] = row(h_.temperature, m, axis_, shift);
@@ -176,14 +176,14 @@ class FaceHeat {
       g.temperature[m] = s.temperature[m][i];
       if (s.mass[m] != nullptr) g.density[m] = s.mass[m][i] / s.share[m][i];
       // The little that limits no step keeps half of what it has for the work that it does.
-      const double kept = g.share[m] < least_limiting_share ? 0.5 : 1.0;
+      const double kept = g.share[m] < min_limiting_share ? 0.5 : 1.0;
       g.most[m] = s.capacity[m][i] * bound * kept;
     }
   }
 
   void contacts(const Row& row) const {
     const SideRows below = side(row, -1), above = side(row, 0);
-    double given[most_materials], taken[most_materials];
+    double given[max_materials], taken[max_materials];
     const Flows flows = this->flows(row);
     const double most = bound(row), inverse = 1.0 / dx(row);
     std::fill_n(flows.flux, row.count(), 0.0);
@@ -205,7 +205,7 @@ class FaceHeat {
   }
   // Rows that are written.
   struct Flows {
-    double *flux, *given[most_materials], *taken[most_materials];
+    double *flux, *given[max_materials], *taken[max_materials];
   };
   Flows flows(const Row& row) const {
     Flows f;
@@ -233,21 +233,21 @@ class FaceHeat {
     double* __restrict taken = f.flows.taken[m];
     double* __restrict differ = f.flows.flux;
     const double inverse = f.inverse_dx;
-    const auto touch = [&](auto k_of) {  // conductivity of a face
+    const auto mark_modified = [&](auto k_of) {  // conductivity of a face
 #pragma GCC ivdep
       for (int i = 0; i < n; ++i) {
         const double common = smaller(sa[i], sb[i]);
-        const double kept = f.most * (common < least_limiting_share ? 0.5 : 1.0);
+        const double kept = f.most * (common < min_limiting_share ? 0.5 : 1.0);
         const double k_m = k_of(i);
         const double conductivity = smaller(k_m, kept * smaller(Ca[i], Cb[i]));
         const double q = common * (conductivity * ((Ta[i] - Tb[i]) * inverse));
-        const bool conducts = common >= least_conducting_share && k_m > 0.0;
+        const bool conducts = common >= min_conducting_share && k_m > 0.0;
         given[i] = taken[i] = conducts ? q : 0.0;
         differ[i] += std::fabs(sa[i] - sb[i]);
       }
     };
-    if (!o_.conductivity_varies) return touch([k_m = k(m)](int) { return k_m; });
-    touch([ka = f.below.conductivity[m], kb = f.above.conductivity[m]](int i) {
+    if (!o_.conductivity_varies) return mark_modified([k_m = k(m)](int) { return k_m; });
+    mark_modified([ka = f.below.conductivity[m], kb = f.above.conductivity[m]](int i) {
       return harmonic_mean(ka[i], kb[i]);
     });
   }
@@ -271,7 +271,7 @@ class FaceHeat {
       const auto set = as_set(inside.presence[i]);
       Gathered g;
       gather(inside, bound(row), i, g);
-      double q[most_materials];
+      double q[max_materials];
       for (int m = 0; m < materials(); ++m) {
         q[m] = 0.0;
         if ((set >> m & 1) == 0 || !(k(m) > 0.0)) continue;
@@ -316,7 +316,7 @@ void add_heat_flux(TaskList& list, const Variables& v, const SchemeOptions& o, i
     h.pure = task.read(v.pure, both);
     h.temperature = task.read(v.temperature, both);
     h.capacity = task.read(v.heat_capacity, both);
-    if (o.slip_exchange) h.surface = task.read(v.surface, both);
+    if (o.multi_velocity_exchange) h.surface = task.read(v.surface, both);
     if (o.conductivity_varies) h.conductivity = task.read(v.common.conductivity, both);
     for (const VariableId volume : v.volume) h.volume.push_back(task.read(volume, both));
     for (std::size_t m = 0; m < v.mass.size() && o.heat_exchange.varies(); ++m)

@@ -9,8 +9,7 @@ namespace {
 
 // The vapour of a torn liquid fills much and weighs nothing: it takes what it can bear, too.
 bool limits_the_step(double mass, double volume, double total_mass) {
-  return volume >= 1.0 ||
-         (volume >= least_limiting_share && mass >= least_limiting_mass * total_mass);
+  return volume >= 1.0 || (volume >= min_limiting_share && mass >= min_limiting_mass * total_mass);
 }
 
 }  // namespace
@@ -20,7 +19,7 @@ DiffusionRates::DiffusionRates(const SchemeOptions& o)
       viscosities_(o.viscosities),
       conductivities_(o.conductivities),
       axes_(o.axes),
-      own_velocities_(o.own_velocities),
+      multi_velocity_(o.multi_velocity),
       viscous_(o.viscous),
       conducting_(o.conducting),
       viscosity_varies_(o.viscous && (o.own_viscosity_varies() || o.transport.turbulence)),
@@ -42,7 +41,7 @@ double DiffusionRates::largest(const MaterialRows& s, int n, const Vec3& spacing
     }
     if (viscosity_varies_) mu = s.viscosity[i];
     most = larger(most, twice * mu / rho);
-    for (std::size_t m = 0; own_velocities_ && m < fluids_.size(); ++m) {
+    for (std::size_t m = 0; multi_velocity_ && m < fluids_.size(); ++m) {
       const double V = s.volume[m][i], M = s.mass[m][i];
       if (limits_the_step(M, V, rho)) most = larger(most, twice * viscosities_[m] * V / M);
     }

@@ -15,9 +15,9 @@ namespace sluice::ice::mixture {
 
 // State of a row of cells, by material.
 struct MaterialRows {
-  const double *mass[most_materials], *volume[most_materials], *energy[most_materials];
+  const double *mass[max_materials], *volume[max_materials], *energy[max_materials];
   // Where they vary: of the mixture, and of each material that it holds.
-  const double *viscosity = nullptr, *conductivity[most_materials] = {};
+  const double *viscosity = nullptr, *conductivity[max_materials] = {};
 };
 
 class DiffusionRates {
@@ -34,7 +34,7 @@ class DiffusionRates {
   std::vector<Fluid> fluids_;
   std::vector<double> viscosities_, conductivities_;
   Axes axes_;
-  bool own_velocities_;
+  bool multi_velocity_;
   bool viscous_, conducting_, viscosity_varies_, conductivity_varies_;
 };
 

@@ -59,7 +59,7 @@ class MaterialFaces {
   // Fluxes of volume, mass and energy (without the correction of the kinetic energy) of each
   // material through `count` faces, at most `most_faces`. Returns the set of materials that may
   // pass; fluxes of others are zero.
-  static constexpr int most_faces = 128;
+  static constexpr int max_faces = 128;
   std::uint64_t carry(int first, int count);
   double* flux(int m, Carried q) const {
     return q == of_volume ? rows_[m].FV : q == of_mass ? rows_[m].FM : rows_[m].FE;
@@ -86,7 +86,7 @@ class MaterialFaces {
   const double* presence_[6];
   RunRow blend_[6];  // likewise
   Pair iJ_, N_, iN_, mask_{}, J_, outlet_;
-  MaterialFaceRows rows_[most_materials];
+  MaterialFaceRows rows_[max_materials];
 };
 
 }  // namespace sluice::ice::mixture

@@ -10,14 +10,14 @@
 namespace sluice::ice::mixture {
 namespace {
 
-constexpr double least_entry = 1e-16;   // of a cell's volume: what enters an empty cell
-constexpr double least_of_most = 1e-2;  // of the most around, where that is next to nothing
-constexpr double least_of_all = 1e-32;  // less would leave an open side share by share, for ever
-constexpr double least_rest = 1e-10;    // of a material's volume that may stay behind
-constexpr double tiny = 1e-14;          // of a cell's volume: what leaves by one outlet alone
-constexpr double least_fill = 0.5;      // of the volume behind it, for a front to move on
-constexpr double thinned = 0.1;         // of the volume ahead: the last cell of a trail
-constexpr double trace = 1e-10;         // differences of smaller fractions are not trusted
+constexpr double min_entry = 1e-16;   // of a cell's volume: what enters an empty cell
+constexpr double min_of_most = 1e-2;  // of the most around, where that is next to nothing
+constexpr double min_of_all = 1e-32;  // less would leave an open side share by share, for ever
+constexpr double min_rest = 1e-10;    // of a material's volume that may stay behind
+constexpr double tiny = 1e-14;        // of a cell's volume: what leaves by one outlet alone
+constexpr double min_fill = 0.5;      // of the volume behind it, for a front to move on
+constexpr double thinned = 0.1;       // of the volume ahead: the last cell of a trail
+constexpr double trace = 1e-10;       // differences of smaller fractions are not trusted
 
 // Without a branch, so that rows vectorise.
 inline bool both(bool a, bool b) {
@@ -223,7 +223,7 @@ class FaceShares {
         const double most = left ? largest(a[i], mm[i], mmm[i]) : largest(b[i], pp[i], ppp[i]);
         const bool last = both(behind == 0.0, V < thinned * most);
         value = both(last, std::fabs(main) == std::fabs(H)) ? larger(value, most) : value;
-        const bool unfilled = V < least_fill * behind;
+        const bool unfilled = V < min_fill * behind;
         const bool aside = both(V < tiny, both(main<0.0, -main> std::fabs(H)));
         const bool waits = either(both(received == 0.0, unfilled), aside);
         may = both(waits, 1.0 - V >= larger(N_[i], 1e-12)) ? 0.0 : 1.0;
@@ -269,15 +269,15 @@ class FaceShares {
       const double V_L = V * J_[i] * strain_of(k, i, H < 0.0), rest = V_L - flow * wanted;
       bool shared = true;  // else the donor has one material
       bool stays = false, only_outlet = main == flow;
-      double little = least_entry;
+      double little = min_entry;
       if constexpr (!Blend) {
         shared = both(V != 1.0, V != 0.0);
         const double most = larger(largest(V0[i], V1[i], V2[i]), largest(V3[i], V4[i], V5[i]));
-        little = smaller(little, larger(least_of_all, least_of_most * most));
+        little = smaller(little, larger(min_of_all, min_of_most * most));
         stays = both(shared, both(FM[i] == 0.0, flow * wanted < little));
         only_outlet = either(only_outlet, both(V < tiny, main == -flow));
       }
-      const bool leaves = either(rest <= little, rest <= least_rest * V_L);
+      const bool leaves = either(rest <= little, rest <= min_rest * V_L);
       const bool all = both(both(both(shared, !stays), wanted > 0.0),
                             both(both(flow > 0.0, only_outlet), leaves));
       double now = stays ? 0.0 : wanted;
@@ -369,13 +369,13 @@ class FaceShares {
   const MaterialFaces& faces_;
   int n_, first_, count_ = 0, used_ = 0;
   int takes_all_ = 0;  // some face does
-  Material materials_[most_materials];
-  using Work = double[Lanes > 0 ? Lanes : MaterialFaces::most_faces];
+  Material materials_[max_materials];
+  using Work = double[Lanes > 0 ? Lanes : MaterialFaces::max_faces];
   Work sum_, room_;  // then by how much shares shrink, and which part of what is left they take
   Work largest_, others_, largest_of_;
   // Of the donor; weight: (1-nu)/2.
   Work H_, iJ_, nu_, N_, iN_, J_, main_outlet_, weight_, per_N_, per_flow_;
-  Work work_[Blend ? 1 : most_materials * rows_each];
+  Work work_[Blend ? 1 : max_materials * rows_each];
 };
 
 std::uint64_t MaterialFaces::carry(int first, int count) {

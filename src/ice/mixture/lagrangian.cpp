@@ -153,7 +153,7 @@ void relax_cells(const Row& row, const Handles& h, const CellClosure& closure) {
   for (int i = 0; i < n; ++i) {
     const std::uint64_t set = as_set(presence[i]);
     if (std::popcount(set) < 2 || !(J[i] > 0.0 && J[i] < infinity)) continue;
-    double M[most_materials], V[most_materials], E[most_materials], density = 0;
+    double M[max_materials], V[max_materials], E[max_materials], density = 0;
     for (int m = 0; m < materials; ++m) {
       M[m] = row(h.state.mass[m])[i] * iJ[i];
       V[m] = row(h.state.volume[m])[i];
@@ -233,7 +233,7 @@ void add_lagrangian_of_each(TaskList& list, const Variables& v, const SchemeOpti
   }
   h.mixture_energy = task.read(v.common.energy);
   if (o.keeps_work())
-    h.work = task.read(o.own_velocities ? v.slip.work : v.common.lagrangian_mixture);
+    h.work = task.read(o.multi_velocity ? v.slip.work : v.common.lagrangian_mixture);
   h.stretch = task.write(v.stretch);
   const bool heated = o.viscous || o.conducting;
   if (heated) h.heat = task.read(v.heat);

@@ -60,7 +60,7 @@ int known_cells(MixtureBox& run) {
           EXPECT_EQ(run.volume(m, c), alone ? 1.0 : 0.0) << i << ' ' << j;
           EXPECT_EQ(run.mass(m, c) > 0, alone) << i << ' ' << j;
           EXPECT_EQ(run.energy(m, c) > 0, alone) << i << ' ' << j;
-          if (!run.has_own_velocities()) continue;
+          if (!run.is_multi_velocity()) continue;
           const RealView slip = run.view(labels().slip, m, 0, c);
           EXPECT_EQ(slip(c), 0.0) << i << ' ' << j;
         }
@@ -85,7 +85,7 @@ TEST(MarksOfRows, SayWhereAMaterialIsAlone) {
         }
       }
       EXPECT_EQ(bits_of(run, false), bits_of(all, false));
-      run.solver().touch();
+      run.solver().mark_modified();
       EXPECT_EQ(known_cells(run), 0);
     }
   }

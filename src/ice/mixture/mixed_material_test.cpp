@@ -95,7 +95,7 @@ class MixedRun : public MixtureBox {
       for (int d = 0; d < components; ++d)
         view(labels().momentum, 0, d, c)(c) = this->density(c) * u[d];
     });
-    solver().touch();
+    solver().mark_modified();
   }
   double gas_pressure(IntVec3 c) const {
     return gas_.at(fraction(c)).ratio() * energy(0, c) / volume(0, c);

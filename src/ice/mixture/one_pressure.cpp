@@ -106,7 +106,7 @@ void add_one_pressure(TaskList& list, const Variables& v, const SchemeOptions& o
   const Handles h = declare(task, list, v, o);
   const std::vector<SchemeOptions> of_material = options_of_materials(o);
   dispatch(o.axes.count, o.components, [&]<int D, int C>() {
-    task.kernel([=, closure = CellClosure(o.fluids, o.heat_exchange, o.slip_exchange),
+    task.kernel([=, closure = CellClosure(o.fluids, o.heat_exchange, o.multi_velocity_exchange),
                  diffusion = DiffusionRates(o)](const Row& row) {
       mark_alone(row, -1);  // the whole state is written
       copy_state(row, h, C);

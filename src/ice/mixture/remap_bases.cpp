@@ -218,7 +218,7 @@ class MixedBases {
   int materials_;
   Mixture mixture_;
   RunRow blend_[2 * D + 1];  // of the cells below and above along each axis, of these
-  Material rows_[most_materials];
+  Material rows_[max_materials];
 };
 
 template <int D, int C, bool Masked>
@@ -255,7 +255,7 @@ void add_remap_bases(TaskList& list, const Variables& v, const SchemeOptions& o,
   h.blend = task.read(v.blend, Stencil::box(1));
   h.blend_density = task.read(v.blend_density, Stencil::box(1));
   h.blend_energy = task.read(v.blend_energy, Stencil::box(1));
-  if (o.own_velocities) {
+  if (o.multi_velocity) {
     h.own_velocity = task.read(v.slip.velocity);
     h.velocity_components = o.components;
   }

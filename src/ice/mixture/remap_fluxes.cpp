@@ -79,7 +79,7 @@ class MixedFaces {
   double* total_row(int r) const { return r == 0 ? F_ : r == 1 ? G_ : U_[r - 2]; }
 
   void run_chunks(int first, int count) {
-    constexpr int most = MaterialFaces::most_faces;
+    constexpr int most = MaterialFaces::max_faces;
     for (int done = 0; done < count; done += most) {
       const int some = std::min(most, count - done);
       const std::uint64_t set = materials_.carry(first + done, some);
@@ -137,8 +137,8 @@ class MixedFaces {
   // fluxes get their parts of K.
   template <int N, bool Second, bool Masked>
   void total(int first, int n, std::uint64_t set) {
-    const double* FM[N > 0 ? N : most_materials];
-    double* FE[N > 0 ? N : most_materials];
+    const double* FM[N > 0 ? N : max_materials];
+    double* FE[N > 0 ? N : max_materials];
     int count = 0;
     for_each_of(set, [&](int m) {
       FM[count] = materials_.flux(m, of_mass) + first;

@@ -43,24 +43,24 @@ void add_slip_flux(TaskList&, const Variables&, const SchemeOptions&, int effect
 void add_slip_update(TaskList&, const Variables&, const SchemeOptions&, int effect);
 
 // Where a task finds what moves against the mixture.
-struct SlipReads {
+struct RelativeVelocityReads {
   std::vector<In> mass, volume, slip;
-  In presence, touched;
-  bool walled = false;
+  In presence, cut;
+  bool has_cut_cells = false;
 };
-void read_slip(TaskBuilder&, const Variables&, const SchemeOptions&, SlipReads&);
+void read_slip(TaskBuilder&, const Variables&, const SchemeOptions&, RelativeVelocityReads&);
 
 // Parts of a row in which materials move apart: apart(part); where one is alone, or a solid touches
 // the cells, all have one velocity: bound(part).
 template <class Bound, class Apart>
-void for_each_motion(const Row& row, const SlipReads& r, Bound&& bound, Apart&& apart) {
+void for_each_motion(const Row& row, const RelativeVelocityReads& r, Bound&& bound, Apart&& apart) {
   for_each_run(runs_of(row, r.presence), row.count(), [&](int first, int count, double presence) {
     if (is_single(presence)) return bound(row.part(first, count));
-    if (!r.walled) return apart(row.part(first, count));
-    const double* touched = row(r.touched);
+    if (!r.has_cut_cells) return apart(row.part(first, count));
+    const double* cut = row(r.cut);
     for (int begin = first, end = first; begin < first + count; begin = end) {
-      const bool beside = touched[begin] != 0;
-      while (end < first + count && (touched[end] != 0) == beside) ++end;
+      const bool beside = cut[begin] != 0;
+      while (end < first + count && (cut[end] != 0) == beside) ++end;
       const Row part = row.part(begin, end - begin);
       beside ? bound(part) : apart(part);
     }

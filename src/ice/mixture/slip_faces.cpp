@@ -22,15 +22,15 @@ namespace {
 
 struct FaceHandles {
   std::vector<In> mass, volume;
-  In pure, drift, face_velocity, touched, velocity, sound;
+  In pure, drift, face_velocity, cut, velocity, sound;
   Out own;
-  bool walled = false;
+  bool has_cut_cells = false;
 };
 
 // Volume fractions and drifts on both sides of a face.
 struct Face {
   int count = 0;
-  double a[most_materials], b[most_materials], r[most_materials];
+  double a[max_materials], b[max_materials], r[max_materials];
   double u = 0;
 
   double velocity_of_volume() const {
@@ -44,14 +44,14 @@ struct Face {
         sum += V * x;
         slope += V;
       }
-      if (!(slope > least_slope)) return std::numeric_limits<double>::quiet_NaN();
+      if (!(slope > min_slope)) return std::numeric_limits<double>::quiet_NaN();
       const double next = c + (u - sum) / slope;
       if (next == c || std::fabs(next - c) <= 1e-15 * (std::fabs(c) + std::fabs(u))) return next;
       c = next;
     }
     return c;
   }
-  static constexpr double least_slope = 1e-3;
+  static constexpr double min_slope = 1e-3;
 };
 
 // `a`, `b`: which of the cells aside say what drifts.
@@ -61,7 +61,7 @@ void mixed_face(const Row& row, const FaceHandles& h, int axis, int axes, int i,
   f.u = row(h.face_velocity)[i];
   f.count = materials;
   bool any = false;
-  const bool bound = h.walled && (row(h.touched, 0, axis, -1)[i] != 0 || row(h.touched)[i] != 0);
+  const bool bound = h.has_cut_cells && (row(h.cut, 0, axis, -1)[i] != 0 || row(h.cut)[i] != 0);
   for (int m = 0; m < materials; ++m) {
     const double Ma = a ? row(h.mass[m], 0, axis, -1)[i] : 0.0, Mb = b ? row(h.mass[m])[i] : 0.0;
     const double da = row(h.drift, m * axes + axis, axis, -1)[i];
@@ -102,8 +102,8 @@ void add_faces_of_materials(TaskList& list, const Variables& v, const SchemeOpti
       h.sound = task.read(v.slip.common.sound, both);
     }
     h.own = task.write(v.slip.face_velocity[axis]);
-    h.walled = o.walled;
-    if (o.walled) h.touched = task.read(v.touched, both);
+    h.has_cut_cells = o.has_cut_cells;
+    if (o.has_cut_cells) h.cut = task.read(v.cut, both);
     task.kernel([=](const Row& row) {
       for_each_face_run(runs_of(row, h.pure, axis, -1), runs_of(row, h.pure), row.count(),
                         [&](int first, int count, double pure) {
@@ -114,7 +114,7 @@ void add_faces_of_materials(TaskList& list, const Variables& v, const SchemeOpti
 }
 
 struct CellHandles {
-  In pure, inverse_J, velocity, touched, courant;
+  In pure, inverse_J, velocity, cut, courant;
   std::array<In, 3> face_velocity;
   Out outflow;
 };
@@ -142,7 +142,7 @@ void count_outflow(const Row& row, const CellHandles& h, const SchemeOptions& o,
         ties += (l[d] * high == largest ? 1.0 : 0.0) + (l[d] * -low == largest ? 1.0 : 0.0);
       }
       for (int c = D; c < o.components; ++c) carried += l[c] * std::fabs(row(h.velocity, c)[i]);
-      const bool bound = o.walled && row(h.touched)[i] != 0;
+      const bool bound = o.has_cut_cells && row(h.cut)[i] != 0;
       N[i] = bound ? row(h.courant)[i] : (out + carried) * row(h.inverse_J)[i];
       const double several = ties > 1.0 ? -infinity : -largest;
       outlet[i] = count > 1.0 ? several : largest;
@@ -159,8 +159,8 @@ void add_slip_faces(TaskList& list, const Variables& v, const SchemeOptions& o, 
   h.pure = task.read(v.pure);
   h.inverse_J = task.read(v.common.inverse_J);
   h.velocity = task.read(v.common.velocity);
-  if (o.walled) {
-    h.touched = task.read(v.touched);
+  if (o.has_cut_cells) {
+    h.cut = task.read(v.cut);
     h.courant = task.read(v.common.courant);
   }
   for (int axis = 0; axis < o.axes.count; ++axis) {

@@ -19,10 +19,10 @@
 namespace sluice::ice::mixture {
 namespace {
 
-constexpr double least_entry = 1e-16;  // all as in face_shares.cpp
+constexpr double min_entry = 1e-16;  // all as in face_shares.cpp
 constexpr double tiny = 1e-14;
-constexpr double least_fill = 0.5;
-constexpr double least_rest = 1e-10;
+constexpr double min_fill = 0.5;
+constexpr double min_rest = 1e-10;
 constexpr double trace = 1e-10;
 
 struct Handles {
@@ -77,7 +77,7 @@ class Faces {
 
   void face(int i) {
     const double wanted = l_ * row_(h_.common.face_velocity)[i];
-    Passing passing[most_materials];
+    Passing passing[max_materials];
     int count = 0;
     for (int m = 0; m < materials_; ++m) {
       for (int q = 0; q < 3; ++q) row_(h_.flux, component(m, static_cast<Carried>(q)))[i] = 0.0;
@@ -111,7 +111,7 @@ class Faces {
   // H of each: with the volume fractions of the donors, and what theta adds as far as it sums to
   // zero; then the rules of traces; the largest takes the rest.
   void share_volume(Passing* passing, int count, double wanted, int i) {
-    double extra[most_materials], sum = 0;
+    double extra[max_materials], sum = 0;
     for (int n = 0; n < count; ++n) {
       Passing& k = passing[n];
       const bool pure = cell(h_.pure, 0, k.donor, i) >= 0.0;
@@ -139,7 +139,7 @@ class Faces {
   // Makes the sum of `extra` zero: flows along what lacks are filled up to their bounds; what then
   // is too much the other way is cut. Those that wait stay where they are.
   static void balance(const Passing* passing, int count, double sum, double* extra) {
-    double rooms[most_materials], room = 0;
+    double rooms[max_materials], room = 0;
     for (int n = 0; n < count; ++n) {
       const Passing& k = passing[n];
       const double most = k.flow * (k.cap - k.V) - extra[n];
@@ -161,8 +161,7 @@ class Faces {
   // the others can make up the outflow.
   bool waits(const Passing& k, int i) const {
     const double behind = volume(k.index, k.donor == 0 ? 1 : -2, i);
-    const bool unfilled =
-        mass(k.index, k.donor == 0 ? -1 : 0, i) == 0.0 && k.V < least_fill * behind;
+    const bool unfilled = mass(k.index, k.donor == 0 ? -1 : 0, i) == 0.0 && k.V < min_fill * behind;
     const bool aside = k.V < tiny && k.outlet < 0.0 && -k.outlet > std::fabs(k.flow);
     return (unfilled || aside || leaves_cover(k, i)) && 1.0 - k.V >= k.N;
   }
@@ -201,12 +200,12 @@ class Faces {
   void keep_trace_together(Passing& k, int i) const {
     if (k.V == 1.0) return;  // the donor has one material
     const double receiver = mass(k.index, k.donor == 0 ? -1 : 0, i);
-    if (receiver == 0.0 && std::fabs(k.H) < least_entry) k.H = 0.0;
+    if (receiver == 0.0 && std::fabs(k.H) < min_entry) k.H = 0.0;
     const double V_L = k.V * cell(h_.materials.stretch, 0, k.donor, i);
     const double flow = std::fabs(k.flow);
     const bool only_outlet = k.outlet == flow || (k.V < tiny && k.outlet == -flow);
     if (k.H == 0.0 || !only_outlet) return;
-    if (V_L - std::fabs(k.H) > larger(least_entry, least_rest * V_L)) return;
+    if (V_L - std::fabs(k.H) > larger(min_entry, min_rest * V_L)) return;
     k.H = std::copysign(V_L, k.H);
     k.all = true;
   }

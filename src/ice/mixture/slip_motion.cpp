@@ -53,7 +53,7 @@ void add_lock(TaskList& list, const Variables& v, const SchemeOptions& o, int ef
   });
 }
 
-struct Handles : SlipReads {
+struct Handles : RelativeVelocityReads {
   Bonds bonds;
   In rho, inverse_rho, velocity, sound;
   Out own, rho_e, inverse_rho_e, volume_velocity, sound_e;
@@ -108,7 +108,7 @@ class MixedCells {
       h_.bonds.put(row_, i, cell);
       for (int k = 0; k < cell.count; ++k) cell.bind[k] = binding(cell, k, courant(cell, k, i));
       velocities(cell, materials, dt, i);
-      double push[most_materials], w[most_materials];
+      double push[max_materials], w[max_materials];
       Drag::push(cell, -1.0, push);
       drag_.respond(cell, dt, 0.5, push, w);
       double extra = 0;
@@ -132,7 +132,7 @@ class MixedCells {
     return most;
   }
   void velocities(const DragCell& cell, int materials, double dt, int i) {
-    double w[3][most_materials];
+    double w[3][max_materials];
     for (int c = 0; c < components_; ++c) {
       const double u = row_(h_.velocity, c)[i];
       for (int m = 0; m < materials; ++m) row_(h_.own, m * components_ + c)[i] = u;
@@ -155,7 +155,7 @@ class MixedCells {
   const Drag& drag_;
   const Axes& axes_;
   int components_;
-  const double *mass_[most_materials], *volume_[most_materials];
+  const double *mass_[max_materials], *volume_[max_materials];
 };
 
 }  // namespace
@@ -163,7 +163,7 @@ class MixedCells {
 Bonds read_bonds(TaskBuilder& task, const Variables& v, const SchemeOptions& o) {
   Bonds b;
   b.axes = o.axes.count;
-  b.slips = o.slip_exchange.has_value();
+  b.slips = o.multi_velocity_exchange.has_value();
   b.lock = task.read(v.slip.lock);
   if (b.slips) b.surface = task.read(v.surface);
   return b;
@@ -179,7 +179,7 @@ void Bonds::put(const Row& row, int i, DragCell& cell) const {
 
 void declare_slip_variables(TaskList& list, const SchemeOptions& o, Variables& v) {
   const int M = static_cast<int>(o.fluids.size()), C = o.components, D = o.axes.count;
-  SlipVariables& s = v.slip;
+  RelativeVelocityVariables& s = v.slip;
   for (int m = 0; m < M; ++m) {
     s.slip.push_back(list.old_state(labels().slip, m, C));
     s.slip_new.push_back(list.new_state(labels().slip, m, C));
@@ -207,10 +207,11 @@ void declare_slip_variables(TaskList& list, const SchemeOptions& o, Variables& v
   }
 }
 
-void read_slip(TaskBuilder& task, const Variables& v, const SchemeOptions& o, SlipReads& r) {
+void read_slip(TaskBuilder& task, const Variables& v, const SchemeOptions& o,
+               RelativeVelocityReads& r) {
   r.presence = task.read(v.presence);
-  r.walled = o.walled;
-  if (o.walled) r.touched = task.read(v.touched);
+  r.has_cut_cells = o.has_cut_cells;
+  if (o.has_cut_cells) r.cut = task.read(v.cut);
   for (std::size_t m = 0; m < v.mass.size(); ++m) {
     r.mass.push_back(task.read(v.mass[m]));
     r.volume.push_back(task.read(v.volume[m]));
@@ -233,7 +234,7 @@ void add_slip_motion(TaskList& list, const Variables& v, const SchemeOptions& o,
   h.inverse_rho_e = task.write(v.slip.common.inverse_rho);
   h.volume_velocity = task.write(v.slip.common.velocity);
   h.sound_e = task.write(v.slip.common.sound);
-  task.kernel([=, drag = Drag(o.drag, o.slip_exchange)](const Row& row) {
+  task.kernel([=, drag = Drag(o.drag, o.multi_velocity_exchange)](const Row& row) {
     for_each_motion(
         row, h, [&](const Row& part) { alone(part, h, o.components); },
         [&](const Row& part) {

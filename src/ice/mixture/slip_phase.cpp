@@ -19,7 +19,7 @@
 namespace sluice::ice::mixture {
 namespace {
 
-struct Handles : SlipReads {
+struct Handles : RelativeVelocityReads {
   Bonds bonds;
   In lagrangian, velocity, sound;
   std::array<In, 3> face_pressure;
@@ -81,8 +81,8 @@ class Cells {
       }
       cell.bind[k] = binding(cell, k, courant);
     }
-    double w[3][most_materials], push[3][most_materials];
-    double R[3][most_materials], half[3][most_materials];
+    double w[3][max_materials], push[3][max_materials];
+    double R[3][max_materials], half[3][max_materials];
     double before = 0, after = 0, carried_before = 0, carried_after = 0, driven = 0;
     for (int c = 0; c < components_; ++c) {
       for (int k = 0; k < cell.count; ++k) w[c][k] = row_(h_.slip[cell.index[k]], c)[i] / cell.M[k];
@@ -113,9 +113,9 @@ class Cells {
   void given(int i) {
     DragCell cell;
     find_present(materials_, mass_, volume_, i, cell);
-    const double unpushed[most_materials] = {};
+    const double unpushed[max_materials] = {};
     for (int c = 0; c < components_; ++c) {
-      double w[most_materials];
+      double w[max_materials];
       for (int k = 0; k < cell.count; ++k) w[k] = row_(h_.slip[cell.index[k]], c)[i] / cell.M[k];
       if (c < axes_) write_drift(cell, c, w, unpushed, i);
       write(h_.velocity_L, cell, components_, c, w, i);
@@ -125,7 +125,7 @@ class Cells {
   }
   // `half`: in the middle of the step.
   void write_drift(const DragCell& cell, int axis, const double* half, const double* R, int i) {
-    double drift[most_materials], mean = 0;
+    double drift[max_materials], mean = 0;
     for (int k = 0; k < cell.count; ++k) mean += cell.V[k] * half[k];
     for (int k = 0; k < cell.count; ++k) drift[k] = half[k] - mean;
     write(h_.drift, cell, axes_, axis, drift, i);
@@ -143,7 +143,7 @@ class Cells {
   int components_, axes_, materials_;
   double l_[3], force_[3];
   const double *low_[3], *high_[3];
-  const double *mass_[most_materials], *volume_[most_materials];
+  const double *mass_[max_materials], *volume_[max_materials];
 };
 
 }  // namespace
@@ -169,7 +169,7 @@ void add_slip_phase(TaskList& list, const Variables& v, const SchemeOptions& o, 
   h.friction = read_friction(task, v, o);
   h.force_on = o.force_on;
   if (o.force_on) h.force_work = task.write(v.slip.force_work);
-  task.kernel([=, drag = Drag(o.drag, o.slip_exchange)](const Row& row) {
+  task.kernel([=, drag = Drag(o.drag, o.multi_velocity_exchange)](const Row& row) {
     for_each_motion(
         row, h, [&](const Row& part) { Cells(part, h, drag, o).alone(); },
         [&](const Row& part) { Cells(part, h, drag, o).mixed(o); });

@@ -81,8 +81,8 @@ class Faces {
     FaceOfSurface at_face;
     for (const int side : {0, 1}) {
       const auto share = [&](int m) { return at(h_.volume[m], 0, side - 1, i); };
-      at_face.gas[side] = share(o_.slip_exchange->fluid);
-      at_face.solid[side] = share(o_.slip_exchange->solid);
+      at_face.gas[side] = share(o_.multi_velocity_exchange->fluid);
+      at_face.solid[side] = share(o_.multi_velocity_exchange->solid);
       at_face.transfer[side] = at(h_.surface, SurfaceParts::momentum_per_area, side - 1, i);
     }
     double touches = 0;
@@ -98,7 +98,7 @@ class Faces {
 
   void face(int i) const {
     const double mu = harmonic_mean(at(h_.viscosity, 0, -1, i), at(h_.viscosity, 0, 0, i));
-    const double left = o_.slip_exchange ? left_by_slip(mu, i) : 1.0;
+    const double left = o_.multi_velocity_exchange ? left_by_slip(mu, i) : 1.0;
     for (int c = 0; c < C; ++c)
       row_(h_.total, c)[i] = row_(h_.stress, c)[i] * (c == axis_ ? 1.0 : left);
     for (int m = 0; m < materials_; ++m) {
@@ -144,7 +144,7 @@ void add_slip_stress(TaskList& list, Variables& v, const SchemeOptions& o, int e
     h.viscosity = task.read(v.common.viscosity, both);
     if (o.own_viscosity_varies()) h.own_viscosity = task.read(v.own_viscosity, both);
     h.stress = task.read(v.common.stress[axis]);
-    if (o.slip_exchange) h.surface = task.read(v.surface, both);
+    if (o.multi_velocity_exchange) h.surface = task.read(v.surface, both);
     v.common.stress[axis] =
         list.temporary(std::string("sum of ") + names[axis], o.components, direction);
     v.slip.stress[axis] =
@@ -178,7 +178,7 @@ FrictionOnSlip read_friction(TaskBuilder& task, const Variables& v, const Scheme
 
 void FrictionOnSlip::add(const Row& row, const DragCell& cell, int c, int i, double* push) const {
   if (!on) return;
-  double sum = 0, pull[most_materials];
+  double sum = 0, pull[max_materials];
   for (int k = 0; k < cell.count; ++k) {
     pull[k] = 0;
     for (int d = 0; d < axes.count; ++d) {

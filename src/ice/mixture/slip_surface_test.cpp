@@ -38,7 +38,7 @@ Drag drag_of(double K, int count) {
   PairCoefficients k(count);
   for (int a = 0; a < count; ++a)
     for (int b = a + 1; b < count; ++b) k.set(a, b, K);
-  SlipExchange slip;
+  MultiVelocityExchange slip;
   slip.fluid = 1;
   slip.solid = 0;
   return Drag(k, slip);
@@ -65,7 +65,7 @@ TEST(SlipSurface, HoldsAcrossAndSlipsAlong) {
   for (const double* n : normals)
     for (const double K : {0., 1e3, 1e9, 1e20}) {
       const DragCell cell = surface_cell(2, 1, h, n);
-      double w[directions][most_materials], before[directions][most_materials];
+      double w[directions][max_materials], before[directions][max_materials];
       start(cell, w);
       start(cell, before);
       drag_of(K, 2).decay(cell, dt, 1, directions, w);
@@ -86,7 +86,7 @@ TEST(SlipSurface, KeepsMomentumAndTakesEnergyWithThreeMaterials) {
     for (const double K : {0., 1e-3, 1e6, 1e20})
       for (const double share : {0., .3, 1.}) {
         const DragCell cell = surface_cell(3, share, 1e4, n);
-        double w[directions][most_materials], v[directions][most_materials];
+        double w[directions][max_materials], v[directions][max_materials];
         start(cell, w);
         const auto energy = [&] {
           double sum = 0;
@@ -97,7 +97,7 @@ TEST(SlipSurface, KeepsMomentumAndTakesEnergyWithThreeMaterials) {
         drag_of(K, 3).decay(cell, 1e-3, .5, directions, w);
         EXPECT_TRUE(std::isfinite(energy()));
         EXPECT_LE(energy(), before);
-        double push[directions][most_materials];
+        double push[directions][max_materials];
         start(cell, push);
         for (auto& one : push)
           for (int m = 0; m < 3; ++m) one[m] *= cell.M[m];
@@ -123,14 +123,14 @@ TEST(SlipSurface, LimitsAreNoSlipAndFreeSlip) {
   const auto along = [&](double passes, double lock) {
     DragCell cell = surface_cell(2, 1, passes, n);
     cell.lock = lock;
-    double w[directions][most_materials];
+    double w[directions][max_materials];
     start(cell, w);
     drag_of(K, 2).decay(cell, dt, 1, directions, w);
     return w[2][0] - w[2][1];
   };
   DragCell plain = surface_cell(2, 0, 0, n);
   plain.lock = 0;
-  double w[directions][most_materials], first[directions][most_materials];
+  double w[directions][max_materials], first[directions][max_materials];
   start(plain, w);
   start(plain, first);
   drag_of(K, 2).decay(plain, dt, 1, directions, w);
@@ -157,7 +157,7 @@ Transport slipping(double accommodation) {
   t.conductivity = {600, 30, 10};
   t.heat_exchange = 1e8;
   t.change = [accommodation](ExchangeSettings& x) {
-    SlipExchange slip;
+    MultiVelocityExchange slip;
     slip.fluid = 1;
     slip.solid = 0;
     slip.momentum_accommodation = slip.thermal_accommodation = accommodation;

@@ -115,8 +115,8 @@ class Cells {
 
   // The new state before sources.
   void move(int i) const {
-    double M[most_materials], V[most_materials], E[most_materials];
-    double a[most_materials][C], passed[C] = {}, rho = 0, k = 0;
+    double M[max_materials], V[max_materials], E[max_materials];
+    double a[max_materials][C], passed[C] = {}, rho = 0, k = 0;
     for (int m = 0; m < materials_; ++m) {
       k += remap(m, i, M[m], V[m], E[m], a[m], passed);
       rho += M[m];
@@ -144,7 +144,7 @@ class Cells {
     row_(h_.end, 0)[i] = rho;
   }
   void relax_cell(int i) const {
-    double M[most_materials], V[most_materials], E[most_materials];
+    double M[max_materials], V[max_materials], E[max_materials];
     DragCell present;
     present.total = row_(h_.end, 0)[i];
     for (int m = 0; m < materials_; ++m) {
@@ -177,7 +177,7 @@ class Cells {
     if (cell.count < 2) return 0.0;  // its momentum in the frame of v is the mixture's
     bind(cell, a);
     double kept = 0, carried = 0;
-    double w[C][most_materials], R[C][most_materials], total[C] = {};
+    double w[C][max_materials], R[C][max_materials], total[C] = {};
     respond(cell, i, R);
     for (int c = 0; c < C; ++c) {
       for (int n = 0; n < cell.count; ++n) total[c] += a[cell.index[n]][c];
@@ -207,7 +207,7 @@ class Cells {
     }
   }
   void respond(const DragCell& cell, int i, ByMaterial* R) const {
-    double push[C][most_materials];
+    double push[C][max_materials];
     for (int c = 0; c < C; ++c) {
       double pressed = -force_[c];
       if (c < D) {
@@ -244,7 +244,7 @@ class Cells {
       for (int d = 0; d < D; ++d) {
         const double u = std::fabs(row_(h_.common.next.momentum, d)[i] / cell.total +
                                    row_(slip, d)[i] / cell.M[n]);
-        deck = larger(deck, (u + x.knob * sound) * x.inverse_dx[d]);
+        deck = larger(deck, (u + x.sound_speed_factor * sound) * x.inverse_dx[d]);
         fastest = larger(fastest, (u + sound) * x.inverse_dx[d]);
         sum += (u + sound) * x.inverse_dx[d];
         flow += u * x.inverse_dx[d];
@@ -268,7 +268,7 @@ class Cells {
 Handles declare(TaskBuilder& task, const Variables& v, const SchemeOptions& o) {
   Handles h;
   declare_update(task, v, o, h);
-  declare_touched(task, v, o, h.touched);
+  declare_cut_cells(task, v, o, h.cut);
   h.velocity_L = task.read(v.slip.velocity_L);
   h.bonds = read_bonds(task, v, o);
   h.friction = read_friction(task, v, o);
@@ -287,8 +287,8 @@ void add_slip_update(TaskList& list, const Variables& v, const SchemeOptions& o,
   const Handles h = declare(task, v, o);
   const std::vector<SchemeOptions> of_material = options_of_materials(o);
   dispatch(o.axes.count, o.components, [&]<int D, int C>() {
-    task.kernel([=, closure = CellClosure(o.fluids, o.heat_exchange, o.slip_exchange),
-                 drag = Drag(o.drag, o.slip_exchange),
+    task.kernel([=, closure = CellClosure(o.fluids, o.heat_exchange, o.multi_velocity_exchange),
+                 drag = Drag(o.drag, o.multi_velocity_exchange),
                  diffusion = DiffusionRates(o)](const Row& row) {
       const auto update = [&](int first, int count, double pure) {
         const Row part = row.part(first, count);
@@ -300,10 +300,10 @@ void add_slip_update(TaskList& list, const Variables& v, const SchemeOptions& o,
         const auto m = static_cast<std::size_t>(pure);
         if (update_alone<D, C>(part, h, of_material[m], static_cast<int>(m))) cells.relax();
       };
-      if (h.touched.any) {
+      if (h.cut.any) {
         for_each_run(runs_of(row, h.pure), row.count(), [&](int from, int number, double pure) {
-          for_each_untouched(row(h.touched.cells), from, number,
-                             [&](int first, int count) { update(first, count, pure); });
+          for_each_full(row(h.cut.cells), from, number,
+                        [&](int first, int count) { update(first, count, pure); });
         });
         return end_beside_solids<D, C>(row, h, o, diffusion);
       }

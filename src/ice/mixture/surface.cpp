@@ -24,7 +24,7 @@ struct Handles {
 class SurfaceCells {
  public:
   SurfaceCells(const Row& row, const Handles& h, const SchemeOptions& o)
-      : row_(row), h_(h), o_(o), fluid_(o.fluids[o.slip_exchange->fluid]) {}
+      : row_(row), h_(h), o_(o), fluid_(o.fluids[o.multi_velocity_exchange->fluid]) {}
 
   void run(int first, int count) const {
     for (int i = first; i < first + count; ++i) cell(i);
@@ -61,8 +61,9 @@ class SurfaceCells {
     if (gas > 0.0) {
       const double rho = row_(h_.mass)[i] / gas, e = row_(h_.energy)[i] / gas;
       const double T = fluid_.temperature(rho, e);
-      momentum = o_.slip_exchange->momentum_transfer(fluid_, rho, T);
-      heat = o_.slip_exchange->heat_transfer(fluid_, rho, T, fluid_.heat_capacity(rho, e));
+      momentum = o_.multi_velocity_exchange->momentum_transfer(fluid_, rho, T);
+      heat =
+          o_.multi_velocity_exchange->heat_transfer(fluid_, rho, T, fluid_.heat_capacity(rho, e));
     }
     const double share = std::clamp((jump - loose) / (tight - loose), 0.0, 1.0);
     to(SurfaceParts::share) = area > 0.0 ? share : 0.0;
@@ -91,10 +92,10 @@ double FaceOfSurface::left_to_face() const {
 }
 
 void add_surface(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
-  if (!o.slip_exchange) return;
+  if (!o.multi_velocity_exchange) return;
   TaskBuilder task = list.task("surface along which gas slips", effect);
-  const std::size_t gas = o.slip_exchange->fluid;
-  const std::size_t solid = o.slip_exchange->solid;
+  const std::size_t gas = o.multi_velocity_exchange->fluid;
+  const std::size_t solid = o.multi_velocity_exchange->solid;
   Handles h;
   h.pure = task.read(v.pure);
   h.gas = task.read(v.volume[gas], Stencil::box(1));
@@ -119,8 +120,8 @@ void add_slip_of_friction(TaskList& list, const Variables& v, const SchemeOption
     TaskBuilder task = list.task(names[axis], effect);
     const Stencil both = Stencil::along(o.axes.direction[axis], 1, 0);
     const In stress = task.read(raw[of(axis)]), viscosity = task.read(v.common.viscosity, both);
-    const In gas = task.read(v.volume[of(o.slip_exchange->fluid)], both);
-    const In solid = task.read(v.volume[of(o.slip_exchange->solid)], both);
+    const In gas = task.read(v.volume[of(o.multi_velocity_exchange->fluid)], both);
+    const In solid = task.read(v.volume[of(o.multi_velocity_exchange->solid)], both);
     const In surface = task.read(v.surface, both);
     const Out slipping = task.write(v.common.stress[of(axis)]);
     task.kernel([=, components = o.components](const Row& row) {

@@ -6,14 +6,14 @@
 
 namespace sluice::ice::mixture {
 
-inline void declare_touched(TaskBuilder& task, const Variables& v, const SchemeOptions& o,
-                            TouchedCells& t) {
-  t.any = o.walled;
+inline void declare_cut_cells(TaskBuilder& task, const Variables& v, const SchemeOptions& o,
+                              CutCells& t) {
+  t.any = o.has_cut_cells;
   if (!t.any) return;
   const WallVariables& w = v.common.walls;
-  t.cells = task.read(v.touched);
-  t.volume_L = task.read(v.touched_volume);
-  t.energy_L = task.read(v.touched_energy);
+  t.cells = task.read(v.cut);
+  t.volume_L = task.read(v.cut_volume);
+  t.energy_L = task.read(v.cut_energy);
   t.frame = task.read(v.common.velocity_L);
   t.gives_old = task.read(w.gives_old);
   t.before = task.read(w.fraction);
@@ -21,15 +21,15 @@ inline void declare_touched(TaskBuilder& task, const Variables& v, const SchemeO
   t.old_momentum = task.read(v.old_momentum);
   for (const VariableId energy : v.energy) t.old_energy.push_back(task.read(energy));
   t.kinetic = task.write(w.fraction_new);
-  for (int axis = 0; axis < o.axes.count && o.own_velocities; ++axis) {
+  for (int axis = 0; axis < o.axes.count && o.multi_velocity; ++axis) {
     t.velocity[axis] =
         task.read(v.common.material_velocity[axis], Stencil::along(o.axes.direction[axis], 0, 1));
   }
 }
 
 // Touched cells hold the old state, while the row is looked at.
-inline void hold_touched(const Row& row, const UpdateState& h, const SchemeOptions& o) {
-  const double* cells = row(h.touched.cells);
+inline void hold_cut_cells(const Row& row, const UpdateState& h, const SchemeOptions& o) {
+  const double* cells = row(h.cut.cells);
   for (int i = 0; i < row.count(); ++i) {
     if (cells[i] == 0) continue;
     double rho = 0;
@@ -38,10 +38,10 @@ inline void hold_touched(const Row& row, const UpdateState& h, const SchemeOptio
       rho += M;
       row(h.state[m].mass_new)[i] = M;
       row(h.state[m].volume_new)[i] = row(h.state[m].volume)[i];
-      row(h.state[m].energy_new)[i] = row(h.touched.old_energy[m])[i];
+      row(h.state[m].energy_new)[i] = row(h.cut.old_energy[m])[i];
     }
     for (int c = 0; c < o.components; ++c)
-      row(h.common.next.momentum, c)[i] = row(h.touched.old_momentum, c)[i];
+      row(h.common.next.momentum, c)[i] = row(h.cut.old_momentum, c)[i];
     row(h.end, 0)[i] = rho;
     row(h.end, 1)[i] = 0;  // no rate: who settles the cell has it
     row(h.pressure)[i] = 0;
@@ -62,7 +62,7 @@ void bind_what_enters(const Row& row, const UpdateState& h, int i) {
         double squares[3] = {0, 0, 0};
         for (int c = 0; c < C; ++c) {
           const double apart =
-              face(h.touched.velocity[d], of_material + c) - face(h.common.flux[d], 2 + c);
+              face(h.cut.velocity[d], of_material + c) - face(h.common.flux[d], 2 + c);
           squares[c] = apart * apart;
         }
         heat += (high == 0 ? 0.5 : -0.5) * F * ((squares[0] + squares[1]) + squares[2]);
@@ -74,15 +74,15 @@ void bind_what_enters(const Row& row, const UpdateState& h, int i) {
 
 // Amounts of touched cells: walls/materials.hpp.
 template <int D, int C>
-void store_touched(const Row& row, const UpdateState& h, const SchemeOptions& o) {
-  const double *cells = row(h.touched.cells), *V_L = row(h.touched.volume_L);
-  const double *before = row(h.touched.before), *next = row(h.touched.next);
-  double* kinetic = row(h.touched.kinetic);
+void store_cut_cells(const Row& row, const UpdateState& h, const SchemeOptions& o) {
+  const double *cells = row(h.cut.cells), *V_L = row(h.cut.volume_L);
+  const double *before = row(h.cut.before), *next = row(h.cut.next);
+  double* kinetic = row(h.cut.kinetic);
   for (int i = 0; i < row.count(); ++i) kinetic[i] = next[i];
   bool any = false;
   for (int i = 0; i < row.count(); ++i) any |= cells[i] != 0;
   if (!any) return;
-  const double* gives_old = row(h.touched.gives_old);
+  const double* gives_old = row(h.cut.gives_old);
   mark_alone(row, -1);
   const MotionRows<D, C> motion(row, h.common);
   for (int i = 0; i < row.count(); ++i) {
@@ -103,14 +103,14 @@ void store_touched(const Row& row, const UpdateState& h, const SchemeOptions& o)
       };
       const double M = row(s.mass)[i] * V + gain(of_mass);
       row(s.volume_new)[i] = row(s.volume)[i] * kept + gain(of_volume);
-      row(s.energy_new)[i] = row(h.touched.energy_L, m)[i] + gain(of_energy);
+      row(s.energy_new)[i] = row(h.cut.energy_L, m)[i] + gain(of_energy);
       row(s.mass_new)[i] = M;
       rho += M;
     }
     if (!h.slip_new.empty()) bind_what_enters<D, C>(row, h, i);
     double rest = motion.heat(i, 0.0, 0.0, [](int) { return 0.0; });
     for (int c = 0; c < o.components; ++c) {
-      const double v = row(h.touched.frame, c)[i];
+      const double v = row(h.cut.frame, c)[i];
       rest += (row(h.common.next.momentum, c)[i] - 0.5 * rho * v) * v;
     }
     kinetic[i] = rest;
@@ -122,10 +122,10 @@ void store_touched(const Row& row, const UpdateState& h, const SchemeOptions& o)
 template <int D, int C>
 void end_beside_solids(const Row& row, const UpdateState& h, const SchemeOptions& o,
                        const DiffusionRates& diffusion) {
-  hold_touched(row, h, o);
+  hold_cut_cells(row, h, o);
   rates_of_mixture<D>(row, h.common.next, o, row(h.end, 1));
   if (diffusion.on()) diffusion_rates_of_row(row, h, diffusion);
-  store_touched<D, C>(row, h, o);
+  store_cut_cells<D, C>(row, h, o);
 }
 
 }  // namespace sluice::ice::mixture

@@ -98,7 +98,7 @@ TEST(MixtureTransportModels, LikeGasesAreOneGas) {
 Transport all_models(int kind) {
   const auto surfaces = [kind](ExchangeSettings& x) {
     if (kind < 2) return;
-    x.slip = SlipExchange{1, 0, .3, .4, true, {}};
+    x.slip = MultiVelocityExchange{1, 0, .3, .4, true, {}};
     x.convective = ConvectiveExchange{2, 0, {}};
     x.heat.set(0, 1, 1e15);
   };
@@ -148,11 +148,13 @@ TEST(MixtureTransportModels, WhatIsOffAddsNoTask) {
   EXPECT_TRUE(has(tasks_of(law_of_air, 2), "viscosity of each material"));
   EXPECT_TRUE(has(tasks_of(law_of_air, 2), "viscosity of fronts"));
   Transport slipping{{1, 1}, {1, 1}, 1, {}, {}, {}, [](ExchangeSettings& x) {
-                       x.slip = SlipExchange{1, 0, 1, 1, true, {}};
+                       x.slip = MultiVelocityExchange{1, 0, 1, 1, true, {}};
                      }};
   EXPECT_TRUE(has(tasks_of(slipping, 2), "surface along which"));
   EXPECT_TRUE(has(tasks_of(slipping, 2), "slip on axis 1"));
-  slipping.change = [](ExchangeSettings& x) { x.slip = SlipExchange{1, 0, 1, 1, false, {}}; };
+  slipping.change = [](ExchangeSettings& x) {
+    x.slip = MultiVelocityExchange{1, 0, 1, 1, false, {}};
+  };
   EXPECT_EQ(tasks_of(slipping, 2).find("slip"), std::string::npos);
   const Transport turbulent{{0, 0}, {}, 0, {}, eddies(false, .1), {}, {}};
   EXPECT_FALSE(has(tasks_of(turbulent, 2), "viscosity of each material"));

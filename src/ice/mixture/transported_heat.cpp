@@ -19,7 +19,7 @@
 namespace sluice::ice::mixture {
 namespace {
 
-constexpr double most_by_mass = 1000;
+constexpr double max_by_mass = 1000;
 
 struct Handles {
   In pure, presence, dissipation, viscosity, inverse_rho, own_viscosity, eddy_viscosity;
@@ -33,8 +33,8 @@ void friction_rows(const Row& row, const Handles& h, const SchemeOptions& o, std
   const double* mu = row(h.viscosity);
   const double* w = row(h.inverse_rho);
   const double* work = row(h.dissipation, friction_of_mixture);
-  const double *M[most_materials], *V[most_materials], *own[most_materials];
-  double *heat[most_materials], viscosity[most_materials], share[most_materials];
+  const double *M[max_materials], *V[max_materials], *own[max_materials];
+  double *heat[max_materials], viscosity[max_materials], share[max_materials];
   const bool varies = o.own_viscosity_varies(), turbulent = o.transport.turbulence.has_value();
   const double* mu_t = turbulent ? row(h.eddy_viscosity) : nullptr;
   int count = 0;
@@ -53,7 +53,7 @@ void friction_rows(const Row& row, const Handles& h, const SchemeOptions& o, std
       const double by_mass = M[m][i] * w[i];
       double rubbing = V[m][i] * (varies ? own[m][i] : viscosity[m]);
       if (turbulent) rubbing += mu_t[i] * by_mass;
-      share[m] = smaller(rubbing * inverse, most_by_mass * by_mass);
+      share[m] = smaller(rubbing * inverse, max_by_mass * by_mass);
       rest -= share[m];
     }
     for (int m = 0; m < count; ++m) heat[m][i] = work[i] * (share[m] + rest * (M[m][i] * w[i]));

@@ -67,7 +67,7 @@ class MaterialCells {
   // `move`(first, n): the momentum of the mixture, and the energy k that it loses in `modulus`.
   template <class Move>
   void run(int first, int count, int room, Move&& move) {
-    constexpr int most = IdealRelaxation::most_cells;
+    constexpr int most = IdealRelaxation::max_cells;
     const int all = o_.sources == nullptr ? whole_vectors(count, room) : count;
     if (h_.closes) mark_alone(row_.part(first, all), -1);
     for (int done = 0; done < count; done += most) {
@@ -88,7 +88,7 @@ class MaterialCells {
   }
   // Of cells whose new state is there but for that.
   void relax(int first, int count) {
-    constexpr int most = IdealRelaxation::most_cells;
+    constexpr int most = IdealRelaxation::max_cells;
     for (int done = 0; done < count; done += most)
       find_pressure(first + done, std::min(most, count - done), std::min(most, count - done));
   }
@@ -216,7 +216,7 @@ class MaterialCells {
   // In `whole` cells, of which `n` are asked for.
   [[gnu::noinline]] void find_pressure(int first, int n, int whole) {
     if (laws_.ideal.applies() && !laws_.closure.exchanges_heat() && is_sound(first, n, whole)) {
-      GasRows gases[most_materials];
+      GasRows gases[max_materials];
       for (int m = 0; m < materials_; ++m) {
         double* const* next = rows_[m].next;
         gases[m] = {next[of_mass] + first, next[of_volume] + first, next[of_energy] + first};
@@ -244,7 +244,7 @@ class MaterialCells {
   int materials_;
   const double *J_, *iJ_;
   double *density_, *modulus_, *pressure_ = nullptr;
-  Material rows_[most_materials];
+  Material rows_[max_materials];
 };
 
 template <int D, int C>
@@ -281,11 +281,11 @@ void add_update(TaskList& list, const Variables& v, const SchemeOptions& o, int 
   TaskBuilder task = list.task("update", effect);
   UpdateState h;
   declare_update(task, v, o, h);
-  declare_touched(task, v, o, h.touched);
+  declare_cut_cells(task, v, o, h.cut);
   const std::vector<SchemeOptions> of_material = options_of_materials(o);
   dispatch(o.axes.count, o.components, [&]<int D, int C>() {
     task.kernel([=,
-                 laws = Laws{CellClosure(o.fluids, o.heat_exchange, o.slip_exchange),
+                 laws = Laws{CellClosure(o.fluids, o.heat_exchange, o.multi_velocity_exchange),
                              IdealRelaxation(o.fluids)},
                  diffusion = DiffusionRates(o)](const Row& row) {
       const RunRow runs = runs_of(row, h.pure);
@@ -295,10 +295,10 @@ void add_update(TaskList& list, const Variables& v, const SchemeOptions& o, int 
         return update_alone<D, C>(part, h, of_material[m], static_cast<int>(m)) && h.closes;
       };
       const int n = row.count();
-      if (h.touched.any) {
+      if (h.cut.any) {
         MixedCells<D, C> mixed(row, h, o, laws);
         for_each_run(runs, n, [&](int from, int number, double pure) {
-          for_each_untouched(row(h.touched.cells), from, number, [&](int first, int count) {
+          for_each_full(row(h.cut.cells), from, number, [&](int first, int count) {
             if (pure < 0.0)
               mixed.run(first, count, count);
             else if (alone(first, count, pure))

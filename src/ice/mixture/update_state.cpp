@@ -34,7 +34,7 @@ void declare_update(TaskBuilder& task, const Variables& v, const SchemeOptions& 
   if (relaxes_before_remap(o)) h.strain = task.read(v.strain);
   h.energy_L = task.read(v.energy_L);
   h.pure = task.read(v.pure);
-  if (o.slip_exchange) h.surface = task.read(v.surface);
+  if (o.multi_velocity_exchange) h.surface = task.read(v.surface);
   for (int axis = 0; axis < o.axes.count; ++axis) {
     h.flux[axis] = task.read(v.flux[axis], Stencil::along(o.axes.direction[axis], 0, 1));
   }
@@ -48,7 +48,7 @@ void declare_update(TaskBuilder& task, const Variables& v, const SchemeOptions& 
     s.energy_new = task.write(v.energy_remap[m]);
     h.state.push_back(s);
   }
-  if (o.own_velocities)
+  if (o.multi_velocity)
     for (const VariableId id : v.slip.slip_new) h.slip_new.push_back(task.write(id));
   h.sources = declare_sources(task, v.common, o);
   h.end = task.write(v.end_remap);
@@ -170,7 +170,7 @@ ClosingCells::ClosingCells(const Row& row, const UpdateState& h, const SchemeOpt
 }
 
 void ClosingCells::close(int i, const CellClosure& closure) const {
-  double M[most_materials], V[most_materials], E[most_materials];
+  double M[max_materials], V[max_materials], E[max_materials];
   for (int m = 0; m < materials_; ++m) {
     M[m] = mass_[m][i];
     V[m] = volume_[m][i];

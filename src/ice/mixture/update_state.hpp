@@ -20,7 +20,7 @@ struct MaterialState {
 
 // Cells that solids touch: they take no part in the rules here. What is left in them are amounts
 // per volume of the cell, and, in place of theta, what momentum leaves to kinetic energy and heat.
-struct TouchedCells {
+struct CutCells {
   bool any = false;
   In cells, gives_old, volume_L, energy_L, frame, before, next, old_momentum;
   std::array<In, 3> velocity;  // of each material at faces, where each has its own
@@ -39,7 +39,7 @@ struct UpdateState {
   Out end, pressure, closure;  // density and modulus of the new mixture; closure of one material
   std::vector<Out> slip_new;   // where each material has a velocity of its own
   SourceHandles sources;
-  TouchedCells touched;  // beside solids
+  CutCells cut;  // beside solids
 };
 void declare_update(TaskBuilder& task, const Variables& v, const SchemeOptions& o, UpdateState& h);
 
@@ -50,7 +50,7 @@ UpdateHandles handles_of(const UpdateState& h, int m);
 // What of a surface a cell holds, for the heat that passes it.
 inline HeatExchange::Surface surface_of(const Row& row, const UpdateState& h,
                                         const SchemeOptions& o, int i) {
-  if (!o.slip_exchange) return {};
+  if (!o.multi_velocity_exchange) return {};
   return {row(h.surface, SurfaceParts::share)[i], row(h.surface, SurfaceParts::heat)[i]};
 }
 // Where material m is alone the others have nothing.
@@ -98,7 +98,7 @@ class ClosingCells {
   int materials_;
   const double *inverse_J_, *density_;
   double *pressure_, *modulus_;
-  double *mass_[most_materials], *volume_[most_materials], *energy_[most_materials];
+  double *mass_[max_materials], *volume_[max_materials], *energy_[max_materials];
 };
 
 // Over the whole row: in runs of one material alone too.

@@ -54,7 +54,7 @@ void declare_remap(TaskList& list, const SchemeOptions& o, Variables& v) {
 }  // namespace
 
 bool relaxes_before_remap(const SchemeOptions& o) {
-  return o.implicit && !o.solids && !o.walled && !o.own_velocities && o.mixed == nullptr;
+  return o.implicit && !o.solids && !o.has_cut_cells && !o.multi_velocity && o.mixed == nullptr;
 }
 
 bool all_ideal_gases(const std::vector<Fluid>& fluids) {
@@ -101,13 +101,14 @@ Variables declare_variables(TaskList& list, const SchemeOptions& o) {
       v.heat_flux[a] = list.temporary("heat through contacts of axis " + std::to_string(a), 2 * M,
                                       o.axes.direction[a]);
   }
-  if (o.slip_exchange) v.surface = list.temporary("surface", SurfaceParts::count(o.axes.count));
+  if (o.multi_velocity_exchange)
+    v.surface = list.temporary("surface", SurfaceParts::count(o.axes.count));
   if (o.viscous && o.own_viscosity_varies())
     v.own_viscosity = list.temporary("viscosity of each material", M);
   if (o.viscous || o.conducting) v.heat = list.temporary("heat of each material", M);
   v.common.pure = v.pure;
   declare_remap(list, o, v);
-  if (o.own_velocities) declare_slip_variables(list, o, v);
+  if (o.multi_velocity) declare_slip_variables(list, o, v);
   v.common.material_flux = v.flux;
   v.end = list.temporary("density and modulus of the new mixture", 2);
   v.end_remap = o.mixed == nullptr ? v.end : list.temporary("density after the remap", 2);

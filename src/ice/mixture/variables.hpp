@@ -14,7 +14,7 @@ namespace sluice::ice::mixture {
 
 // Where each material has a velocity of its own (slip.hpp). Components of a material m, by
 // component c of momentum: m * components + c; by axis: m * axes + axis.
-struct SlipVariables {
+struct RelativeVelocityVariables {
   std::vector<VariableId> slip, slip_new;  // state: S_m = M_m (u_m - u), zero where alone
   VariableId velocity;                     // u_m by component; that of the mixture where absent
   VariableId lock;         // how strongly an interface binds the materials of a cell
@@ -75,9 +75,9 @@ struct Variables {
   std::array<VariableId, 3> heat_flux;
   VariableId end;        // density, modulus of the new mixture
   VariableId end_remap;  // density after the remap
-  SlipVariables slip;
+  RelativeVelocityVariables slip;
   // Beside solids (walls/materials.hpp): which cells the rules of whole cells leave out, and how.
-  VariableId touched, touched_volume, touched_energy, old_momentum;
+  VariableId cut, cut_volume, cut_energy, old_momentum;
 };
 
 bool all_ideal_gases(const std::vector<Fluid>& fluids);

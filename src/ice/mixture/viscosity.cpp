@@ -129,7 +129,7 @@ void add_friction(TaskList& list, const Variables& v, const SchemeOptions& o) {
   if (!o.viscous) return;
   add_viscosity(list, v, o, effect_viscosity, effect_turbulence);
   // With velocities of their own slip follows later: slip_stress.cpp.
-  if (!o.slip_exchange || o.own_velocities)
+  if (!o.multi_velocity_exchange || o.multi_velocity)
     return add_viscous_stress(list, v.common, o, effect_viscosity);
   SchemeVariables raw = v.common;
   for (int a = 0; a < o.axes.count; ++a)

@@ -9,14 +9,14 @@
 namespace sluice::ice {
 namespace {
 
-constexpr double least_fall = 0.07, full_fall = 0.21, steep_fall = 1;  // of rho c^2, over two cells
-constexpr int most_depth = 80;
+constexpr double min_fall = 0.07, full_fall = 0.21, steep_fall = 1;  // of rho c^2, over two cells
+constexpr int max_depth = 80;
 
 // Towards cells that are so many times as wide.
 struct Widening {
   int depth = 0;
-  double full = 0, steep = 0;                 // of what is taken away beside the end
-  std::array<double, most_depth + 1> part{};  // of it in the k-th cell before the end
+  double full = 0, steep = 0;                // of what is taken away beside the end
+  std::array<double, max_depth + 1> part{};  // of it in the k-th cell before the end
 
   Widening(int cells, double at_full_fall, double at_steep_fall, double power)
       : depth(cells), full(at_full_fall), steep(at_steep_fall) {
@@ -53,7 +53,7 @@ void damp_leaving_shocks(const Row& row, const InterfaceDistance& ends, int axis
     for (int i = 0; i < row.count(); ++i) {
       if (far[i] > by.depth) continue;
       const double fall = (behind[i] - ahead[i]) / (q.rho[i] * (q.sound[i] * q.sound[i]));
-      const double most = ramp(fall, least_fall, full_fall) * by.full +
+      const double most = ramp(fall, min_fall, full_fall) * by.full +
                           ramp(fall, full_fall, steep_fall) * (by.steep - by.full);
       slope[i] *= 1.0 - most * by.part[far[i]];
     }

@@ -22,7 +22,7 @@
 namespace sluice::ice {
 namespace {
 
-constexpr double least_jump = 1.0 / 3, full_jump = 2.0 / 3;  // of rho c^2
+constexpr double min_jump = 1.0 / 3, full_jump = 2.0 / 3;  // of rho c^2
 constexpr double share = 0.5, most = 0.1;
 constexpr double askew = 3;  // no shear where a shock is inclined by more than one in so many
 
@@ -47,7 +47,7 @@ bool mark_jumps(const Row& row, const JumpHandles& h, double gamma) {
     for (int i = 0; i < n; ++i) {
       const double high = larger(larger(p[i], pl[i]), larger(pb[i], pd[i]));
       const double low = smaller(smaller(p[i], pl[i]), smaller(pb[i], pd[i]));
-      const bool jump = high - low > 0.999 * least_jump * modulus(i, low);
+      const bool jump = high - low > 0.999 * min_jump * modulus(i, low);
       marks[i] = jump ? 1.0 : 0.0;
       jumps += jump ? 1 : 0;
     }
@@ -83,8 +83,8 @@ void find_jumps(const Row& row, const JumpHandles& h, int axes, int t) {
     const double dp = std::fabs(pb[i] - pa[i]);
     const double K = smaller(ra[i] * (ca[i] * ca[i]), rb[i] * (cb[i] * cb[i]));
     const double solid = Walled ? fa[i] + fb[i] : 0.0;
-    const double limit = solid > 0.0 ? infinity : least_jump * K;
-    const double weight = smaller((dp / K - least_jump) / (full_jump - least_jump), 1.0);
+    const double limit = solid > 0.0 ? infinity : min_jump * K;
+    const double weight = smaller((dp / K - min_jump) / (full_jump - min_jump), 1.0);
     const double s = (std::fabs(ub[i] - ua[i]) + std::fabs(cb[i] - ca[i])) * weight;
     jump[i] = dp > limit ? dp : 0.0;
     speed[i] = dp > limit ? s : 0.0;
@@ -113,7 +113,7 @@ void add_jumps(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
   h.rho = task.read(v.rho, below);
   h.sound = task.read(v.sound, below);
   h.velocity = task.read(v.velocity, below);
-  if (o.walled) h.fraction = task.read(v.walls.fraction, below);
+  if (o.has_cut_cells) h.fraction = task.read(v.walls.fraction, below);
   h.jumps = task.write(v.jumps);
   h.marks = task.write(v.jump_marks);
   const eos::IdealGas* gas = o.mixture || o.mixed != nullptr ? nullptr : o.fluid.gamma_law();
@@ -208,7 +208,7 @@ void add_shock_shear(TaskList& list, const SchemeVariables& v, const SchemeOptio
   const Stencil around = Stencil::box(1);
   Handles h;
   h.pressure = task.read(v.pressure, around);
-  if (o.walled) h.fraction = task.read(v.walls.fraction, around);
+  if (o.has_cut_cells) h.fraction = task.read(v.walls.fraction, around);
   h.jumps = task.read(v.jumps, around);
   h.jump_marks = task.read(v.jump_marks, around);
   h.strength = task.write(v.shear);

@@ -132,8 +132,8 @@ void add_slopes(TaskList& list, const SchemeVariables& v, const SchemeOptions& o
   h.velocity = task.read(v.velocity, Stencil::box(1));
   h.pressure = task.read(v.pressure, Stencil::box(1));
   h.sound = task.read(v.sound);
-  if (o.masked && !o.walled) h.mask = task.read(v.mask);
-  if (o.walled) h.open = task.read(v.walls.open);
+  if (o.masked && !o.has_cut_cells) h.mask = task.read(v.mask);
+  if (o.has_cut_cells) h.open = task.read(v.walls.open);
   if (o.shocks_leave) task.by_box();
   h.velocity_slope = task.write(v.velocity_slope);
   h.pressure_slope = task.write(v.pressure_slope);
@@ -146,8 +146,8 @@ void add_slopes(TaskList& list, const SchemeVariables& v, const SchemeOptions& o
         slope_rows<D, true>(row, h, k);
       else
         slope_rows<D, false>(row, h, k);
-      if (o.masked && !o.walled) mask_slopes(row, h.mask, slopes_of(h), D);
-      if (o.walled) close_slopes(row, h.open, slopes_of(h), D);
+      if (o.masked && !o.has_cut_cells) mask_slopes(row, h.mask, slopes_of(h), D);
+      if (o.has_cut_cells) close_slopes(row, h.open, slopes_of(h), D);
       if (o.shocks_leave && o.recorder->ends != nullptr) damp_rows<D>(row, h, *o.recorder->ends);
       predict_row<D>(row, h, k);
     });

@@ -18,7 +18,7 @@
 namespace sluice::ice::pressure {
 namespace {
 
-struct Touched {
+struct Cut {
   bool any = false;
   In cells, fraction, volume_L, energy_L, gives_old;
 };
@@ -27,19 +27,19 @@ struct Handles {
   mixture::StateReads state;
   In pure, rho_L, energy_L, specific_energy_L, stretch;
   In strain;  // where the materials of a cell relax before the remap
-  Touched touched;
+  Cut cut;
   LawsOfCells laws;
   Out p, scratch;
 };
 
-Touched read_touched(TaskBuilder& task, const mixture::Variables& v, const SchemeOptions& o) {
-  Touched t;
-  t.any = o.walled;
+Cut read_touched(TaskBuilder& task, const mixture::Variables& v, const SchemeOptions& o) {
+  Cut t;
+  t.any = o.has_cut_cells;
   if (!t.any) return t;
-  t.cells = task.read(v.touched);
+  t.cells = task.read(v.cut);
   t.fraction = task.read(v.common.walls.fraction);
-  t.volume_L = task.read(v.touched_volume);
-  t.energy_L = task.read(v.touched_energy);
+  t.volume_L = task.read(v.cut_volume);
+  t.energy_L = task.read(v.cut_energy);
   t.gives_old = task.read(v.common.walls.gives_old);
   return t;
 }
@@ -54,7 +54,7 @@ class OwnState {
         J_(row(h.stretch, 0)),
         of_volume_(row(h.specific_energy_L, static_cast<int>(m))) {
     if (h.strain.index >= 0) iJ_ = row(h.strain, static_cast<int>(h.state.mass.size() + m));
-    const Touched& t = h.touched;
+    const Cut& t = h.cut;
     if (!t.any) return;
     touched_ = row(t.cells);
     theta_ = row(t.fraction);
@@ -121,7 +121,7 @@ VariableId add_lagrangian_pressure(TaskList& list, const mixture::Variables& v,
   h.specific_energy_L = task.read(v.specific_energy_L);
   h.stretch = task.read(v.stretch);
   if (mixture::relaxes_before_remap(o)) h.strain = task.read(v.strain);
-  h.touched = read_touched(task, v, o);
+  h.cut = read_touched(task, v, o);
   h.laws = LawsOfCells(task, list, o);
   h.p = task.write(p_L);
   h.scratch = task.write(list.temporary("closure after the Lagrangian phase", 5));
@@ -144,7 +144,7 @@ VariableId add_new_pressure(TaskList& list, const mixture::Variables& v, const S
     energy.push_back(task.read(v.energy_new[m]));
   }
   const In pure_in = task.read(v.pure), closed = task.read(v.common.new_pressure);
-  const Touched touched = read_touched(task, v, o);
+  const Cut cut = read_touched(task, v, o);
   const Out out = task.write(p_new);
   const LawsOfCells laws(task, list, o, LawsOfCells::When::new_state);
   task.kernel([=](const Row& row) {
@@ -157,11 +157,11 @@ VariableId add_new_pressure(TaskList& list, const mixture::Variables& v, const S
       const auto m = static_cast<std::size_t>(pure);
       laws.of(part, m).pressure(count, part(mass[m]), part(energy[m]), part(out));
     };
-    if (touched.any) std::fill_n(row(out), row.count(), 0.0);
+    if (cut.any) std::fill_n(row(out), row.count(), 0.0);
     for_each_run(runs_of(row, pure_in), row.count(), [&](int from, int number, double pure) {
-      if (!touched.any) return find(from, number, pure);
-      for_each_untouched(row(touched.cells), from, number,
-                         [&](int first, int count) { find(first, count, pure); });
+      if (!cut.any) return find(from, number, pure);
+      for_each_full(row(cut.cells), from, number,
+                    [&](int first, int count) { find(first, count, pure); });
     });
   });
   return p_new;
@@ -172,8 +172,8 @@ VariableId add_new_pressure(TaskList& list, const mixture::Variables& v, const S
 void add_end_of_mixture(TaskList& list, const mixture::Variables& v, const SchemeVariables& faces,
                         const SchemeOptions& o, int effect) {
   const VariableId p_L = add_lagrangian_pressure(list, v, o, effect);
-  o.walled ? add_walled_error(list, faces, o, p_L, effect)
-           : add_volume_error(list, faces, o, p_L, effect);
+  o.has_cut_cells ? add_cut_cell_error(list, faces, o, p_L, effect)
+                  : add_volume_error(list, faces, o, p_L, effect);
   add_offset(list, faces, o, add_new_pressure(list, v, o, effect), effect);
 }
 

@@ -207,11 +207,11 @@ void add_solved_face_states(TaskList& list, const SchemeVariables& v, const Sche
       side_faces(row, h, axis, k, o);
       if (o.meets_finer) finer_faces(row, h);
     });
-    if (!o.walled)
+    if (!o.has_cut_cells)
       add_face_coefficient(list, v, o, axis, list.output(labels().matrix_face[direction], 0),
                            effect);
   }
-  if (o.walled) return;
+  if (o.has_cut_cells) return;
   dispatch(o.axes.count, o.components,
            [&]<int D, int C>() { add_cell_system<D>(list, v, o, effect); });
 }

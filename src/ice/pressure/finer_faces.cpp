@@ -51,7 +51,7 @@ void add_means_of_side(const LevelSolver& finer, const CellMap& map, int box, co
       }
 }
 
-std::vector<FaceMean> of_all_ranks(const std::vector<FaceMean>& own) {
+std::vector<FaceMean> gather_from_ranks(const std::vector<FaceMean>& own) {
   if (world().size() == 1) return own;
   std::string bytes(own.size() * sizeof(FaceMean), '\0');
   std::memcpy(bytes.data(), own.data(), bytes.size());
@@ -84,7 +84,7 @@ void take_finer_faces(LevelSolver& coarser, LevelSolver& finer) {
     for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b)
       if (state.local_boxes()[b].cells.contains(cell)) state.view(slot, 0, b)(cell) = value;
   };
-  for (const FaceMean& mean : of_all_ranks(means)) {
+  for (const FaceMean& mean : gather_from_ranks(means)) {
     const IntVec3 cell = coarse_map.image(mean.cell);
     put(labels().finer_face_velocity[mean.direction], cell, mean.velocity);
     put(labels().finer_face_pressure[mean.direction], cell, mean.pressure);

@@ -3,7 +3,7 @@
 namespace sluice::ice::pressure {
 namespace {
 
-constexpr int most_layers = 4;
+constexpr int max_layers = 4;
 
 IntVec3 parent_of(IntVec3 c, IntVec3 ratio) {
   const auto floor_of = [](int a, int b) { return a >= 0 ? a / b : -((b - 1 - a) / b); };
@@ -29,7 +29,7 @@ void InterfaceGhosts::fill(const RealView& d, const IndexBox& cells) const {
 }
 
 double InterfaceGhosts::value(IntVec3 ghost) const {
-  for (int away = 1; away <= most_layers; ++away)
+  for (int away = 1; away <= max_layers; ++away)
     for (int d = 0; d < 3; ++d) {
       if (!fine_.active[d]) continue;
       for (const int inward : {1, -1}) {

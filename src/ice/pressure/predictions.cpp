@@ -159,7 +159,7 @@ void predict(const Row& row, const Handles& h, int axis, const SchemeOptions& o)
   else
     prediction_row<D, Viscous>(row, h, axis, k,
                                OneLaw{o.fluid.shock_slope(), -o.fluid.lowest_pressure()});
-  if (o.walled) ease_jumps(row, h, axis);
+  if (o.has_cut_cells) ease_jumps(row, h, axis);
 }
 
 }  // namespace
@@ -207,7 +207,7 @@ void add_predictions(TaskList& list, const SchemeVariables& v, const SchemeOptio
     h.velocity_slope = task.read(v.velocity_slope, both);
     h.pressure_slope = task.read(v.pressure_slope, both);
     if (o.axes.count > 1) h.transverse = task.read(v.transverse_velocity, both);
-    if (o.walled) h.open = task.read(v.walls.open, both);
+    if (o.has_cut_cells) h.open = task.read(v.walls.open, both);
     if (o.viscous) h.force = task.read(v.solve.force, both);
     if (o.mixture) {
       h.shock_slope = task.read(v.shock_slope, both);

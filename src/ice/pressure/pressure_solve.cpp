@@ -14,11 +14,11 @@
 namespace sluice::ice::pressure {
 namespace {
 
-constexpr double most_growth = 100.0;  // of the error over its least: the step is too long
-constexpr double falling = 0.3;        // of the error in a pass: it converges
-constexpr int most_without_gain = 3;   // passes
+constexpr double max_growth = 100.0;  // of the error over its least: the step is too long
+constexpr double falling = 0.3;       // of the error in a pass: it converges
+constexpr int max_without_gain = 3;   // passes
 // Where levels meet the matrix is not that of the flow: so many passes correct it, to this share.
-constexpr int most_corrections = 6;
+constexpr int max_corrections = 6;
 constexpr double corrected = 1e-3;
 constexpr double round_off = 1e-9;  // a volume error that passes without gain may end at
 
@@ -125,11 +125,11 @@ void PressureSolve::tell_history() const {
 
 // No pass of the last few brought the error well below the least before them.
 bool PressureSolve::stalls() const {
-  if (passes_.size() <= most_without_gain) return false;
+  if (passes_.size() <= max_without_gain) return false;
   double before = passes_.front().error, last = passes_.back().error;
   for (std::size_t n = 0; n < passes_.size(); ++n)
-    (n + most_without_gain < passes_.size() ? before : last) =
-        std::min(n + most_without_gain < passes_.size() ? before : last, passes_[n].error);
+    (n + max_without_gain < passes_.size() ? before : last) =
+        std::min(n + max_without_gain < passes_.size() ? before : last, passes_[n].error);
   return last > 0.5 * before;
 }
 
@@ -152,18 +152,18 @@ StepShape::Iterate::Answer PressureSolve::judge(const StageScope& scope) {
   if (error <= settings_.tolerance) return Answer::done;
   double least = error;
   for (const Pass& p : passes_) least = std::min(least, p.error);
-  if (error > most_growth * least) return reject("it grows");
+  if (error > max_growth * least) return reject("it grows");
   if (stalls()) return least <= round_off ? Answer::done : reject("it does not fall any more");
   const bool levels = scope.levels.size() > 1;
   if (settings_.max_passes == 1 &&
-      (!levels || error <= corrected * passes_.front().error || scope.pass >= most_corrections))
+      (!levels || error <= corrected * passes_.front().error || scope.pass >= max_corrections))
     return Answer::done;
   // A step that converges may go on after as many passes as the deck would redo it.
   const std::size_t done = passes_.size();
   const bool falls = done > 1 && error < falling * passes_[done - 2].error;
   const int most =
-      falls ? settings_.max_passes : std::min(settings_.max_passes, settings_.most_before_redo);
-  if (scope.pass >= (levels ? std::max(most, most_corrections) : most))
+      falls ? settings_.max_passes : std::min(settings_.max_passes, settings_.max_before_redo);
+  if (scope.pass >= (levels ? std::max(most, max_corrections) : most))
     return reject("no more passes are allowed");
   return Answer::again;
 }

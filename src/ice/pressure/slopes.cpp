@@ -113,8 +113,8 @@ void add_smooth_slopes(TaskList& list, const SchemeVariables& v, const SchemeOpt
   h.rho = task.read(v.rho, o.gravity_on ? around : Stencil::point());
   h.velocity = task.read(v.velocity, around);
   h.pressure = task.read(v.solve.smooth, around);
-  if (o.masked && !o.walled) h.mask = task.read(v.mask);
-  if (o.walled) h.open = task.read(v.walls.open);
+  if (o.masked && !o.has_cut_cells) h.mask = task.read(v.mask);
+  if (o.has_cut_cells) h.open = task.read(v.walls.open);
   h.velocity_slope = task.write(v.velocity_slope);
   h.pressure_slope = task.write(v.pressure_slope);
   if (o.axes.count > 1) h.transverse = task.write(v.transverse_velocity);
@@ -131,8 +131,8 @@ void add_smooth_slopes(TaskList& list, const SchemeVariables& v, const SchemeOpt
           pressure_slopes<false>(row, h, d, 0, 0);
       }
       if constexpr (D > 1) transverse_rows<D>(row, h, o.axes);
-      if (o.masked && !o.walled) mask_slopes(row, h.mask, slopes_of(h), D);
-      if (o.walled) close_slopes(row, h.open, slopes_of(h), D);
+      if (o.masked && !o.has_cut_cells) mask_slopes(row, h.mask, slopes_of(h), D);
+      if (o.has_cut_cells) close_slopes(row, h.open, slopes_of(h), D);
     });
   });
 }

@@ -30,9 +30,9 @@ struct SolveConstants {
 };
 inline SolveConstants solve_constants(const StepConstants& step) {
   constexpr double g1 = 0.15, s1 = 0.1;
-  constexpr double most_growth = 4.0;  // of r, beyond which X- says little about this step
+  constexpr double max_growth = 4.0;  // of r, beyond which X- says little about this step
   const double r = step.dt_before / step.dt;
-  const double g = r > most_growth ? 0.0 : g1;
+  const double g = r > max_growth ? 0.0 : g1;
   return {1.0 - g, 0.5 * (1.0 + g * r), 0.5 + s1 * (r < 1.0 ? r : 1.0)};
 }
 
@@ -65,10 +65,10 @@ void add_end_of_one(TaskList&, const SchemeVariables&, const SchemeOptions&, int
 
 // Beside solids: the system, of faces as far as they are open and cells as far as fluid fills them;
 // the volume error; the end of the step of one material.
-void add_walled_system(TaskList&, const SchemeVariables& v, const SchemeOptions&, int effect);
-void add_walled_error(TaskList&, const SchemeVariables& v, const SchemeOptions&, VariableId p_L,
-                      int effect);
-void add_end_of_walled(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+void add_cut_cell_system(TaskList&, const SchemeVariables& v, const SchemeOptions&, int effect);
+void add_cut_cell_error(TaskList&, const SchemeVariables& v, const SchemeOptions&, VariableId p_L,
+                        int effect);
+void add_cut_cell_end_of_step(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
 
 // The end of the step where several materials may meet, with or without solids beside them;
 // `faces`: what moves with the faces' velocity.

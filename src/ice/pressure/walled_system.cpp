@@ -181,14 +181,14 @@ void add_error(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
 
 }  // namespace
 
-void add_walled_error(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
-                      VariableId p_L, int effect) {
+void add_cut_cell_error(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+                        VariableId p_L, int effect) {
   dispatch(o.axes.count, o.components,
            [&]<int D, int C>() { add_error<D>(list, v, o, p_L, effect); });
 }
 
-void add_walled_system(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
-                       int effect) {
+void add_cut_cell_system(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+                         int effect) {
   for (int axis = 0; axis < o.axes.count; ++axis) add_open_coefficient(list, v, o, axis, effect);
   add_cell_coefficient(list, v, o, effect);
   dispatch(o.axes.count, o.components,
@@ -196,12 +196,12 @@ void add_walled_system(TaskList& list, const SchemeVariables& v, const SchemeOpt
 }
 
 // Of cells that solids meet X - p follows when their state does, behind the sweep.
-void add_end_of_walled(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
-                       int effect) {
-  add_walled_error(list, v, o,
-                   add_pressure(list, o, v.rho_L, v.energy_L, "Lagrangian pressure",
-                                LawsOfCells::When::old_state, effect),
-                   effect);
+void add_cut_cell_end_of_step(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+                              int effect) {
+  add_cut_cell_error(list, v, o,
+                     add_pressure(list, o, v.rho_L, v.energy_L, "Lagrangian pressure",
+                                  LawsOfCells::When::old_state, effect),
+                     effect);
   add_offset(list, v, o,
              add_pressure(list, o, v.walls.after_rho, v.walls.after_energy,
                           "pressure of the new state", LawsOfCells::When::new_state, effect),

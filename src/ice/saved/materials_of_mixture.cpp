@@ -9,13 +9,13 @@
 namespace sluice::ice::mixture {
 namespace {
 
-std::string of_material(const char* what, int m) {
+std::string material_label(const char* what, int m) {
   return std::string(what) + " of material " + std::to_string(m);
 }
 
 // Energy after the Lagrangian phase; where the material is alone the mixture's.
 VariableId declare_energy(TaskList& list, const Variables& v, int m) {
-  const std::string name = of_material("energy after the Lagrangian phase", m);
+  const std::string name = material_label("energy after the Lagrangian phase", m);
   const VariableId energy = list.temporary(name);
   TaskBuilder task = list.task(name, effect_saved_intermediates);
   const In pure = task.read(v.pure), own = task.read(v.energy_L),
@@ -33,15 +33,15 @@ VariableId declare_passing(TaskList& list, const Variables& v, const SchemeOptio
                            int axis) {
   const int d = o.axes.direction[axis];
   const std::string name =
-      of_material("share of what passes", m) + ", axis " + std::to_string(axis);
+      material_label("share of what passes", m) + ", axis " + std::to_string(axis);
   const VariableId share = list.temporary(name, 1, d);
   TaskBuilder task = list.task(name, effect_saved_intermediates);
   const In pure = task.read(v.pure, Stencil::along(d, 1, 0));
   const In volume = task.read(v.volume[m], Stencil::along(d, 1, 0));
   const In flux = task.read(v.flux[axis]);
   const In velocity =
-      task.read(o.own_velocities ? v.slip.face_velocity[axis] : v.common.face_velocity[axis]);
-  const int own = o.own_velocities ? m : 0;
+      task.read(o.multi_velocity ? v.slip.face_velocity[axis] : v.common.face_velocity[axis]);
+  const int own = o.multi_velocity ? m : 0;
   const Out out = task.write(share);
   task.kernel([=](const Row& row) {
     const double l = row.step().dt / row.step().spacing[d];
@@ -63,15 +63,15 @@ VariableId declare_passing(TaskList& list, const Variables& v, const SchemeOptio
 
 // Momentum by which friction pushes the material apart from the others.
 VariableId declare_friction(TaskList& list, const Variables& v, const SchemeOptions& o, int m) {
-  const std::string name = of_material("friction against the others", m);
+  const std::string name = material_label("friction against the others", m);
   const VariableId friction = list.temporary(name, o.components);
   TaskBuilder task = list.task(name, effect_saved_intermediates);
   const FrictionOnSlip pull = read_friction(task, v, o);
-  SlipReads state;
+  RelativeVelocityReads state;
   read_slip(task, v, o, state);
   const Out out = task.write(friction);
   task.kernel([=, components = o.components](const Row& row) {
-    const double *mass[most_materials], *volume[most_materials];
+    const double *mass[max_materials], *volume[max_materials];
     const int materials = static_cast<int>(state.mass.size());
     for (std::size_t k = 0; k < state.mass.size(); ++k) {
       mass[k] = row(state.mass[k]);
@@ -83,7 +83,7 @@ VariableId declare_friction(TaskList& list, const Variables& v, const SchemeOpti
       DragCell cell;
       find_present(materials, mass, volume, i, cell);
       for (int c = 0; c < components; ++c) {
-        double push[most_materials] = {};
+        double push[max_materials] = {};
         pull.add(row, cell, c, i, push);
         for (int k = 0; k < cell.count; ++k)
           if (cell.index[k] == m) row(out, c)[i] = push[k];
@@ -112,7 +112,7 @@ MaterialsOfStep materials_of_step(TaskList& list, const Variables& v, const Sche
                        {}};
     for (int axis = 0; axis < o.axes.count; ++axis)
       one.passing[axis] = declare_passing(list, v, o, m, axis);
-    if (o.own_velocities) {
+    if (o.multi_velocity) {
       one.motion =
           OwnMotion{v.slip.slip[m], v.slip.slip_new[m], v.slip.velocity_L, m * o.components, {}};
       if (o.viscous) one.motion->friction = declare_friction(list, v, o, m);

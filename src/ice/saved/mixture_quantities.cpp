@@ -18,12 +18,12 @@ class Declarer {
   explicit Declarer(QuantityList& q)
       : q_(q),
         o_(q.options()),
-        mixture_(of_mixture(o_)),
+        mixture_(mixture_options(o_)),
         v_(declare_variables(q.list(), mixture_)) {
     add_primitives(q.list(), v_, mixture_, effect_diagnostics, true);
     if (o_.own_viscosity_varies()) add_own_viscosities(q.list(), v_, mixture_, effect_diagnostics);
     if (o_.transport.turbulence) declare_eddies();
-    if (!o_.own_velocities) velocity_ = q.velocity(v_.common.rho, v_.common.momentum);
+    if (!o_.multi_velocity) velocity_ = q.velocity(v_.common.rho, v_.common.momentum);
     const SchemeVariables& c = v_.common;
     for (int m = 0; m < static_cast<int>(o_.fluids.size()); ++m) {
       q.add(labels().sum_rho, m, c.rho);
@@ -40,7 +40,7 @@ class Declarer {
   }
 
  private:
-  static SchemeOptions of_mixture(const SchemeOptions& o) {
+  static SchemeOptions mixture_options(const SchemeOptions& o) {
     SchemeOptions mixture = o;
     mixture.mixture = true;
     mixture.viscosity_varies = o.viscous;
@@ -63,7 +63,7 @@ class Declarer {
   }
   // By level direction; that of the mixture where the material is absent.
   VariableId velocity_of(int m) {
-    if (!o_.own_velocities) {
+    if (!o_.multi_velocity) {
       if (m > 0) q_.add(labels().velocity, m, velocity_);
       return velocity_;
     }

@@ -40,7 +40,7 @@ class QuantityList {
   // f of two cell variables.
   template <class F>
   VariableId of(VariableId first, VariableId second, Label label, int material, F f) {
-    return of_rows(
+    return row_variable(
         first, second, label, material,
         [f](int n, const double* __restrict x, const double* __restrict y, double* __restrict to) {
           for (int i = 0; i < n; ++i) to[i] = f(x[i], y[i]);
@@ -48,7 +48,7 @@ class QuantityList {
   }
   // Of rows of n cells: f(n, first, second, result).
   template <class F>
-  VariableId of_rows(VariableId first, VariableId second, Label label, int material, F f) {
+  VariableId row_variable(VariableId first, VariableId second, Label label, int material, F f) {
     const VariableId v = fresh(label, material);
     TaskBuilder t = task(label, material);
     const In a = t.read(first), b = t.read(second);

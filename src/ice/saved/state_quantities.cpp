@@ -48,8 +48,8 @@ void declare_viscosities(QuantityList& q, const StateVariables& state) {
 }
 
 // A row of the law from two cell variables.
-VariableId of_law(QuantityList& q, VariableId first, VariableId second, Label label,
-                  void (LawRow::*rows)(int, const double*, const double*, double*) const) {
+VariableId law_variable(QuantityList& q, VariableId first, VariableId second, Label label,
+                        void (LawRow::*rows)(int, const double*, const double*, double*) const) {
   const VariableId v = q.fresh(label, 0);
   TaskBuilder t = q.task(label, 0);
   const In a = t.read(first), b = t.read(second);
@@ -62,7 +62,7 @@ VariableId of_law(QuantityList& q, VariableId first, VariableId second, Label la
 
 // f(law of the row, i). `any`: a variable of the cells; a task must read something.
 template <class F>
-void of_law(QuantityList& q, VariableId any, Label label, F f) {
+void law_variable(QuantityList& q, VariableId any, Label label, F f) {
   const VariableId v = q.fresh(label, 0);
   TaskBuilder t = q.task(label, 0);
   static_cast<void>(t.read(any));
@@ -77,8 +77,8 @@ void of_law(QuantityList& q, VariableId any, Label label, F f) {
 
 // Specific heat at constant volume and ratio of specific heats at the state of each cell.
 void declare_heats(QuantityList& q, VariableId rho, VariableId E) {
-  of_law(q, rho, E, labels().specific_heat, &LawRow::heat_capacity);
-  of_law(q, rho, E, labels().gamma, &LawRow::heat_capacity_ratio);
+  law_variable(q, rho, E, labels().specific_heat, &LawRow::heat_capacity);
+  law_variable(q, rho, E, labels().gamma, &LawRow::heat_capacity_ratio);
 }
 
 // What one material makes of its state.
@@ -89,10 +89,11 @@ void declare_of_one(QuantityList& q) {
   for (const Label density : {l.rho, l.rho_micro, l.sum_rho}) q.add(density, 0, rho);
   const VariableId u = q.velocity(rho, q.list().old_state(l.momentum, 0, o.components));
   // Pressure and temperature are asked for by most criteria of refinement, at every look.
-  const VariableId p = of_law(q, rho, E, l.pressure, &LawRow::pressure);
-  const VariableId T = of_law(q, rho, E, l.temperature, &LawRow::temperature);
-  const VariableId c = of_law(q, rho, p, l.sound_speed, &LawRow::sound_speed);
-  const VariableId compressibility = of_law(q, rho, p, l.compressibility, &LawRow::compressibility);
+  const VariableId p = law_variable(q, rho, E, l.pressure, &LawRow::pressure);
+  const VariableId T = law_variable(q, rho, E, l.temperature, &LawRow::temperature);
+  const VariableId c = law_variable(q, rho, p, l.sound_speed, &LawRow::sound_speed);
+  const VariableId compressibility =
+      law_variable(q, rho, p, l.compressibility, &LawRow::compressibility);
   q.of(rho, p, l.specific_volume, 0, [](double r, double) { return 1.0 / r; });
   const auto constant = [&](Label label, double value) {
     q.of(rho, rho, label, 0, [value](double, double) { return value; });
@@ -103,8 +104,8 @@ void declare_of_one(QuantityList& q) {
   constant(l.gradient_volume_fraction, 0.0);
   declare_viscosities(q, {rho, E, u, true});
   if (!o.spreads_species)
-    of_law(q, rho, l.thermal_conductivity,
-           [k = o.conductivity](const LawRow& law, int i) { return law.conductivity(i, k); });
+    law_variable(q, rho, l.thermal_conductivity,
+                 [k = o.conductivity](const LawRow& law, int i) { return law.conductivity(i, k); });
   declare_heats(q, rho, E);
   q.mach(u, c, 0);
   q.slopes(rho, l.gradient_rho, 0);

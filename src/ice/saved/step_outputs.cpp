@@ -54,7 +54,7 @@ void declare_step_outputs(TaskList& list, const SchemeVariables& v, const Scheme
     save_copy(list, label, 0, effect_saved_intermediates, from);
   };
   save(l.equilibrium_pressure, v.pressure);
-  if (o.classic)
+  if (o.internal_energy_form)
     save(l.pressure_change, v.pressure_change);
   else
     pressure_change_task(list, v, o);

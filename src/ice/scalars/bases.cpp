@@ -15,7 +15,7 @@
 namespace sluice::ice::scalars {
 namespace {
 
-constexpr int most_cells = 64;  // of a part of a row
+constexpr int max_cells = 64;  // of a part of a row
 
 struct Handles {
   std::vector<In> q, mass;  // by scalar
@@ -68,7 +68,7 @@ void bounds_row(const Around<D>& a, int n, double* __restrict low, double* __res
 // change[t] = h u L3(q) along t, spread = (dt/2) S.
 template <int D>
 void change_rows(const Around<D>& a, const Constants& x, int n, bool diffusive,
-                 double (*change)[most_cells], double* __restrict spread) {
+                 double (*change)[max_cells], double* __restrict spread) {
   for (int t = 0; t < D; ++t) {
     const double h = x.h[t];
     const double* __restrict u = x.velocity[t];
@@ -91,7 +91,7 @@ void change_rows(const Around<D>& a, const Constants& x, int n, bool diffusive,
       const double below = shared_mass(a.Mm[t][i], a.M[i]) * (a.q[i] - a.qm[t][i]);
       sum += x.diffusion[t] * (above - below);
     }
-    spread[i] = sum / larger(a.M[i], least_mass);
+    spread[i] = sum / larger(a.M[i], min_mass);
   }
   if (x.diffusivity == nullptr) return;
   for (int i = 0; i < n; ++i) spread[i] *= x.diffusivity[i];
@@ -103,7 +103,7 @@ void amount_rows(const Row& row, const Handles& h, const Constants& x, const Aro
                  int first) {
   const int n = row.count();
   const double* rho_L = row(h.rho_L);
-  double change[D][most_cells];
+  double change[D][max_cells];
   for (int t = 0; t < D; ++t) {
     const double* su = D > 1 ? row(h.velocity_slope, t) : nullptr;
     const double* u = x.velocity[t];
@@ -132,7 +132,7 @@ void base_rows(const Row& row, const Handles& h, const Constants& x, std::size_t
   const int n = row.count(), first = static_cast<int>(k) * (offered + D);
   const Around<D> around(row, h.q[k], h.mass[k]);
   bounds_row(around, n, row(h.base, first + lowest), row(h.base, first + highest));
-  double change[D][most_cells], spread[most_cells];
+  double change[D][max_cells], spread[max_cells];
   change_rows(around, x, n, diffusive, change, spread);
   const double* q = around.q;
   for (int d = 0; d < D; ++d) {
@@ -167,7 +167,7 @@ void add_bases(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
     h.mass.push_back(task.read(e.mass, Stencil::box(1)));
     const models::TransportedScalar& scalar = o.scalars[e.index];
     diffusivity.push_back(scalar.spreads_by_law ? 1.0 : scalar.diffusivity);
-    h.moves.push_back(o.mixture && o.own_velocities ? scalar.material * o.components : 0);
+    h.moves.push_back(o.mixture && o.multi_velocity ? scalar.material * o.components : 0);
   }
   for (const ScalarVariables::Each& e : v.scalars.each) {
     h.by_volume.push_back(o.scalars[e.index].by_volume ? 1 : 0);
@@ -179,15 +179,15 @@ void add_bases(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
   }
   if (o.spreads_species) h.diffusivity = task.read(v.scalars.diffusivity);
   h.velocity = task.read(v.velocity);
-  const bool masked = o.masked || v.scalars.walled;
-  if (masked) h.mask = task.read(v.scalars.walled ? v.scalars.slopes : v.mask);
+  const bool masked = o.masked || v.scalars.has_cut_cells;
+  if (masked) h.mask = task.read(v.scalars.has_cut_cells ? v.scalars.slopes : v.mask);
   h.base = task.write(v.scalars.base);
   if (v.scalars.diffusive) h.half = task.write(v.scalars.half);
   dispatch(o.axes.count, o.components, [&]<int D, int C>() {
     task.kernel([=, axes = o.axes](const Row& row) {
-      for (int begin = 0; begin < row.count(); begin += most_cells) {
+      for (int begin = 0; begin < row.count(); begin += max_cells) {
         const int left = row.count() - begin;
-        const Row part = row.part(begin, left < most_cells ? left : most_cells);
+        const Row part = row.part(begin, left < max_cells ? left : max_cells);
         Constants x;
         if (masked) x.mask = part(h.mask);
         for (std::size_t k = 0; k < h.q.size(); ++k) {

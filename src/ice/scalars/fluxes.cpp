@@ -43,7 +43,7 @@ struct Pair {  // of the cells on both sides
 // How much further than the donor's value a face may be, as a share of what the donor's value is
 // away from the other bound.
 inline double leeway(double nu, double M, double flow, double N) {
-  const double r = nu * M / larger(flow * N, least_mass) - 1.0;
+  const double r = nu * M / larger(flow * N, min_mass) - 1.0;
   return smaller(larger(r, 0.0), 1e30);
 }
 
@@ -79,7 +79,7 @@ void face_row(const Row& row, const Handles& h, const Each& e, int axis, int axe
     const double M = left ? Mp[i] : Mm[i];
     const double lo = left ? low.b[i] : low.a[i], hi = left ? high.b[i] : high.a[i];
     const double flow = std::fabs(F[i]);
-    const double f = smaller(flow / larger(M, least_mass), 0.99);
+    const double f = smaller(flow / larger(M, min_mass), 0.99);
     const double nu = std::fabs(H) * (left ? iJ.b[i] : iJ.a[i]);
     const double r = leeway(nu, M, flow, left ? N.b[i] : N.a[i]);
     const double middle = difference(qm[i], qp[i], Mm[i], Mp[i]);
@@ -207,10 +207,11 @@ Handles declare(TaskBuilder& task, const SchemeVariables& v, const SchemeOptions
     Each each;
     each.q = task.read(e.old, o.second_order ? four : both);
     each.mass = task.read(e.mass, o.second_order ? four : both);
-    each.density = v.scalars.walled && v.scalars.diffusive ? task.read(e.density, both) : each.mass;
+    each.density =
+        v.scalars.has_cut_cells && v.scalars.diffusive ? task.read(e.density, both) : each.mass;
     if (o.mixture && v.scalars.diffusive) each.volume = task.read(e.volume, both);
     each.carrier = e.carrier;
-    each.motion = o.mixture && o.own_velocities ? e.carrier : 0;
+    each.motion = o.mixture && o.multi_velocity ? e.carrier : 0;
     each.place = static_cast<int>(h.each.size());
     each.law = o.scalars[e.index].spreads_by_law;
     each.diffusivity = each.law ? 1.0 : o.scalars[e.index].diffusivity;
@@ -225,13 +226,14 @@ Handles declare(TaskBuilder& task, const SchemeVariables& v, const SchemeOptions
     h.inverse_J = task.read(v.inverse_J, both);
     h.base = task.read(v.scalars.base, both);
     if (v.scalars.diffusive) h.half = task.read(v.scalars.half, both);
-    if (v.scalars.walled)
+    if (v.scalars.has_cut_cells)
       h.mask = task.read(v.scalars.axis_slopes[axis], both);
     else if (o.masked)
       h.mask = task.read(v.mask, both);
   }
   if (o.mixture && o.mixed != nullptr) h.pure = task.read(v.pure, both);
-  if (v.scalars.walled && v.scalars.diffusive) h.open = task.read(v.scalars.open_share[axis]);
+  if (v.scalars.has_cut_cells && v.scalars.diffusive)
+    h.open = task.read(v.scalars.open_share[axis]);
   h.face = task.write(v.scalars.face[axis]);
   if (v.scalars.diffusive) h.spread = task.write(v.scalars.spread[axis]);
   return h;
@@ -246,8 +248,9 @@ void add_fluxes(TaskList& list, const SchemeVariables& v, const SchemeOptions& o
     TaskBuilder task = list.task(names[axis], effect);
     const Handles h = declare(task, v, o, axis);
     const int direction = o.axes.direction[axis], axes = o.axes.count;
-    const bool second = o.second_order, walled = v.scalars.walled, masked = o.masked || walled,
-               diffusive = v.scalars.diffusive, mixture = o.mixture;
+    const bool second = o.second_order, has_cut_cells = v.scalars.has_cut_cells,
+               masked = o.masked || has_cut_cells, diffusive = v.scalars.diffusive,
+               mixture = o.mixture;
     task.kernel([=](const Row& row) {
       const double dx = row.step().spacing[direction], l = row.step().dt / dx;
       for (const Each& e : h.each) {
@@ -264,7 +267,7 @@ void add_fluxes(TaskList& list, const SchemeVariables& v, const SchemeOptions& o
         if (e.by_volume && second && mixture) donors_beside_others(row, h, e, axis);
         if (diffusive) spread_row(row, h, e, axis, l / dx, second);
         if (e.law) law_row(row, h, e, axis);
-        if (diffusive && walled) open_row(row, h, e);
+        if (diffusive && has_cut_cells) open_row(row, h, e);
       }
     });
   }

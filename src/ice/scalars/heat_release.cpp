@@ -18,7 +18,7 @@ void release_row(const Row& row, const Handles& h, const SchemeOptions& o) {
   const double* __restrict rho = row(h.release.end.next.rho);
   double* __restrict now = row(h.released_new);
   double* __restrict E = row(h.release.end.next.energy);
-  const HeatBooks books(row, h.release, o);
+  const HeatBudget books(row, h.release, o);
   o.mixed->for_row(row.count(), row(h.fraction), [=](int i, const models::MixedGas::Between& at) {
     const double Q = at(&models::MixedGas::Node::heat), heat = rho[i] * (Q - q[i]);
     now[i] = Q;

@@ -43,10 +43,10 @@ void react_row(const Row& row, const Handles& h, const SchemeOptions& o,
   const double* rho = row(h.release.end.next.rho);
   double* E = row(h.release.end.next.energy);
   double* last_step = row(h.last_step);
-  const HeatBooks books(row, h.release, o);
+  const HeatBudget books(row, h.release, o);
   const double dt = row.step().dt;
   const std::size_t count = h.before.size();
-  double Y[models::most_species];
+  double Y[models::max_species];
   for (int i = 0; i < row.count(); ++i) {
     for (std::size_t k = 0; k < count; ++k) Y[k] = row(h.before[k])[i];
     kinetics::Reactor::Result done{0, dt, 0};

@@ -39,10 +39,10 @@ inline void begin_release(const Row& row, const ReleaseHandles& h, const SchemeO
 }
 
 // Where heat is booked: of the gas, and of all.
-struct HeatBooks {
+struct HeatBudget {
   double *of_gas, *of_all;
 
-  HeatBooks(const Row& row, const ReleaseHandles& h, const SchemeOptions& o)
+  HeatBudget(const Row& row, const ReleaseHandles& h, const SchemeOptions& o)
       : of_gas(row(h.sources.change, source_change(o).of(0, SourceChange::energy))),
         of_all(row(h.sources.change, source_change(o).of(SourceChange::total_energy))) {}
   void add(int i, double heat) const {

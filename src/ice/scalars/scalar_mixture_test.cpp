@@ -13,9 +13,9 @@ Fluid light() {
 
 // A ball of the first material in the second, or a slab in a tube, both moving and at first under
 // different pressures.
-struct Meeting {
+struct ContactNode {
   GasBox box;
-  explicit Meeting(IntVec3 cells, const std::string& inside = {}) {
+  explicit ContactNode(IntVec3 cells, const std::string& inside = {}) {
     box.cells = cells;
     box.scheme = "conservative";
     box.models = scalar_model("f", "", inside) + scalar_model("u", "", inside);
@@ -29,7 +29,7 @@ struct Meeting {
   }
 };
 
-std::unique_ptr<MixtureBox> make(const Meeting& m, const SolverOptions& options = {}) {
+std::unique_ptr<MixtureBox> make(const ContactNode& m, const SolverOptions& options = {}) {
   auto run = std::make_unique<MixtureBox>(
       m.box, std::vector<Fluid>{light(), stiffened_gas(1.6, 0.5)}, m, options);
   const Vec3 low = m.box.low;
@@ -39,13 +39,13 @@ std::unique_ptr<MixtureBox> make(const Meeting& m, const SolverOptions& options 
     run->view(scalar_state("f"), 0, 0, c)(c) = x.x < 0.5 ? 1.0 : 0.0;
     run->view(scalar_state("u"), 0, 0, c)(c) = 0.7;
   });
-  run->solver().touch();
+  run->solver().mark_modified();
   return run;
 }
 
 TEST(ScalarInMixtures, NeverLeavesItsMaterial) {
   for (const IntVec3 cells : {IntVec3{80, 1, 1}, IntVec3{32, 32, 1}}) {
-    const auto run = make(Meeting(cells));
+    const auto run = make(ContactNode(cells));
     const double before = run->totals().amounts[0].sum.value();
     run->steps(120);
     int without = 0;
@@ -64,7 +64,7 @@ TEST(ScalarInMixtures, NeverLeavesItsMaterial) {
 // Nothing spreads into cells without the material.
 TEST(ScalarInMixtures, SpreadsInsideItsMaterialOnly) {
   const auto run =
-      make(Meeting({32, 32, 1}, "<constants><diffusivity>0.01</diffusivity></constants>"));
+      make(ContactNode({32, 32, 1}, "<constants><diffusivity>0.01</diffusivity></constants>"));
   const double before = run->totals().amounts[0].sum.value();
   run->steps(100);
   for_each_cell(run->domain(), [&](IntVec3 c) {
@@ -82,7 +82,7 @@ TEST(ScalarInMixtures, SpreadsInsideItsMaterialOnly) {
 TEST(ScalarInMixtures, DoesNotDependOnTheKindsOfBlocks) {
   SolverOptions all;
   all.force_all = true;
-  const Meeting m({32, 32, 1}, "<constants><diffusivity>0.001</diffusivity></constants>");
+  const ContactNode m({32, 32, 1}, "<constants><diffusivity>0.001</diffusivity></constants>");
   const auto a = make(m), b = make(m, all);
   a->steps(60);
   b->steps(60);

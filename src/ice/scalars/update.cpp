@@ -23,7 +23,7 @@
 namespace sluice::ice::scalars {
 namespace {
 
-constexpr int most_cells = 64;  // of a part of a row
+constexpr int max_cells = 64;  // of a part of a row
 
 // A source in the cells of a region, on one level.
 struct LocalSource {
@@ -44,7 +44,7 @@ struct Each {
 struct Handles {
   std::vector<Each> each;
   std::array<In, 3> carrier, face, spread;
-  In base, touched;
+  In base, cut;
   In diffusivity;  // of species
 };
 
@@ -74,7 +74,7 @@ void transport_row(const Row& row, const Handles& h, const Each& e, bool second_
     qm[d] = row(h.face[d], e.place);
     qp[d] = row(h.face[d], e.place, d, 1);
   }
-  double low[most_cells], high[most_cells], spread[most_cells];
+  double low[max_cells], high[max_cells], spread[max_cells];
   own_bounds<D>(row, h, e, second_order, low, high);
   for (int i = 0; i < n; ++i) spread[i] = 0.0;
   for (int d = 0; diffusive && d < D; ++d) {
@@ -98,7 +98,7 @@ void transport_row(const Row& row, const Handles& h, const Each& e, bool second_
       most = larger(most, Fm[d][i] > 0.0 ? qm[d][i] : -infinity);
       most = larger(most, Fp[d][i] < 0.0 ? qp[d][i] : -infinity);
     }
-    const double value = q[i] + (gain + spread[i]) / larger(mass[i], least_mass);
+    const double value = q[i] + (gain + spread[i]) / larger(mass[i], min_mass);
     // Of mass that a source puts where there was none nothing is known: it brings no scalar.
     const double kept = least <= most ? larger(smaller(value, most), least) : value;
     now[i] = mass[i] > 0.0 ? kept : 0.0;
@@ -175,10 +175,10 @@ void amount_row(const Row& row, const Handles& h, const Each& e, bool diffusive,
 // linear in the mass, so that what all cells lose alike stays the same everywhere.
 void touched_row(const Row& row, const Handles& h, const Each& e, const double* amount,
                  const double* left, const double* before) {
-  const double* touched = row(h.touched);
+  const double* cut = row(h.cut);
   double* now = row(e.now);
   for (int i = 0; i < row.count(); ++i) {
-    if (touched[i] == 0) continue;
+    if (cut[i] == 0) continue;
     const double gain = now[i] - before[i];
     now[i] = amount[i] + left[i] * gain;
   }
@@ -225,7 +225,7 @@ void read_faces(TaskBuilder& task, const SchemeVariables& v, const SchemeOptions
     if (v.scalars.diffusive) h.spread[axis] = task.read(v.scalars.spread[axis], both);
   }
   if (o.second_order) h.base = task.read(v.scalars.base);
-  if (v.scalars.walled) h.touched = task.read(v.scalars.touched);
+  if (v.scalars.has_cut_cells) h.cut = task.read(v.scalars.cut);
   if (o.spreads_species) h.diffusivity = task.read(v.scalars.diffusivity);
 }
 
@@ -241,22 +241,23 @@ void save_source(TaskList& list, const SchemeVariables& v, const SchemeOptions& 
   read_faces(task, v, o, h);
   const Out out = task.write(list.output(of.source(), of.material));
   dispatch(o.axes.count, o.components, [&]<int D, int C>() {
-    task.kernel([=, second = o.second_order, walled = v.scalars.walled](const Row& row) {
-      for (int begin = 0; begin < row.count(); begin += most_cells) {
-        const Row part = row.part(begin, std::min(row.count() - begin, most_cells));
-        const Each& q = h.each.front();
-        double carried[most_cells], amount[most_cells], left[most_cells];
-        transport_row<D>(part, h, q, second, false, carried);
-        const double* now = part(q.after);
-        double* to = part(out);
-        for (int i = 0; i < part.count(); ++i) to[i] = now[i] - carried[i];
-        if (!walled) continue;
-        amount_row<D>(part, h, q, false, amount, left);
-        const double* touched = part(h.touched);
-        for (int i = 0; i < part.count(); ++i)
-          if (touched[i] != 0) to[i] = left[i] > 0 ? (now[i] - amount[i]) / left[i] : 0.0;
-      }
-    });
+    task.kernel(
+        [=, second = o.second_order, has_cut_cells = v.scalars.has_cut_cells](const Row& row) {
+          for (int begin = 0; begin < row.count(); begin += max_cells) {
+            const Row part = row.part(begin, std::min(row.count() - begin, max_cells));
+            const Each& q = h.each.front();
+            double carried[max_cells], amount[max_cells], left[max_cells];
+            transport_row<D>(part, h, q, second, false, carried);
+            const double* now = part(q.after);
+            double* to = part(out);
+            for (int i = 0; i < part.count(); ++i) to[i] = now[i] - carried[i];
+            if (!has_cut_cells) continue;
+            amount_row<D>(part, h, q, false, amount, left);
+            const double* cut = part(h.cut);
+            for (int i = 0; i < part.count(); ++i)
+              if (cut[i] != 0) to[i] = left[i] > 0 ? (now[i] - amount[i]) / left[i] : 0.0;
+          }
+        });
   });
 }
 
@@ -270,20 +271,20 @@ void add_update(TaskList& list, const SchemeVariables& v, const SchemeOptions& o
   read_faces(task, v, o, h);
   dispatch(o.axes.count, o.components, [&]<int D, int C>() {
     task.kernel([=, options = o, diffusive = v.scalars.diffusive,
-                 walled = v.scalars.walled](const Row& row) {
-      for (int begin = 0; begin < row.count(); begin += most_cells) {
+                 has_cut_cells = v.scalars.has_cut_cells](const Row& row) {
+      for (int begin = 0; begin < row.count(); begin += max_cells) {
         const int left = row.count() - begin;
-        const Row part = row.part(begin, left < most_cells ? left : most_cells);
+        const Row part = row.part(begin, left < max_cells ? left : max_cells);
         for (const Each& e : h.each) {
           transport_row<D>(part, h, e, options.second_order, diffusive, part(e.now));
-          double before[most_cells], amount[most_cells], mass[most_cells];
-          if (walled) {
+          double before[max_cells], amount[max_cells], mass[max_cells];
+          if (has_cut_cells) {
             std::copy_n(part(e.now), part.count(), before);
             amount_row<D>(part, h, e, diffusive, amount, mass);
           }
           rates_row(part, e, *options.level, options.axes.direction[0]);
           regions_row(part, e);
-          if (walled) touched_row(part, h, e, amount, mass, before);
+          if (has_cut_cells) touched_row(part, h, e, amount, mass, before);
         }
       }
       if (!diffusive) return;

@@ -99,8 +99,8 @@ void add_sources_of_one(const Row& row, const SourceHandles& h, const SchemeOpti
   o.sources->apply(rows);
 }
 
-void add_source_account(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
-                        int effect) {
+void add_source_budget(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+                       int effect) {
   if (o.sources == nullptr) return;
   TaskBuilder task = list.task("source account", effect);
   const In change = task.read(v.source_change);

@@ -30,7 +30,7 @@ void add_sources_of_one(const Row& row, const SourceHandles& h, const SchemeOpti
                         Out momentum, Out energy);
 
 // Sums over the uncovered cells; absent without sources.
-void add_source_account(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+void add_source_budget(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
 // modelMass_src and its like, zero without sources.
 void declare_source_labels(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
 

@@ -61,7 +61,7 @@ TEST(SourceTasks, AreNoneWithoutSources) {
     const DeckScene s(deck);
     EXPECT_FALSE(s.ice->effects().on(effect_sources));
     EXPECT_FALSE(s.ice->effects().on(effect_driving_force));
-    EXPECT_THAT(s.ice->tally_names(), ::testing::IsEmpty());
+    EXPECT_THAT(s.ice->tracked_names(), ::testing::IsEmpty());
     for (int kind = 0; kind < s.ice->step_kinds(); ++kind)
       EXPECT_THAT(s.of_sources(kind), ::testing::IsEmpty()) << deck << " kind " << kind;
   }
@@ -89,8 +89,8 @@ TEST(SourceTasks, AreThereWhereTheDeckCallsForThem) {
   const DeckScene driven("blast_3d", {"CFD/ICE/fixedPressureGradient/x_dir=2"});
   EXPECT_THAT(driven.of_sources(0), Contains("gravity account"));
   EXPECT_THAT(driven.of_sources(0), Not(Contains("source account")));
-  EXPECT_FALSE(driven.ice->quiet_blocks_allowed());
-  EXPECT_FALSE(s.ice->quiet_blocks_allowed());
+  EXPECT_FALSE(driven.ice->skipping_allowed());
+  EXPECT_FALSE(s.ice->skipping_allowed());
 }
 
 // A block of the reactant alone needs the graph where others may come in.

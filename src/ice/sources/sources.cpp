@@ -7,7 +7,7 @@
 namespace sluice::ice {
 namespace {
 
-constexpr double least_volume = 1e-16;  // of a cell, that a material comes to hold or keeps
+constexpr double min_volume = 1e-16;  // of a cell, that a material comes to hold or keeps
 
 double* change_row(const SourceRows& r, int component) {
   return (*r.row)(r.change, component);
@@ -21,7 +21,7 @@ double density_at(const SourceRows& r, int i) {
 
 // Velocity of a material relative to the mixture.
 double drift(const SourceRows& r, std::size_t m, int c, int i) {
-  if (!r.own_velocities() || r.mass[m][i] == 0.0) return 0.0;
+  if (!r.multi_velocity() || r.mass[m][i] == 0.0) return 0.0;
   return r.slip[m][c][i] / r.mass[m][i];
 }
 
@@ -120,8 +120,8 @@ Sources::Passed Sources::pass(const SourceRows& r, int giver, int taker, int i,
   using C = SourceChange;
   const double rho = density_at(r, i), V = r.volume[from][i], receiver = r.mass[to][i];
   if (r.mass[from][i] == 0.0) return {};
-  const double stays = V * (1.0 - share) < least_volume ? 0.0 : 1.0 - share;
-  if (stays > 0 && receiver == 0.0 && V * share < least_volume) return {};
+  const double stays = V * (1.0 - share) < min_volume ? 0.0 : 1.0 - share;
+  if (stays > 0 && receiver == 0.0 && V * share < min_volume) return {};
   double velocity[3] = {}, apart = 0;  // of the giver; |u_from - u_to|^2
   for (int c = 0; c < r.layout.components; ++c) {
     const double w = drift(r, from, c, i), between = w - drift(r, to, c, i);
@@ -144,7 +144,7 @@ Sources::Passed Sources::pass(const SourceRows& r, int giver, int taker, int i,
     change_row(r, r.layout.of(giver, C::momentum) + c)[i] -= carried;
     change_row(r, r.layout.of(taker, C::momentum) + c)[i] += carried;
   }
-  if (!r.own_velocities()) return {mass, energy};
+  if (!r.multi_velocity()) return {mass, energy};
   r.energy[to][i] += 0.5 * apart * (mass * receiver / (mass + receiver));
   for (std::size_t c = 0; c < static_cast<std::size_t>(r.layout.components); ++c) {
     double &own = r.slip[from][c][i], &others = r.slip[to][c][i];
@@ -204,7 +204,7 @@ void Sources::burn_by_pressure(const SourceRows& r, const models::MassExchange& 
   const std::size_t from = x.from, to = x.to;
   const double dt = r.row->step().dt;
   burn(r, x, law.heat, [&](int i) {
-    if (!(r.volume[from][i] > law.least_volume_fraction)) return 0.0;
+    if (!(r.volume[from][i] > law.min_volume_fraction)) return 0.0;
     const double p = pressure(r, i);
     if (!law.burns(p, r.volume[from][i])) return 0.0;
     return law.burned(dt, p, r.mass[from][i], r.mass[to][i]);
@@ -255,7 +255,7 @@ void Sources::fix(const SourceRows& r, const Fixed& f, int first, int end) const
   const auto row_of = [&](int component) { return change_row(r, component); };
   for (int i = first; i < end; ++i) {
     const double V = r.volume[m] != nullptr ? r.volume[m][i] : 1.0;
-    if (!(V > models::FixedValues::least_volume_fraction) || r.mass[m][i] == 0.0) continue;
+    if (!(V > models::FixedValues::min_volume_fraction) || r.mass[m][i] == 0.0) continue;
     const double rho = density_at(r, i), M0 = r.mass[m][i], M1 = V * f.density;
     const double E0 = r.energy[m][i], E1 = V * f.energy;
     double others = 0;
@@ -268,7 +268,7 @@ void Sources::fix(const SourceRows& r, const Fixed& f, int first, int end) const
       row_of(r.layout.of(m, C::momentum) + c)[i] += M1 * v - M0 * u;
       gain += 0.5 * (M1 * v * v - M0 * u * u);
       slip += (u - v) * (u - v);
-      if (r.own_velocities())
+      if (r.multi_velocity())
         move_apart(r, m, c, i, mean, others, M1, v);
       else
         r.momentum[c][i] = others > 0 ? others * u + M1 * v : M1 * v;
@@ -278,7 +278,7 @@ void Sources::fix(const SourceRows& r, const Fixed& f, int first, int end) const
     row_of(r.layout.of(m, C::mass))[i] += M1 - M0;
     row_of(r.layout.of(m, C::energy))[i] += E1 - E0;
     row_of(r.layout.of(C::total_energy))[i] += (E1 - E0) + gain;
-    if (!(others > 0) || r.own_velocities()) continue;
+    if (!(others > 0) || r.multi_velocity()) continue;
     const double lost = 0.5 * slip * others * M1 / ((others + M1) * (others + M1));  // per mass
     for (int n = 0; n < materials; ++n) {
       r.energy[n][i] += lost * r.mass[n][i];

@@ -44,7 +44,7 @@ struct SourceRows {
   double* momentum[3] = {nullptr, nullptr, nullptr};
   // Momentum of each material relative to the mixture, by component; null: one velocity.
   std::array<std::array<double*, 3>, most> slip{};
-  bool own_velocities() const { return slip[0][0] != nullptr; }
+  bool multi_velocity() const { return slip[0][0] != nullptr; }
 };
 
 class Sources {

@@ -46,7 +46,7 @@ std::vector<Slots> slots_of(const SchemeOptions& options, const Warehouse& state
     const int place = options.place(static_cast<int>(m));
     slots[m] = {state.find(labels().mass, place), state.find(labels().volume, place),
                 state.find(labels().energy, place),
-                options.own_velocities ? state.find(labels().slip, place) : -1};
+                options.multi_velocity ? state.find(labels().slip, place) : -1};
   }
   return slots;
 }
@@ -96,7 +96,7 @@ void Start::one_material(Warehouse& state) const {
 
 const Fluid& Start::law(std::size_t m, Vec3 centre, Fluid& room) const {
   if (!is_mixed(options_, m)) return options_.fluids[m];
-  double values[models::most_species];
+  double values[models::max_species];
   FractionRows rows;
   std::size_t k = 0;
   for (const models::TransportedScalar* f : fractions_of(options_)) {
@@ -136,7 +136,7 @@ void Start::materials(Warehouse& state) const {
                                             state.level(), cells, weight);
     std::size_t n = 0;
     for_each_cell(cells, [&](IntVec3 cell) {
-      double M[most_materials], V[most_materials], E[most_materials];
+      double M[max_materials], V[max_materials], E[max_materials];
       double momentum[3] = {0, 0, 0}, rho = 0;
       for (std::size_t m = 0; m < fill.materials.size(); ++m) {
         const MaterialFill& f = fill.materials[m];
@@ -159,7 +159,7 @@ void Start::materials(Warehouse& state) const {
       }
       for (int c = 0; c < options_.components; ++c)
         state.view(momentum_slot, c, b)(cell) = momentum[options_.direction[c]];
-      for (std::size_t m = 0; m < fill.materials.size() && options_.own_velocities; ++m)
+      for (std::size_t m = 0; m < fill.materials.size() && options_.multi_velocity; ++m)
         for (int c = 0; c < options_.components; ++c) {
           const int d = options_.direction[c];
           const double u = fill.materials[m].velocity[d][n];

@@ -11,7 +11,7 @@ namespace {
 
 // So many cells along each direction of a layer are looked at: bodies are larger than what is
 // between them.
-constexpr int most_looked_at = 64;
+constexpr int max_looked_at = 64;
 
 int direction_of_weight(Vec3 g) {
   int found = -1;
@@ -29,7 +29,7 @@ IntVec3 place_in_layer(const IceMaterial& marked, const Level& level, int d, int
   const IntVec3 size = level.domain.size();
   IntVec3 stride{1, 1, 1};
   for (int e = 0; e < 3; ++e)
-    if (e != d) stride[e] = (size[e] + most_looked_at - 1) / most_looked_at;
+    if (e != d) stride[e] = (size[e] + max_looked_at - 1) / max_looked_at;
   const int a = d == 0 ? 1 : 0, b = d == 2 ? 1 : 2;
   for (int j = 0; j < size[b]; j += stride[b])
     for (int i = 0; i < size[a]; i += stride[a]) {

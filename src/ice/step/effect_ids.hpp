@@ -9,7 +9,7 @@ enum EffectId {
   effect_second_order,
   effect_gravity,
   effect_viscosity,
-  effect_boundary_account,
+  effect_boundary_budget,
   effect_flux_record,
   effect_saved_intermediates,
   effect_diagnostics,

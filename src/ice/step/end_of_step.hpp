@@ -68,7 +68,7 @@ struct RateHandles {
 
 struct RateConstants {
   double inverse_dx[3] = {0, 0, 0};
-  double knob = 1;
+  double sound_speed_factor = 1;
   double gravity_speed = 0;  // sqrt(sum dx |g|), conservative rule only
   bool conservative = false;
   double sum_share = 0;  // of the sum over directions that counts as the rate of sound
@@ -76,7 +76,7 @@ struct RateConstants {
 
 inline RateConstants rate_constants(const SchemeOptions& o, const StepConstants& step) {
   RateConstants x;
-  x.knob = o.sound_speed_knob;
+  x.sound_speed_factor = o.sound_speed_factor;
   x.conservative = o.conservative_time_step;
   x.sum_share = sound_sum_share(o);
   double dx_g = 0;
@@ -104,7 +104,7 @@ void rate_row(const Row& row, const RateHandles& h, const RateConstants& x, Modu
     double deck_rate = 0, flow_rate = 0, sound_rate = 0, sum = 0;
     for (int d = 0; d < D; ++d) {
       const double speed = std::fabs(m[d][i]) * w;
-      deck_rate = larger(deck_rate, (speed + x.knob * c) * x.inverse_dx[d]);
+      deck_rate = larger(deck_rate, (speed + x.sound_speed_factor * c) * x.inverse_dx[d]);
       sound_rate = larger(sound_rate, (speed + c) * x.inverse_dx[d]);
       sum += (speed + c) * x.inverse_dx[d];
       flow_rate += speed * x.inverse_dx[d];
@@ -144,8 +144,8 @@ void outflow_rate_row(const Row& row, const RateHandles& h, const RateConstants&
     double rate = 0;
     for (int d = 0; d < D; ++d) {
       const double margin = std::fabs(up[d][i] - um[d][i]) + x.gravity_speed;
-      const double right = up[d][i] + x.knob * larger(c[i], cp[d][i]) + margin;
-      const double left = um[d][i] - x.knob * larger(c[i], cm[d][i]) - margin;
+      const double right = up[d][i] + x.sound_speed_factor * larger(c[i], cp[d][i]) + margin;
+      const double left = um[d][i] - x.sound_speed_factor * larger(c[i], cm[d][i]) - margin;
       rate += (larger(0.0, right) + larger(0.0, -left)) * x.inverse_dx[d];
     }
     const std::int64_t a = ordered_bits(rate);

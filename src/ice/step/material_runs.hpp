@@ -69,14 +69,14 @@ inline void mark_alone(const Row& row, int material) {
 
 // Runs of cells that no solid touches: calls f(first, count).
 template <class F>
-void for_each_untouched(const double* touched, int first, int count, F&& f) {
+void for_each_full(const double* cut, int first, int count, F&& f) {
   for (int i = first; i < first + count;) {
-    if (touched[i] != 0) {
+    if (cut[i] != 0) {
       ++i;
       continue;
     }
     const int begin = i;
-    while (i < first + count && touched[i] == 0) ++i;
+    while (i < first + count && cut[i] == 0) ++i;
     f(begin, i - begin);
   }
 }

@@ -175,7 +175,7 @@ TEST(Runs, CellsAreNearWhereAnyRowIsMixed) {
 }
 
 TEST(Runs, SetsOfOneTellTheirMaterial) {
-  for (int m = 0; m < most_materials; ++m) {
+  for (int m = 0; m < max_materials; ++m) {
     EXPECT_EQ(single_of(only(m)), m);
     EXPECT_TRUE(is_single(only(m)));
     for (int other = 0; other < m; ++other) EXPECT_EQ(single_of(only(m) + only(other)), -1);

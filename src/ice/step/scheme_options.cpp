@@ -23,11 +23,11 @@ void take_directions(const Scene& scene, SchemeOptions& o) {
 
 void take_exchange(const IceScene& ice, SchemeOptions& o) {
   o.heat_exchange = ice.exchange.heat;
-  o.own_velocities = !ice.one_velocity();
+  o.multi_velocity = !ice.one_velocity();
   o.drag = ice.exchange.momentum;
   if (ice.materials.size() < 2) return;
   if (ice.exchange.slip && ice.exchange.slip->use_slip_coefficients)
-    o.slip_exchange = ice.exchange.slip;
+    o.multi_velocity_exchange = ice.exchange.slip;
   o.convective = ice.exchange.convective;
 }
 
@@ -88,7 +88,7 @@ std::vector<TransportModels> transport_models(const IceScene& ice, const Level& 
 
 // With several materials or levels the accounts of fluxes do not hold what it exchanges: refused.
 bool shears_shocks(const Scene& scene, const IceScene& ice) {
-  return ice.shears_shocks && !ice.classic && !ice.implicit &&
+  return ice.shears_shocks && !ice.internal_energy_form && !ice.implicit &&
          active_axes(scene.grid.levels.front()).count > 1;
 }
 
@@ -102,14 +102,14 @@ SchemeOptions scheme_options(const Scene& scene, const IceScene& ice) {
   take_forces(scene, ice, o);
   take_friction_and_conduction(ice, scene.grid.levels.front(), o);
   o.first_source_sum = o.sums + static_cast<int>(o.fluids.size()) - 1;
-  o.classic = ice.classic;
+  o.internal_energy_form = ice.internal_energy_form;
   o.implicit = ice.implicit.has_value();
   o.second_order = ice.second_order;
   o.shears_shocks = shears_shocks(scene, ice);
   o.compatible_fluxes = ice.compatible_fluxes;
   o.cfl = ice.cfl;
-  o.sound_speed_knob = ice.sound_speed_knob;
-  o.diffusion_knob = ice.diffusion_knob;
+  o.sound_speed_factor = ice.sound_speed_factor;
+  o.diffusion_factor = ice.diffusion_factor;
   o.conservative_time_step = ice.conservative_time_step;
   if (ice.models.mixed) take_mixed_gas(*ice.models.mixed, o);
   return o;

@@ -7,11 +7,11 @@ namespace sluice::ice {
 // dt (|u| + c)/dx in one direction, and summed over directions: small waves in all directions at
 // once grow above 1.08 (measured on cubic cells: up to 1.08 in 2-D, 1.11 in 3-D they do not). The
 // classic form has a bound of its own.
-constexpr double most_in_one_direction = 0.8, most_in_all = 1.0;
+constexpr double max_in_one_direction = 0.8, max_in_all = 1.0;
 
 // Share of the sum that counts as the rate of sound.
 inline double sound_sum_share(const SchemeOptions& o) {
-  return o.classic ? 0.0 : most_in_one_direction / most_in_all;
+  return o.internal_energy_form ? 0.0 : max_in_one_direction / max_in_all;
 }
 
 }  // namespace sluice::ice

@@ -38,7 +38,7 @@ class Sources;
 enum class DensityBound { sharp, as_energy };
 
 struct SchemeOptions {
-  Places places;  // of this part among those of the component
+  IndexOffsets places;  // of this part among those of the component
   Axes axes;
   int components = 1;                     // of momentum, axes.count <= components <= 3
   std::array<int, 3> direction{0, 1, 2};  // level direction of each component
@@ -47,20 +47,20 @@ struct SchemeOptions {
   bool mixture = false;                   // the graph of blocks with several materials
   std::vector<Fluid> fluids;              // of all materials
   PairCoefficients heat_exchange;
-  bool own_velocities = false;                // several materials that move apart: mixture/slip.hpp
-  PairCoefficients drag;                      // K, kg/(m^3 s)
-  std::optional<SlipExchange> slip_exchange;  // at the surface of one material
+  bool multi_velocity = false;  // several materials that move apart: mixture/slip.hpp
+  PairCoefficients drag;        // K, kg/(m^3 s)
+  std::optional<MultiVelocityExchange> multi_velocity_exchange;  // at the surface of one material
   std::optional<ConvectiveExchange> convective;
-  int sums = 8;           // exact sums before those of further materials: see StepSlots
-  bool classic = false;   // the classic form, see classic/
-  bool implicit = false;  // one pressure is solved for, see pressure/
-  bool walled = false;    // the graph of blocks that solids meet: walls/
-  bool solids = false;    // some blocks may meet solids
+  int sums = 8;                       // exact sums before those of further materials: see StepSlots
+  bool internal_energy_form = false;  // the classic form, see classic/
+  bool implicit = false;              // one pressure is solved for, see pressure/
+  bool has_cut_cells = false;         // the graph of blocks that solids meet: walls/
+  bool solids = false;                // some blocks may meet solids
   bool second_order = true;
   bool shears_shocks = false;     // along strong shocks: shock_shear.hpp
   bool compatible_fluxes = true;  // of the classic form
   bool masked = false;            // a redo: slopes vanish where the mask says so
-  double sound_speed_knob = 1;    // weight of c in the deck's time-step rule
+  double sound_speed_factor = 1;  // weight of c in the deck's time-step rule
   Vec3 gravity{};                 // m/s^2
   Vec3 force{};                   // driving force, N/m^3
   bool gravity_on = false;        // one of the two is there
@@ -73,7 +73,7 @@ struct SchemeOptions {
   std::vector<double> viscosities, conductivities;  // of all materials
   TransportModels transport;                // what fills these fields, and friction on walls
   std::vector<TransportModels> transports;  // of all materials
-  double diffusion_knob = 1;                // weight of diffusion in the deck's time-step rule
+  double diffusion_factor = 1;              // weight of diffusion in the deck's time-step rule
   bool conservative_time_step = false;      // Scheme_for_delT_calc
   double cfl = 0.4;
   std::span<const models::TransportedScalar> scalars;  // of all materials
@@ -116,7 +116,7 @@ struct SchemeOptions {
   // (face_mean.hpp); within one gas on the mean of two cells, which on a wall is the wall's.
   bool friction_tilts() const { return mixture && viscosity_varies; }
   // Is the work of pressures on a mixture a field of its own: elsewhere it is E - E*.
-  bool keeps_work() const { return mixture && (viscous || conducting || own_velocities); }
+  bool keeps_work() const { return mixture && (viscous || conducting || multi_velocity); }
 };
 
 // Scalars that a graph carries; see scalars/variables.hpp.
@@ -140,8 +140,8 @@ struct ScalarVariables {
   std::array<VariableId, 3> carrier, face, spread;
   // Beside solids (walls/scalars.cpp): 1 in cells that they touch; weight of slopes there, of all
   // axes and of each; the open share of faces.
-  bool walled = false;
-  VariableId touched, slopes;
+  bool has_cut_cells = false;
+  VariableId cut, slopes;
   std::array<VariableId, 3> axis_slopes, open_share;
 };
 

@@ -140,7 +140,7 @@ class MixtureBox {
     return sum;
   }
   double velocity(IntVec3 c, int d = 0) const { return momentum(d, c) / density(c); }
-  bool has_own_velocities() const { return solver_->state().find(labels().slip, 0) >= 0; }
+  bool is_multi_velocity() const { return solver_->state().find(labels().slip, 0) >= 0; }
   // Of a material that has its own; that of the mixture where it is absent.
   double velocity_of(int m, IntVec3 c, int d = 0) const {
     const double M = mass(m, c);
@@ -207,7 +207,7 @@ class MixtureBox {
         view(labels().slip, m, 0, c)(c) = M == rho ? 0.0 : M * (s.slip[m] - sum / rho);
       }
     });
-    solver_->touch();
+    solver_->mark_modified();
   }
 
   std::vector<Fluid> fluids_;
@@ -240,7 +240,7 @@ inline void expect_kept(const Totals& before, const Totals& after, double limit)
 // The state of all cells, number by number; `mirror`: as the image along x has it.
 inline std::vector<double> bits_of(const MixtureBox& run, bool mirror) {
   const double sign = mirror ? -1 : 1;
-  const bool own_velocities = run.has_own_velocities();
+  const bool multi_velocity = run.is_multi_velocity();
   std::vector<double> all;
   for_each_cell(run.domain(), [&](IntVec3 c) {
     IntVec3 from = c;
@@ -248,7 +248,7 @@ inline std::vector<double> bits_of(const MixtureBox& run, bool mirror) {
     for (int m = 0; m < run.count(); ++m) {
       for (const double v : {run.mass(m, from), run.volume(m, from), run.energy(m, from)})
         all.push_back(v);
-      if (own_velocities) all.push_back(sign * run.view(labels().slip, m, 0, from)(from) + 0.0);
+      if (multi_velocity) all.push_back(sign * run.view(labels().slip, m, 0, from)(from) + 0.0);
     }
     all.push_back(sign * run.momentum(0, from) + 0.0);
     if (run.domain().size().y > 1) all.push_back(run.momentum(1, from) + 0.0);

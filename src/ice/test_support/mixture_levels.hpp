@@ -14,8 +14,8 @@ inline std::vector<Fluid> three_fluids() {
 class MixtureState {
  public:
   MixtureState(const IndexBox& box, const TransferCase& c, std::size_t materials,
-               bool own_velocities = false)
-      : box_(box), layout_{materials, static_cast<std::size_t>(c.components), own_velocities} {
+               bool multi_velocity = false)
+      : box_(box), layout_{materials, static_cast<std::size_t>(c.components), multi_velocity} {
     data_.assign(layout_.quantities(), std::vector<double>(box.volume(), 0.0));
     const BoxState shape(box, c);
     for (std::vector<double>& values : data_) {
@@ -50,7 +50,7 @@ class MixtureState {
       square += static_cast<long double>(momentum(c, cell)) * momentum(c, cell);
     for (std::size_t m = 0; m < layout_.materials; ++m) {
       internal += energy(m, cell);
-      for (std::size_t c = 0; c < layout_.components && layout_.own_velocities; ++c)
+      for (std::size_t c = 0; c < layout_.components && layout_.multi_velocity; ++c)
         if (const long double S = slip(m, c, cell); S != 0) internal += S * S / (2 * mass(m, cell));
     }
     return internal + square / (2.0L * density(cell));

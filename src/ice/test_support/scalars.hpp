@@ -44,7 +44,7 @@ class ScalarRun : public Stepper {
   }
   void set(const std::string& name, const std::function<double(Vec3)>& f) {
     for_each_cell(domain(), [&](IntVec3 c) { scalar(name, c) = f(level().centre(c)); });
-    solver().touch();
+    solver().mark_modified();
   }
   // Steps as long as the scheme allows, the last one up to `end`; returns how many.
   int run(double end) {

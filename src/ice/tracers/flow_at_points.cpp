@@ -28,7 +28,7 @@ FlowAtPoints::FlowAtPoints(const Warehouse& state, int box, int material, const 
         solids_.push_back(
             {d, walls.view(walls.find(labels().solid_face_velocity[d], place), 0, box)});
   }
-  if (!flow.own_velocities) return;
+  if (!flow.multi_velocity) return;
   slip_ = components(labels().slip, material);
   own_mass_ = masses_[material];
 }

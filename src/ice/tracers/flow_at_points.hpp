@@ -13,9 +13,9 @@ namespace sluice::ice {
 struct FlowStorage {
   int materials = 1;
   std::vector<int> directions;  // of the components of the momentum
-  bool own_velocities = false;
-  Places places{};     // of the materials
-  bool solids = false;  // are beside them
+  bool multi_velocity = false;
+  IndexOffsets places{};  // of the materials
+  bool solids = false;    // are beside them
 };
 
 class FlowAtPoints {
@@ -35,7 +35,7 @@ class FlowAtPoints {
 
  private:
   // In cells that solids fill: their velocity, as the faces of the cell have it.
-  Vec3 of_solids(IntVec3 cell) const {
+  Vec3 solid_velocity(IntVec3 cell) const {
     Vec3 u{};
     for (const Component& c : solids_) {
       IntVec3 above = cell;
@@ -46,7 +46,7 @@ class FlowAtPoints {
     return u;
   }
   Vec3 in_cell(IntVec3 cell) const {
-    if (!solids_.empty() && fraction_(cell) >= 1) return of_solids(cell);
+    if (!solids_.empty() && fraction_(cell) >= 1) return solid_velocity(cell);
     double rho = 0;
     for (const ConstRealView& mass : masses_) rho += mass(cell);
     if (rho == 0) return {};

@@ -15,7 +15,7 @@
 namespace sluice::ice {
 namespace {
 
-constexpr double most_constant = 0.25;
+constexpr double max_constant = 0.25;
 
 // Where the products of a cell stand: density, momentum, pairs of rho u u, of rho |S| S*, of S.
 template <int C>
@@ -103,7 +103,7 @@ void eddy_row(const Row& row, In rho, In velocity, In identity, Out eddy, const 
   const double *r = row(rho), *LM = row(identity, 0), *MM = row(identity, 1);
   double* mu = row(eddy);
   for (int i = 0; i < row.count(); ++i) {
-    const double constant = MM[i] > 0 ? std::clamp(LM[i] / MM[i], 0.0, most_constant) : 0.0;
+    const double constant = MM[i] > 0 ? std::clamp(LM[i] / MM[i], 0.0, max_constant) : 0.0;
     mu[i] = r[i] * constant * width * width * std::sqrt(u.strain_squared(i));
   }
 }

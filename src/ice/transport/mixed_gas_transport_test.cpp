@@ -74,7 +74,7 @@ TEST(MixedGasTransport, IsThatOfTheGasThatIsAlone) {
       const Label fraction = two.ice().state_slots().back().label;
       ASSERT_NE(fraction.name().find('f'), std::string::npos);
       for_each_cell(two.domain(), [&](IntVec3 i) { two.view(fraction, 0, 0, i)(i) = n; });
-      two.solver().touch();
+      two.solver().mark_modified();
       for (int step = 0; step < 40; ++step)
         for (MixtureBox* run : {&one, &two, &plain}) run->step(.3 / 24 / 1.6);
       double velocity = 0, energy = 0, change = 0;

@@ -26,7 +26,7 @@ struct Handles {
 void transport_row(const Row& row, const Handles& h, const SpeciesGas& gas, Transport& transport) {
   const double *rho = row(h.rho), *E = row(h.energy);
   double *mu = row(h.viscosity), *lambda = row(h.conductivity);
-  double carried[models::most_species], Y[models::most_species + 1], D[models::most_species + 1];
+  double carried[models::max_species], Y[models::max_species + 1], D[models::max_species + 1];
   for (int i = 0; i < row.count(); ++i) {
     for (std::size_t k = 0; k < gas.carried(); ++k) carried[k] = row(h.fractions[k])[i];
     gas.all_fractions(carried, Y);
@@ -87,7 +87,7 @@ void add_species_transport(TaskList& list, const SchemeVariables& v, const Schem
 
 double species_coefficient(const SpeciesGas& gas, Transport& transport, double rho, double rho_e,
                            const FractionRows& rows) {
-  double carried[models::most_species], Y[models::most_species + 1], D[models::most_species + 1];
+  double carried[models::max_species], Y[models::max_species + 1], D[models::max_species + 1];
   for (std::size_t k = 0; k < gas.carried(); ++k) carried[k] = *rows.of[k];
   gas.all_fractions(carried, Y);
   const eos::Nasa7Heat heat = blend(gas, rows, 0);

@@ -217,7 +217,7 @@ void lagrangian_rows(const Row& row, const Handles& h, const ImpulseConstants& s
     const double volume = (1.0 - after[i]) + stretch;
     const bool solid = (theta[i] > 0) | (after[i] > 0);
     const bool old = solid & !gives_new_state(V, volume, Es[i], out, sides.meets(i));
-    const double room = larger(volume, least_volume), inverse = 1.0 / (solid ? room : volume);
+    const double room = larger(volume, min_volume), inverse = 1.0 / (solid ? room : volume);
     const double rho_after = (r[i] * V) * inverse, E_after = Es[i] * inverse;
     const double outflow = smaller(out * inverse, 1.0);
     iJ[i] = inverse;

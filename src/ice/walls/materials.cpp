@@ -13,9 +13,9 @@ MaterialVariables declare_materials(TaskList& list, const SchemeOptions& o, mixt
   x.energy_L = list.temporary("Lagrangian energy of each material beside solids", M);
   x.volume_L = list.temporary("Lagrangian volume beside solids");
   x.passed_on = list.temporary("what cells without fluid pass on", 3 * M);
-  v.touched = list.temporary("cells that solids touch");
-  v.touched_volume = x.volume_L;
-  v.touched_energy = x.energy_L;
+  v.cut = list.temporary("cells that solids touch");
+  v.cut_volume = x.volume_L;
+  v.cut_energy = x.energy_L;
   v.old_momentum = v.common.momentum;
   for (int a = 0; a < o.axes.count; ++a) {
     const std::string axis = " of whole cells, axis " + std::to_string(a);
@@ -24,7 +24,7 @@ MaterialVariables declare_materials(TaskList& list, const SchemeOptions& o, mixt
     x.whole_flux_of_each[a] = list.temporary("flux of each material" + axis, 3 * M, d);
     if (o.conducting)
       x.whole_heat_of_each[a] = list.temporary("heat through contacts" + axis, 2 * M, d);
-    if (!o.own_velocities) continue;
+    if (!o.multi_velocity) continue;
     x.whole_velocity[a] = list.temporary("velocity of each material" + axis, M * o.components, d);
     if (o.viscous)
       v.slip.stress[a] =
@@ -34,23 +34,23 @@ MaterialVariables declare_materials(TaskList& list, const SchemeOptions& o, mixt
   return x;
 }
 
-mixture::Variables of_whole_cells(const mixture::Variables& v) {
+mixture::Variables full_cell_variables(const mixture::Variables& v) {
   mixture::Variables whole = v;
   whole.common.face_velocity = v.common.walls.flow;
   return whole;
 }
 
-mixture::Variables of_whole_remap(const mixture::Variables& v, const MaterialVariables& x,
-                                  int axis) {
+mixture::Variables full_cell_remap(const mixture::Variables& v, const MaterialVariables& x,
+                                   int axis) {
   mixture::Variables remap = v;
-  remap.common = of_remap(v.common, axis);
+  remap.common = remap_variables(v.common, axis);
   remap.common.flux = x.whole_flux;
   remap.flux = x.whole_flux_of_each;
   if (v.common.material_velocity[0].index >= 0) remap.common.material_velocity = x.whole_velocity;
   return remap;
 }
 
-SchemeVariables of_volume(const mixture::Variables& v) {
+SchemeVariables volume_variables(const mixture::Variables& v) {
   SchemeVariables volume = v.common;
   volume.rho = v.slip.common.rho;
   volume.inverse_rho = v.slip.common.inverse_rho;
@@ -59,13 +59,13 @@ SchemeVariables of_volume(const mixture::Variables& v) {
   return volume;
 }
 
-void add_touched(TaskList& list, const mixture::Variables& v, const SchemeOptions&, int effect) {
+void add_cut_cells(TaskList& list, const mixture::Variables& v, const SchemeOptions&, int effect) {
   TaskBuilder task = list.task("cells that solids touch", effect);
   const In theta = task.read(v.common.walls.fraction), after = task.read(v.common.walls.next);
-  const Out touched = task.write(v.touched);
+  const Out cut = task.write(v.cut);
   task.kernel([=](const Row& row) {
     const double *before = row(theta), *next = row(after);
-    double* here = row(touched);
+    double* here = row(cut);
     for (int i = 0; i < row.count(); ++i) here[i] = before[i] > 0 || next[i] > 0;
   });
 }
@@ -121,7 +121,7 @@ void add_shares_of_each(TaskList& list, const mixture::Variables& v, const Mater
   const Out volume = task.write(x.volume_L), E_L = task.write(x.energy_L);
   const int materials = static_cast<int>(o.fluids.size());
   std::vector<In> slip;
-  for (int m = 0; m < materials && o.own_velocities; ++m) slip.push_back(task.read(v.slip.slip[m]));
+  for (int m = 0; m < materials && o.multi_velocity; ++m) slip.push_back(task.read(v.slip.slip[m]));
   task.kernel([=](const Row& row) {
     const int n = row.count();
     const double *before = row(theta), *next = row(after), *p = row(p_in), *inverse = row(w_in);
@@ -157,7 +157,7 @@ namespace {
 
 struct FluxHandles {
   mixture::StateReads state;
-  In touched, theta, volume_L, inverse_J, flow, pure, whole, whole_each, velocity_L, energy_L;
+  In cut, theta, volume_L, inverse_J, flow, pure, whole, whole_each, velocity_L, energy_L;
   In gives_old, passed_on;
   Out flux, each;
   In whole_velocity;  // of each fluid, where they move apart
@@ -185,9 +185,9 @@ class TouchedFaces {
   double volume(int i) const { return l_ * face(h_.flow)[i]; }
   bool left(int i) const { return face(h_.flow)[i] < 0; }
   bool meets_touched(int i) const {
-    return cell(h_.touched, 0, true)[i] != 0 || cell(h_.touched, 0, false)[i] != 0;
+    return cell(h_.cut, 0, true)[i] != 0 || cell(h_.cut, 0, false)[i] != 0;
   }
-  bool donor_is_touched(int i) const { return cell(h_.touched, 0, left(i))[i] != 0; }
+  bool donor_is_touched(int i) const { return cell(h_.cut, 0, left(i))[i] != 0; }
   bool donor_is_dry(int i) const { return !(cell(h_.theta, 0, left(i))[i] < 1); }
   double donor_velocity(int c, int i) const { return cell(h_.velocity_L, c, left(i))[i]; }
 
@@ -215,7 +215,7 @@ class TouchedFaces {
       return cell(h_.passed_on, mixture::component(m, q), left(i))[i];
     };
     for (int m = 0; m < materials_; ++m)
-      take(m, {H * per_volume(m, mixture::of_volume), H * per_volume(m, mixture::of_mass),
+      take(m, {H * per_volume(m, mixture::volume_variables), H * per_volume(m, mixture::of_mass),
                H * per_volume(m, mixture::of_energy)});
   }
   // One that no solid touches: by the rules of whole cells, which do not tell fluids apart where
@@ -233,7 +233,8 @@ class TouchedFaces {
         return face(h_.whole_each, mixture::component(m, q))[i];
       };
       if (apart)
-        take(m, {each(mixture::of_volume), each(mixture::of_mass), each(mixture::of_energy)});
+        take(m,
+             {each(mixture::volume_variables), each(mixture::of_mass), each(mixture::of_energy)});
       else
         take(m, m == pure ? Carried{volume(i), face(h_.whole, 0)[i], face(h_.whole, 1)[i]}
                           : Carried{});
@@ -261,7 +262,7 @@ FluxHandles read_fluxes(TaskBuilder& task, const mixture::Variables& v, const Ma
     h.state.volume.push_back(task.read(v.volume[m], cells));
     h.state.energy.push_back(task.read(v.energy[m], cells));
   }
-  h.touched = task.read(v.touched, cells);
+  h.cut = task.read(v.cut, cells);
   h.theta = task.read(v.common.walls.fraction, cells);
   h.inverse_J = task.read(v.common.inverse_J, cells);
   h.flow = task.read(v.common.walls.flow[axis], faces);
@@ -301,7 +302,7 @@ void add_passed_on(TaskList& list, const mixture::Variables& v, const MaterialVa
         if (!enters || face.donor_is_dry(i)) return;
         all += std::fabs(face.volume(i));
         const auto take = [&](int m, const Carried& q) {
-          to(m, mixture::of_volume, i) += into * q.volume;
+          to(m, mixture::volume_variables, i) += into * q.volume;
           to(m, mixture::of_mass, i) += into * q.mass;
           to(m, mixture::of_energy, i) += into * q.energy;
         };
@@ -316,7 +317,8 @@ void add_passed_on(TaskList& list, const mixture::Variables& v, const MaterialVa
       const mixture::StateReads& state = of_axis.front().state;
       for (int m = 0; m < materials; ++m) {
         const In own[] = {state.volume[m], state.mass[m], state.energy[m]};
-        for (const mixture::Carried q : {mixture::of_volume, mixture::of_mass, mixture::of_energy})
+        for (const mixture::Carried q :
+             {mixture::volume_variables, mixture::of_mass, mixture::of_energy})
           to(m, q, i) = all > 0 ? to(m, q, i) / all : row(own[q])[i];
       }
     }
@@ -350,8 +352,8 @@ void mean_velocity(const Row& row, const FluxHandles& h, const SchemeOptions& o,
 
 }  // namespace
 
-void add_fluxes_of_touched(TaskList& list, const mixture::Variables& v, const MaterialVariables& x,
-                           const SchemeOptions& o, int effect) {
+void add_fluxes_of_cut_cells(TaskList& list, const mixture::Variables& v,
+                             const MaterialVariables& x, const SchemeOptions& o, int effect) {
   add_passed_on(list, v, x, o, effect);
   for (int axis = 0; axis < o.axes.count; ++axis) {
     const Stencil both = Stencil::along(o.axes.direction[axis], 1, 0);
@@ -360,7 +362,7 @@ void add_fluxes_of_touched(TaskList& list, const mixture::Variables& v, const Ma
     h.passed_on = task.read(x.passed_on, both);
     h.flux = task.write(v.common.flux[axis]);
     h.each = task.write(v.flux[axis]);
-    if (o.own_velocities) {
+    if (o.multi_velocity) {
       h.whole_velocity = task.read(x.whole_velocity[axis]);
       h.velocity = task.write(v.common.material_velocity[axis]);
     }
@@ -369,13 +371,13 @@ void add_fluxes_of_touched(TaskList& list, const mixture::Variables& v, const Ma
       for (int c = 0; c < 2 + o.components; ++c) std::copy_n(row(h.whole, c), n, row(h.flux, c));
       for (int c = 0; c < 3 * static_cast<int>(o.fluids.size()); ++c)
         std::copy_n(row(h.whole_each, c), n, row(h.each, c));
-      if (o.own_velocities) copy_velocities(row, h, o);
+      if (o.multi_velocity) copy_velocities(row, h, o);
       const TouchedFaces face(row, h, o, axis);
       for (int i = 0; i < n; ++i) {
         if (!face.meets_touched(i)) continue;
         double F = 0, G = 0;
         const auto take = [&](int m, const Carried& q) {
-          row(h.each, mixture::component(m, mixture::of_volume))[i] = q.volume;
+          row(h.each, mixture::component(m, mixture::volume_variables))[i] = q.volume;
           row(h.each, mixture::component(m, mixture::of_mass))[i] = q.mass;
           row(h.each, mixture::component(m, mixture::of_energy))[i] = q.energy;
           F += q.mass;
@@ -384,8 +386,8 @@ void add_fluxes_of_touched(TaskList& list, const mixture::Variables& v, const Ma
         if (!face.donor_is_touched(i)) {
           if (!face.tells_apart(i)) {
             face.give_whole(i, take);
-            if (o.own_velocities) one_velocity(row, h, o, i);
-          } else if (o.own_velocities) {
+            if (o.multi_velocity) one_velocity(row, h, o, i);
+          } else if (o.multi_velocity) {
             mean_velocity(row, h, o, i);
           }
           continue;
@@ -394,7 +396,7 @@ void add_fluxes_of_touched(TaskList& list, const mixture::Variables& v, const Ma
         row(h.flux, 0)[i] = F;
         row(h.flux, 1)[i] = G;
         for (int c = 0; c < o.components; ++c) row(h.flux, 2 + c)[i] = face.donor_velocity(c, i);
-        if (o.own_velocities) one_velocity(row, h, o, i);
+        if (o.multi_velocity) one_velocity(row, h, o, i);
       }
     });
   }

@@ -37,7 +37,7 @@ struct MaterialVariables {
 
 MaterialVariables declare_materials(TaskList&, const SchemeOptions&, mixture::Variables&);
 // Which cells solids touch.
-void add_touched(TaskList&, const mixture::Variables&, const SchemeOptions&, int effect);
+void add_cut_cells(TaskList&, const mixture::Variables&, const SchemeOptions&, int effect);
 // Of what moves apart: friction of each, on the open share of faces.
 void add_stress_of_open_faces(TaskList&, const mixture::Variables& whole, const mixture::Variables&,
                               const SchemeOptions&, int effect);
@@ -48,13 +48,13 @@ void add_heat_of_open_faces(TaskList&, const mixture::Variables&, const Material
 void add_shares_of_each(TaskList&, const mixture::Variables&, const MaterialVariables&,
                         const SchemeOptions&, int effect);
 // Fluxes of faces at touched cells.
-void add_fluxes_of_touched(TaskList&, const mixture::Variables&, const MaterialVariables&,
-                           const SchemeOptions&, int effect);
+void add_fluxes_of_cut_cells(TaskList&, const mixture::Variables&, const MaterialVariables&,
+                             const SchemeOptions&, int effect);
 
 // Variables of the volume, which moves and is inert as its materials are together.
-SchemeVariables of_volume(const mixture::Variables&);
+SchemeVariables volume_variables(const mixture::Variables&);
 // As mixture/ has them, with what it takes for the faces' velocity.
-mixture::Variables of_whole_cells(const mixture::Variables&);
-mixture::Variables of_whole_remap(const mixture::Variables&, const MaterialVariables&, int axis);
+mixture::Variables full_cell_variables(const mixture::Variables&);
+mixture::Variables full_cell_remap(const mixture::Variables&, const MaterialVariables&, int axis);
 
 }  // namespace sluice::ice::walls

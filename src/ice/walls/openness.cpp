@@ -4,7 +4,7 @@
 
 namespace sluice::ice::walls {
 
-void add_openness(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
+void add_apertures(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("where slopes count", effect);
   const In fraction = task.read(v.walls.fraction, Stencil::box(1));
   std::array<In, 3> covered;

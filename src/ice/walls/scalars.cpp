@@ -15,8 +15,8 @@ namespace sluice::ice::walls {
 void declare_scalar_walls(TaskList& list, const SchemeOptions& o, SchemeVariables& v) {
   ScalarVariables& s = v.scalars;
   if (s.each.empty()) return;
-  s.walled = true;
-  s.touched = list.temporary("cells with scalars that solids touch");
+  s.has_cut_cells = true;
+  s.cut = list.temporary("cells with scalars that solids touch");
   for (ScalarVariables::Each& e : s.each) {
     e.density = e.mass;
     e.mass = list.temporary("mass with scalar " + std::to_string(e.index) + " in the cell");
@@ -41,11 +41,11 @@ void add_cells(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
     density.push_back(task.read(e.density));
     mass.push_back(task.write(e.mass));
   }
-  const Out touched = task.write(s.touched);
+  const Out cut = task.write(s.cut);
   task.kernel([=](const Row& row) {
     const int n = row.count();
     const double *theta = row(fraction), *after = row(next);
-    double* __restrict here = row(touched);
+    double* __restrict here = row(cut);
 #pragma GCC ivdep
     for (int i = 0; i < n; ++i) here[i] = ((theta[i] > 0) | (after[i] > 0)) ? 1.0 : 0.0;
     for (std::size_t k = 0; k < mass.size(); ++k) {
@@ -56,7 +56,7 @@ void add_cells(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
   });
   if (!o.second_order) return;
   TaskBuilder weights = list.task("weight of slopes of scalars", effect);
-  const In touches = weights.read(s.touched), open = weights.read(v.walls.open);
+  const In touches = weights.read(s.cut), open = weights.read(v.walls.open);
   const Out whole = weights.write(s.slopes);
   std::array<Out, 3> along;
   for (int a = 0; a < o.axes.count; ++a) along[a] = weights.write(s.axis_slopes[a]);

@@ -42,7 +42,7 @@ void declare_variables(TaskList& list, const SchemeOptions& o, SchemeVariables& 
   w.after_energy = list.temporary("energy after the step");
 }
 
-SchemeVariables of_fluid_faces(const SchemeVariables& v) {
+SchemeVariables fluid_face_variables(const SchemeVariables& v) {
   SchemeVariables fluid = v;
   fluid.face_velocity = v.walls.fluid_velocity;
   fluid.face_pressure = v.walls.fluid_pressure;
@@ -51,7 +51,7 @@ SchemeVariables of_fluid_faces(const SchemeVariables& v) {
 
 // The remap of a whole cell moves l u_f of the cell's volume, differences of the old state count
 // (1 - nu)/J, a share |F|/rho of the mass leaves: here l w_f, (1 - nu) V/V_L, |F|/(rho V).
-SchemeVariables of_remap(const SchemeVariables& v, int axis) {
+SchemeVariables remap_variables(const SchemeVariables& v, int axis) {
   SchemeVariables remap = v;
   remap.face_velocity = v.walls.flow;
   remap.inverse_rho = v.walls.inverse_mass;
@@ -60,7 +60,7 @@ SchemeVariables of_remap(const SchemeVariables& v, int axis) {
   return remap;
 }
 
-SchemeVariables of_bases(const SchemeVariables& v) {
+SchemeVariables base_variables(const SchemeVariables& v) {
   SchemeVariables bases = v;
   bases.velocity_L = v.walls.donor_velocity;
   bases.mask = v.walls.base_mask;

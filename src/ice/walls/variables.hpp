@@ -15,7 +15,7 @@ namespace sluice::ice::walls {
 
 // Tasks of the step, in order, in place of those of the same name; each in the file of its name.
 void declare_variables(TaskList&, const SchemeOptions&, SchemeVariables&);
-void add_openness(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+void add_apertures(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
 void add_open_faces(TaskList&, const SchemeVariables& fluid, const SchemeVariables& v,
                     const SchemeOptions&, int effect);
 // What passes faces between cells of fluid, from whole faces to their open share.
@@ -35,11 +35,11 @@ void add_scalar_walls(TaskList&, const SchemeVariables&, const SchemeOptions&, i
 
 // Variables as the tasks of the whole cell take them: of the faces of the fluid alone; of the remap
 // along an axis.
-SchemeVariables of_fluid_faces(const SchemeVariables&);
-SchemeVariables of_remap(const SchemeVariables&, int axis);
-SchemeVariables of_bases(const SchemeVariables&);
+SchemeVariables fluid_face_variables(const SchemeVariables&);
+SchemeVariables remap_variables(const SchemeVariables&, int axis);
+SchemeVariables base_variables(const SchemeVariables&);
 
 // Volumes of fluid below this share of a cell are none: the round-off of overlaps.
-inline constexpr double least_volume = 1e-10;
+inline constexpr double min_volume = 1e-10;
 
 }  // namespace sluice::ice::walls

@@ -179,8 +179,8 @@ std::shared_ptr<const BurnLaw> read_ddt1(const DeckNode& parameters, const Mater
   Ddt1 m;
   m.flame = read_surface_and_flame(parameters, "ThresholdPressureSB");
   m.detonation.threshold_pressure = parameters.real("ThresholdPressureJWL");
-  m.detonation.least_volume_fraction = real_or(parameters, "ThresholdVolFrac", 0);
-  m.detonation.most_burned = 1;
+  m.detonation.min_volume_fraction = real_or(parameters, "ThresholdVolFrac", 0);
+  m.detonation.max_burned = 1;
   m.detonation.G = parameters.real("G");
   m.detonation.b = parameters.real("b");
   m.detonation.heat = parameters.real("E0");

@@ -39,7 +39,7 @@ TagSpec jwlpp_tag() {
 JwlPp read_jwlpp_law(const DeckNode& parameters) {
   JwlPp m;
   m.threshold_pressure = parameters.real("ThresholdPressure");
-  m.least_volume_fraction = real_or(parameters, "ThresholdVolFrac", m.least_volume_fraction);
+  m.min_volume_fraction = real_or(parameters, "ThresholdVolFrac", m.min_volume_fraction);
   m.G = parameters.real("G");
   m.b = parameters.real("b");
   m.heat = parameters.real("E0");

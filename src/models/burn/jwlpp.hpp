@@ -17,11 +17,11 @@ struct TagSpec;
 namespace sluice::models {
 
 struct JwlPp {
-  static constexpr double most_in_a_step = 0.2;  // of rho0 times the volume of the cell
+  static constexpr double max_in_a_step = 0.2;  // of rho0 times the volume of the cell
 
-  double most_burned = 0.99;  // F
+  double max_burned = 0.99;  // F
   double threshold_pressure = 0;
-  double least_volume_fraction = 0.01;
+  double min_volume_fraction = 0.01;
   double G = 0, b = 1;  // 1/(s Pa^b)
   double heat = 0;      // J/kg
   double rho0 = 1;
@@ -32,14 +32,14 @@ struct JwlPp {
     return all > 0 ? product_mass / all : 0.0;
   }
   bool burns(double pressure, double volume_fraction) const {
-    return pressure > threshold_pressure && volume_fraction > least_volume_fraction;
+    return pressure > threshold_pressure && volume_fraction > min_volume_fraction;
   }
   // Mass per volume of the cell that burns in dt: the step of the law solved exactly for constant
   // p, 1 - F' = (1 - F) exp(-G p^b dt).
   double burned(double dt, double pressure, double reactant_mass, double product_mass) const {
-    if (!(share(reactant_mass, product_mass) < most_burned)) return 0.0;
+    if (!(share(reactant_mass, product_mass) < max_burned)) return 0.0;
     const double all = reactant_mass * -std::expm1(-G * std::pow(pressure, b) * dt);
-    return std::min(all, most_in_a_step * rho0);
+    return std::min(all, max_in_a_step * rho0);
   }
 };
 

@@ -10,7 +10,7 @@
 namespace sluice::models {
 namespace {
 
-constexpr int most_iterations = 200;
+constexpr int max_iterations = 200;
 constexpr double tolerance = 1e-12;  // of T_s, relative
 
 struct Constants {
@@ -46,7 +46,7 @@ BurningSurface SteadyBurn::surface(double p, double T0, double density) const {
   double low = k.C4, high = k.image(k.flux(std::max(k.C4, turn)));
   if (!(high > low)) return {low, k.flux(low)};
   double T = 0.5 * (low + high);
-  for (int i = 0; i < most_iterations && high - low > tolerance * high; ++i) {
+  for (int i = 0; i < max_iterations && high - low > tolerance * high; ++i) {
     (T < k.image(k.flux(T)) ? low : high) = T;
     T = 0.5 * (low + high);
   }

@@ -16,7 +16,7 @@
 
 namespace sluice::models {
 
-inline constexpr std::size_t most_species = 64;
+inline constexpr std::size_t max_species = 64;
 
 // What a flame starts from, in place of the deck's regions; the fractions have theirs with the
 // scalars.

@@ -87,10 +87,10 @@ std::shared_ptr<const kinetics::SpeciesGas> find_gas(const DeckNode& parameters,
       return fault(*closure,
                    fmt::format("<closureSpecies>: the mechanism has no species '{}'", name),
                    suggest_name(name, names));
-    if (names.size() < 2 || names.size() > most_species + 1)
+    if (names.size() < 2 || names.size() > max_species + 1)
       return fault(*file,
                    fmt::format("<mechanismFile>: {} species; 2 to {} are supported", names.size(),
-                               most_species + 1),
+                               max_species + 1),
                    "a reduced mechanism");
     return std::make_shared<const kinetics::SpeciesGas>(std::move(mechanism),
                                                         found - names.begin());

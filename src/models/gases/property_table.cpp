@@ -90,7 +90,7 @@ class TableLines {
   DataLines lines_;
 };
 
-constexpr std::size_t most_points = 1000000;
+constexpr std::size_t max_points = 1000000;
 
 bool increases(const std::vector<double>& axis) {
   return std::is_sorted(axis.begin(), axis.end(), [](double a, double b) { return a <= b; });
@@ -127,8 +127,8 @@ PropertyTable::PropertyTable(const std::string& file, Additions additions)
   axis_ = canonical(names.front());
   if (axis_ != "mixture_fraction")
     lines.fail(0, "the first axis", "mixture_fraction or F", "'" + names.front() + "'");
-  const std::vector<std::size_t> points = lines.integers("points of the axes", axes, most_points);
-  const std::size_t count = lines.integer("the number of columns", most_points);
+  const std::vector<std::size_t> points = lines.integers("points of the axes", axes, max_points);
+  const std::size_t count = lines.integer("the number of columns", max_points);
   const std::vector<std::string> columns = lines.words("names of the columns");
   if (columns.size() != count)
     lines.fail(0, "names of the columns", fmt::format("{}, as many as columns", count),

@@ -15,7 +15,7 @@
 namespace sluice::models {
 namespace {
 
-constexpr double most_in_a_cell = 1e6;     // at the start
+constexpr double max_in_a_cell = 1e6;      // at the start
 constexpr std::string_view prefix = "p.";  // of the names of particle variables
 
 TagSpec region(const char* text, const TagSpec& number) {
@@ -63,7 +63,7 @@ TagSpec tracer_particles_tag() {
                                  tag("particlesPerCell", "how many per cell of the region")
                                      .real()
                                      .at_least(0)
-                                     .at_most(most_in_a_cell))),
+                                     .at_most(max_in_a_cell))),
                tag("interiorSources", "regions in which particles appear")
                    .child(region("a region in which particles appear",
                                  tag("particlesPerCellPerSecond", "how many per cell and second")

@@ -20,7 +20,7 @@ struct TagSpec;
 namespace sluice::models {
 
 struct FixedValues {
-  static constexpr double least_volume_fraction = 1e-3;
+  static constexpr double min_volume_fraction = 1e-3;
 
   int material = 0;
   PiecePtr region;

@@ -60,10 +60,10 @@ class Face {
 
   Share share_of(std::size_t p, double s) const {
     if ((basis_ == Basis::cpdi || basis_ == Basis::fast_cpdi) && size_[0] != nullptr)
-      return of_corners(p, s);
+      return corner_share(p, s);
     if (corners_[0] != nullptr) {
-      if (active_.count == 3) return of_carried<3>(p);
-      return active_.count == 2 ? of_carried<2>(p) : of_carried<1>(p);
+      if (active_.count == 3) return carried_share<3>(p);
+      return active_.count == 2 ? carried_share<2>(p) : carried_share<1>(p);
     }
     Weight on, beyond;
     if (basis_ == Basis::cubic) {
@@ -95,7 +95,7 @@ class Face {
   }
 
   // sum over corners of N/8, and of alpha_c N, alpha_c = E^-T s_c/4.
-  Share of_corners(std::size_t p, double s) const {
+  Share corner_share(std::size_t p, double s) const {
     const std::array<Vec3, 3> e = edges(p);
     // Rows of E^-1: cross products over the determinant.
     const std::array<Vec3, 3> cross_of = {cross(e[1], e[2]), cross(e[2], e[0]), cross(e[0], e[1])};
@@ -119,7 +119,7 @@ class Face {
 
   // sum over corners of 2^-D N, and of b_k/V N.
   template <int D>
-  Share of_carried(std::size_t p) const {
+  Share carried_share(std::size_t p) const {
     CornerVolume<D> v;
     read_carried<D>(corners_, active_.list, p, v.x);
     double at[1 << D];

@@ -11,7 +11,7 @@ constexpr int components_of(HistorySum kind) {
   return kind == HistorySum::centre_of_mass || kind == HistorySum::face_force ? 3 : 1;
 }
 
-constexpr bool of_a_side(HistorySum kind) {
+constexpr bool is_on_side(HistorySum kind) {
   return kind == HistorySum::face_force || kind == HistorySum::face_area;
 }
 
@@ -19,7 +19,7 @@ constexpr bool of_a_side(HistorySum kind) {
 
 int HistorySums::place(HistorySum kind, Side side) const {
   for (const Entry& e : entries_)
-    if (e.kind == kind && (!of_a_side(kind) || e.side == side)) return e.first;
+    if (e.kind == kind && (!is_on_side(kind) || e.side == side)) return e.first;
   return -1;
 }
 

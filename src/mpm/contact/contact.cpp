@@ -110,7 +110,8 @@ const MasterMotion* Contact::motion_of(int material) const {
 }
 
 // The bodies of a rule at a node; false: it does not act there.
-bool Contact::gather(const ContactRule& rule, Meeting& meeting, std::vector<Party>& parties) const {
+bool Contact::gather(const ContactRule& rule, ContactNode& meeting,
+                     std::vector<ContactBody>& parties) const {
   parties.clear();
   double filled = 0;
   for (AtNode& b : meeting.bodies) {
@@ -124,24 +125,26 @@ bool Contact::gather(const ContactRule& rule, Meeting& meeting, std::vector<Part
 }
 
 // A master takes its motion, or keeps the velocity that it had before forces; the others follow.
-void Contact::lead(const ContactRule& rule, AtNode& master, std::vector<Party>& parties) const {
-  for (Party& p : parties)
+void Contact::lead(const ContactRule& rule, AtNode& master,
+                   std::vector<ContactBody>& parties) const {
+  for (ContactBody& p : parties)
     if (p.at == &master) p.held = true;
   const std::size_t r = &rule - scene_->contacts.data();
   if (slides(rule)) {
     slide(parties, {rule.normal_only ? 0.0 : friction_[r], scene_->colinear_normals, spacing_});
     return;
   }
-  for (Party& p : parties)
+  for (ContactBody& p : parties)
     for (int d = 0; d < 3 && !p.held; ++d)
       if (rule.directions[d] != 0) p.at->v[d] = master.v[d];
 }
 
-void Contact::act(const ContactRule& rule, Meeting& meeting, std::vector<Party>& parties) const {
+void Contact::act(const ContactRule& rule, ContactNode& meeting,
+                  std::vector<ContactBody>& parties) const {
   if (!gather(rule, meeting, parties)) return;
   static thread_local std::vector<Vec3> old;
   old.clear();
-  for (const Party& p : parties) old.push_back(p.at->v);
+  for (const ContactBody& p : parties) old.push_back(p.at->v);
   AtNode* master = nullptr;
   Vec3 outside_velocity{};
   if (by_master(rule)) {
@@ -164,9 +167,9 @@ void Contact::act(const ContactRule& rule, Meeting& meeting, std::vector<Party>&
     }
   }
   const bool outside =
-      std::any_of(parties.begin(), parties.end(), [](const Party& p) { return p.held; });
+      std::any_of(parties.begin(), parties.end(), [](const ContactBody& p) { return p.held; });
   if (!outside) return;
-  OutsideBooks& books = meeting.outside;
+  OutsideBudget& books = meeting.outside;
   const MasterMotion* motion = master != nullptr ? motion_of(rule.master) : nullptr;
   const Vec3 arm = meeting.place - (motion != nullptr ? motion->origin : Vec3{});
   for (std::size_t n = 0; n < parties.size(); ++n) {
@@ -181,8 +184,8 @@ void Contact::act(const ContactRule& rule, Meeting& meeting, std::vector<Party>&
   }
 }
 
-void Contact::act(Hook hook, Meeting& meeting) const {
-  static thread_local std::vector<Party> parties;
+void Contact::act(Hook hook, ContactNode& meeting) const {
+  static thread_local std::vector<ContactBody> parties;
   for (const ContactRule& rule : scene_->contacts)
     if (hook == Hook::after_forces || rule.both_hooks) act(rule, meeting, parties);
 }

@@ -39,12 +39,13 @@ class Contact {
   const MasterMotion* motion_of(int material) const;
 
   // All rules on the velocities of a meeting; what acts from outside is added to its books.
-  void act(Hook hook, Meeting& meeting) const;
+  void act(Hook hook, ContactNode& meeting) const;
 
  private:
-  void act(const ContactRule& rule, Meeting& meeting, std::vector<Party>& parties) const;
-  bool gather(const ContactRule& rule, Meeting& meeting, std::vector<Party>& parties) const;
-  void lead(const ContactRule& rule, AtNode& master, std::vector<Party>& parties) const;
+  void act(const ContactRule& rule, ContactNode& meeting, std::vector<ContactBody>& parties) const;
+  bool gather(const ContactRule& rule, ContactNode& meeting,
+              std::vector<ContactBody>& parties) const;
+  void lead(const ContactRule& rule, AtNode& master, std::vector<ContactBody>& parties) const;
   bool listed(const ContactRule& rule, int material) const;
 
   const MpmScene* scene_;

@@ -19,7 +19,7 @@ ContactRule rule_of(ContactKind kind, std::vector<int> materials = {}) {
 struct Node {
   MpmScene scene;
   Level level;
-  Meeting meeting;
+  ContactNode meeting;
 
   explicit Node(std::size_t materials) : scene{} {
     scene.materials.resize(materials);

@@ -20,18 +20,18 @@ struct AtNode {
 };
 
 // What acts from outside at a node: rigid bodies, and masters whose motion is prescribed.
-struct OutsideBooks {
+struct OutsideBudget {
   Vec3 impulse{};   // on all bodies that are not rigid, N s
   double work = 0;  // J
   Vec3 reaction{};  // impulse of the others on masters of specified contacts, N s
   Vec3 torque{};    // of that, about the origin of the master's motion, N m s
 };
 
-struct Meeting {
+struct ContactNode {
   Vec3 place{};            // of the node, m
   double cell_volume = 1;  // m^3
   std::vector<AtNode> bodies;
-  OutsideBooks outside;
+  OutsideBudget outside;
 
   AtNode* find(int body) {
     for (AtNode& b : bodies)

@@ -10,11 +10,11 @@ static double length(Vec3 a) {
 
 // Mean by mass, counted from the first: equal velocities give that velocity to the bit.
 template <class Counts>
-static bool mean_velocity(std::span<const Party> parties, Counts&& counts, Vec3& v) {
+static bool mean_velocity(std::span<const ContactBody> parties, Counts&& counts, Vec3& v) {
   const AtNode* first = nullptr;
   double mass = 0;
   Vec3 sum{};
-  for (const Party& p : parties) {
+  for (const ContactBody& p : parties) {
     if (!counts(p)) continue;
     if (first == nullptr) first = p.at;
     mass += p.at->mass;
@@ -25,23 +25,23 @@ static bool mean_velocity(std::span<const Party> parties, Counts&& counts, Vec3&
   return true;
 }
 
-bool held_velocity(std::span<const Party> parties, Vec3& v) {
+bool held_velocity(std::span<const ContactBody> parties, Vec3& v) {
   return mean_velocity(
-      parties, [](const Party& p) { return p.held; }, v);
+      parties, [](const ContactBody& p) { return p.held; }, v);
 }
 
-void stick(std::span<Party> parties) {
+void stick(std::span<ContactBody> parties) {
   Vec3 v;
   if (!held_velocity(parties, v))
     mean_velocity(
-        parties, [](const Party&) { return true; }, v);
-  for (Party& p : parties)
+        parties, [](const ContactBody&) { return true; }, v);
+  for (ContactBody& p : parties)
     if (!p.held) p.at->v = v;
 }
 
 // Sums go over the others, never total minus own: masses of 1 : 1e-17 would leave 0/0.
-bool normal_of(std::span<const Party> parties, std::size_t m, bool common, Vec3& normal) {
-  const Party& own = parties[m];
+bool normal_of(std::span<const ContactBody> parties, std::size_t m, bool common, Vec3& normal) {
+  const ContactBody& own = parties[m];
   Vec3 rest{};
   for (std::size_t k = 0; k < parties.size(); ++k)
     if (k != m && parties[k].gives_normal) rest -= parties[k].at->gradient;
@@ -57,7 +57,7 @@ bool normal_of(std::span<const Party> parties, std::size_t m, bool common, Vec3&
   return true;
 }
 
-double gap_of(std::span<const Party> parties, std::size_t m, Vec3 normal, Vec3 spacing) {
+double gap_of(std::span<const ContactBody> parties, std::size_t m, Vec3 normal, Vec3 spacing) {
   double volume = 0;
   Vec3 sum{};
   const SurfaceTable* table = nullptr;
@@ -77,7 +77,8 @@ double gap_of(std::span<const Party> parties, std::size_t m, Vec3 normal, Vec3 s
 }
 
 // d: velocity of m against the others as they would be together; delta shortens it.
-static Vec3 change_of(std::span<const Party> parties, std::size_t m, Vec3 d, const Slip& slip) {
+static Vec3 change_of(std::span<const ContactBody> parties, std::size_t m, Vec3 d,
+                      const Slip& slip) {
   Vec3 n;
   if (!normal_of(parties, m, slip.common_normals, n)) return {};
   const double dn = dot(d, n);
@@ -89,17 +90,17 @@ static Vec3 change_of(std::span<const Party> parties, std::size_t m, Vec3 d, con
   return -1.0 * (dn * n + share * t);
 }
 
-void slide(std::span<Party> all, const Slip& slip) {
-  static thread_local std::vector<Party> parties;
+void slide(std::span<ContactBody> all, const Slip& slip) {
+  static thread_local std::vector<ContactBody> parties;
   static thread_local std::vector<Vec3> changes;
   parties.clear();
-  for (const Party& p : all)
+  for (const ContactBody& p : all)
     if (p.at->volume > 0) parties.push_back(p);
   if (parties.size() < 2) return;
   Vec3 centre{};
   const bool held = held_velocity(parties, centre);
   double mass = 0;
-  for (const Party& p : parties) mass += p.at->mass;
+  for (const ContactBody& p : parties) mass += p.at->mass;
   changes.assign(parties.size(), {});
   Vec3 mean{};
   for (std::size_t m = 0; m < parties.size(); ++m) {
@@ -108,7 +109,7 @@ void slide(std::span<Party> all, const Slip& slip) {
     if (held) {
       d = parties[m].at->v - centre;
     } else {  // v_m - v_cm without taking near numbers from each other
-      for (const Party& k : parties) d += k.at->mass * (parties[m].at->v - k.at->v);
+      for (const ContactBody& k : parties) d += k.at->mass * (parties[m].at->v - k.at->v);
       d = (1 / mass) * d;
     }
     changes[m] = change_of(parties, m, d, slip);

@@ -11,7 +11,7 @@
 namespace sluice::mpm {
 
 // One body in a rule.
-struct Party {
+struct ContactBody {
   AtNode* at = nullptr;
   bool held = false;                    // its velocity stays
   bool gives_normal = true;             // may its own surface be the one along which all slide
@@ -28,20 +28,20 @@ struct Slip {
 inline constexpr double touching_gap = 0.1;
 
 // Velocity of all that are held: their mean by mass. False: none is held.
-bool held_velocity(std::span<const Party> parties, Vec3& v);
+bool held_velocity(std::span<const ContactBody> parties, Vec3& v);
 
 // All take one velocity: v_cm = sum M v / sum M, or that of those that are held.
-void stick(std::span<Party> parties);
+void stick(std::span<ContactBody> parties);
 
 // What comes together is stopped along the normal, and held back along the surface by at most
 // mu times that. Bodies that do not reach the node with GIMP weights take no part.
-void slide(std::span<Party> parties, const Slip& slip);
+void slide(std::span<ContactBody> parties, const Slip& slip);
 
 // Unit normal out of party m; false: there is none.
-bool normal_of(std::span<const Party> parties, std::size_t m, bool common, Vec3& normal);
+bool normal_of(std::span<const ContactBody> parties, std::size_t m, bool common, Vec3& normal);
 
 // Distance between the surfaces of party m and of the others along the normal out of it, in cells;
 // negative: they overlap.
-double gap_of(std::span<const Party> parties, std::size_t m, Vec3 normal, Vec3 spacing);
+double gap_of(std::span<const ContactBody> parties, std::size_t m, Vec3 normal, Vec3 spacing);
 
 }  // namespace sluice::mpm

@@ -26,8 +26,8 @@ AtNode body(double mass, Vec3 v, Vec3 out) {
   return b;
 }
 
-std::vector<Party> parties_of(std::vector<AtNode>& bodies) {
-  std::vector<Party> p;
+std::vector<ContactBody> parties_of(std::vector<AtNode>& bodies) {
+  std::vector<ContactBody> p;
   for (AtNode& b : bodies) p.push_back({&b, b.rigid, true, &table()});
   return p;
 }
@@ -59,7 +59,7 @@ TEST(ContactRules, KeepMomentumAndNeverMakeEnergyForTwoToFiveBodies) {
   for (int run = 0; run < 4000; ++run) {
     std::vector<AtNode> bodies = some_bodies(random, 2 + run % 4);
     const std::vector<AtNode> before = bodies;
-    std::vector<Party> parties = parties_of(bodies);
+    std::vector<ContactBody> parties = parties_of(bodies);
     if (run % 5 == 0)
       stick(parties);
     else
@@ -76,7 +76,7 @@ TEST(ContactRules, KeepMomentumAndNeverMakeEnergyForTwoToFiveBodies) {
 
 TEST(ContactRules, ImpactAlongTheNormalLeavesOneNormalVelocity) {
   std::vector<AtNode> bodies = {body(2, {1, 0.5, 0}, {3, 0, 0}), body(1, {-2, 0.5, 0}, {-2, 0, 0})};
-  std::vector<Party> parties = parties_of(bodies);
+  std::vector<ContactBody> parties = parties_of(bodies);
   slide(parties, {0.5, true, {1, 1, 1}});
   EXPECT_NEAR(bodies[0].v.x, 0, 1e-15);
   EXPECT_NEAR(bodies[1].v.x, 0, 1e-15);
@@ -88,7 +88,7 @@ TEST(ContactRules, FrictionIsMuTimesTheNormalImpulseUntilBodiesStick) {
     AtNode floor = body(1, {}, {0, 0, 1});
     floor.rigid = true;
     std::vector<AtNode> bodies = {floor, body(2, {1, 0, -0.5}, {0, 0, -1})};
-    std::vector<Party> parties = parties_of(bodies);
+    std::vector<ContactBody> parties = parties_of(bodies);
     slide(parties, {mu, true, {1, 1, 1}});
     EXPECT_NEAR(bodies[1].v.z, 0, 1e-15);
     EXPECT_NEAR(bodies[1].v.x, std::max(0.0, 1 - mu * 0.5), 1e-15);
@@ -98,7 +98,7 @@ TEST(ContactRules, FrictionIsMuTimesTheNormalImpulseUntilBodiesStick) {
 
 TEST(ContactRules, BodiesThatPartAreLeftAlone) {
   std::vector<AtNode> bodies = {body(2, {-1, 0, 0}, {1, 0, 0}), body(1, {1, 0, 0}, {-1, 0, 0})};
-  std::vector<Party> parties = parties_of(bodies);
+  std::vector<ContactBody> parties = parties_of(bodies);
   slide(parties, {0.5, true, {1, 1, 1}});
   EXPECT_EQ(bodies[0].v, (Vec3{-1, 0, 0}));
   EXPECT_EQ(bodies[1].v, (Vec3{1, 0, 0}));
@@ -108,7 +108,7 @@ TEST(ContactRules, BodiesWithAGapAreLeftAlone) {
   std::vector<AtNode> bodies = {body(2, {1, 0, 0}, {1, 0, 0}), body(1, {-1, 0, 0}, {-1, 0, 0})};
   bodies[0].place = {-0.9, 0, 0};
   bodies[1].place = {0.9, 0, 0};
-  std::vector<Party> parties = parties_of(bodies);
+  std::vector<ContactBody> parties = parties_of(bodies);
   slide(parties, {0.5, true, {1, 1, 1}});
   EXPECT_EQ(bodies[0].v, (Vec3{1, 0, 0}));
 }
@@ -117,7 +117,7 @@ TEST(ContactRules, MassesOfTenToTheMinus17GiveNumbers) {
   std::vector<AtNode> bodies = {body(1, {1, 0.2, 0}, {1, 0.1, 0}),
                                 body(1e-17, {-1, 0, 0.3}, {-1e-17, 0, 0}),
                                 body(3e-9, {-0.5, 0, 0}, {-1e-9, 2e-9, 0})};
-  std::vector<Party> parties = parties_of(bodies);
+  std::vector<ContactBody> parties = parties_of(bodies);
   slide(parties, {0.4, true, {1, 1, 1}});
   for (const AtNode& b : bodies)
     for (int d = 0; d < 3; ++d) EXPECT_TRUE(std::isfinite(b.v[d]));
@@ -136,7 +136,7 @@ TEST(ContactRules, MirroredBodiesHaveMirroredBits) {
       b.gradient.x = -b.gradient.x;
       b.place.x = -b.place.x;
     }
-    std::vector<Party> parties = parties_of(bodies), mirrored = parties_of(images);
+    std::vector<ContactBody> parties = parties_of(bodies), mirrored = parties_of(images);
     slide(parties, {0.3, true, {1, 2, 1}});
     slide(mirrored, {0.3, true, {1, 2, 1}});
     for (std::size_t n = 0; n < bodies.size(); ++n)
@@ -147,7 +147,7 @@ TEST(ContactRules, MirroredBodiesHaveMirroredBits) {
 TEST(ContactRules, EqualVelocitiesStayToTheBit) {
   std::vector<AtNode> bodies = {body(0.1, {0.3, 0.7, 0.1}, {1, 0, 0}),
                                 body(0.7, {0.3, 0.7, 0.1}, {-1, 0, 0})};
-  std::vector<Party> parties = parties_of(bodies);
+  std::vector<ContactBody> parties = parties_of(bodies);
   stick(parties);
   slide(parties, {0.3, true, {1, 1, 1}});
   EXPECT_EQ(bodies[0].v, (Vec3{0.3, 0.7, 0.1}));

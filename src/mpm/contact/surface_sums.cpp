@@ -68,7 +68,7 @@ void add_all(const TransferGrid& grid, const std::array<const double*, 3>& x, co
       Gimp::weights<true>(grid.axes[d], x[d] + at, grid.half[d], n, weights[a]);
     }
     for (int q = 0; q < n; ++q)
-      add_particle<D>(std::min(volume[at + q], units.most_volume), weights, q, grid, units, window);
+      add_particle<D>(std::min(volume[at + q], units.max_volume), weights, q, grid, units, window);
   }
 }
 
@@ -76,23 +76,23 @@ void add_all(const TransferGrid& grid, const std::array<const double*, 3>& x, co
 
 SurfaceUnits surface_units(const Level& level, bool axisymmetric) {
   SurfaceUnits u;
-  u.most_volume = 1;
+  u.max_volume = 1;
   double steepest = 0, widest = 0;
   for (int d = 0; d < 3; ++d) {
     if (level.active[d]) {
-      u.most_volume *= 2 * level.spacing[d];
+      u.max_volume *= 2 * level.spacing[d];
       steepest = std::max(steepest, 1 / level.spacing[d]);
       widest = std::max(widest, level.spacing[d]);
     } else {
-      u.most_volume *= level.spacing[d];
+      u.max_volume *= level.spacing[d];
     }
   }
   // Volumes of one radian: times the radius.
   if (axisymmetric)
-    u.most_volume *= std::max(1.0, level.anchor.x + level.domain.upper.x * level.spacing.x);
-  u.volume = scale_for(u.most_volume);
-  u.gradient = scale_for(u.most_volume * steepest);
-  u.place = scale_for(u.most_volume * 2 * widest);
+    u.max_volume *= std::max(1.0, level.anchor.x + level.domain.upper.x * level.spacing.x);
+  u.volume = scale_for(u.max_volume);
+  u.gradient = scale_for(u.max_volume * steepest);
+  u.place = scale_for(u.max_volume * 2 * widest);
   return u;
 }
 

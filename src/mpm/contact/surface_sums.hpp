@@ -13,7 +13,7 @@ namespace sluice::mpm {
 // Units of the integers (2^k). Larger volumes than `most_volume`, 2 cells wide, count as that.
 struct SurfaceUnits {
   double volume = 1, gradient = 1, place = 1;
-  double most_volume = 1;
+  double max_volume = 1;
 };
 SurfaceUnits surface_units(const Level& level, bool axisymmetric);
 

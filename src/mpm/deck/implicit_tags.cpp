@@ -93,7 +93,7 @@ ImplicitSettings read_implicit(const DeckNode& flags) {
   s.energy_criterion = real_or(flags, "convergence_criteria_energy", s.energy_criterion);
   s.iterations_to_shrink = integer_or(flags, "num_iters_to_decrease_delT", s.iterations_to_shrink);
   s.iterations_to_grow = integer_or(flags, "num_iters_to_increase_delT", s.iterations_to_grow);
-  s.most_iterations = integer_or(flags, "iters_before_timestep_restart", s.most_iterations);
+  s.max_iterations = integer_or(flags, "iters_before_timestep_restart", s.max_iterations);
   s.shrink = real_or(flags, "delT_decrease_factor", s.shrink);
   s.grow = real_or(flags, "delT_increase_factor", s.grow);
   s.conducts = boolean_or(flags, "DoImplicitHeatConduction", s.conducts);

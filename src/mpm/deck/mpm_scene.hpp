@@ -182,7 +182,7 @@ struct ImplicitSettings {
   bool dynamic = true;    // nodes have inertia
   bool mechanics = true;  // DoMechanics
   double displacement_criterion = 1e-10, energy_criterion = 4e-10;
-  int iterations_to_shrink = 12, iterations_to_grow = 4, most_iterations = 25;
+  int iterations_to_shrink = 12, iterations_to_grow = 4, max_iterations = 25;
   double shrink = 0.6, grow = 2;                 // of the step
   bool conducts = false, heat_is_stored = true;  // by implicit steps
 };
@@ -230,7 +230,7 @@ struct MpmScene {
   bool thermal_contact = false, friction_heats = false;
   bool pressure_stabilised = false;
   int subcycles_of_F = 1;  // minimum_subcycles_for_F; negative: terms of the exponential series
-  double least_particle_mass = 3e-15;
+  double min_particle_mass = 3e-15;
   bool with_colour = false;
   bool full_first_kick = false;
   // Velocities stand at the time of the places, and each step changes them by its own length: what

@@ -56,7 +56,7 @@ void read_scheme(const DeckNode& flags, MpmScene& s) {
   s.axisymmetric = boolean_or(flags, "axisymmetric", false);
   s.subcycles_of_F = integer_or(flags, "minimum_subcycles_for_F", s.subcycles_of_F);
   s.pressure_stabilised = boolean_or(flags, "DoPressureStabilization", false);
-  s.least_particle_mass = real_or(flags, "minimum_particle_mass", s.least_particle_mass);
+  s.min_particle_mass = real_or(flags, "minimum_particle_mass", s.min_particle_mass);
   s.full_first_kick = boolean_or(flags, "full_first_kick", false);
 }
 

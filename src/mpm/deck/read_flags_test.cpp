@@ -46,7 +46,7 @@ TEST(Flags, HaveTheDefaultsOfTheFormat) {
   EXPECT_EQ(s.viscosity_1, 0.2);
   EXPECT_EQ(s.viscosity_2, 2.0);
   EXPECT_EQ(s.subcycles_of_F, 1);
-  EXPECT_EQ(s.least_particle_mass, 3e-15);
+  EXPECT_EQ(s.min_particle_mass, 3e-15);
   EXPECT_TRUE(s.contacts.empty());
   ASSERT_EQ(s.materials.size(), 1u);
   EXPECT_EQ(s.materials[0].name, "block");

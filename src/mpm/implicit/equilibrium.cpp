@@ -273,7 +273,7 @@ NewtonReport Equilibrium::find(NodesOfStep& nodes, SparseSolver& solver) {
       report.converged = true;
       return report;
     }
-    if (report.iterations == settings.most_iterations) {
+    if (report.iterations == settings.max_iterations) {
       report.reason = fmt::format(
           "Newton's method has not converged in {} iterations (iters_before_timestep_restart); the "
           "largest force on a node that is not balanced is {:g} of {:g} N",

@@ -291,7 +291,7 @@ Verdict ImplicitStep::take_over(const StageScope& scope) {
                                 ranks = scope.ranks, sums = scope.sums, events = scope.events,
                                 end = scope.step.time + scope.step.dt] {
     retried_ = false;
-    cloud->take_over(end);
+    cloud->commit(end);
     book_leaving(*solids_, *carried_, {level_}, *cloud, *ranks, *sums, *events);
     std::vector<double>& all = maxima->front();
     all.resize(std::max(all.size(), new_rates_.size()));

@@ -18,13 +18,13 @@ SolidLevels::SolidLevels(const Scene& scene, const MpmScene& solids,
 void SolidLevels::look_at_levels(const StageScope& scope) {
   const std::size_t count = scope.levels.size();
   present_.resize(count);
-  joints_.resize(count - 1);
+  interfaces_.resize(count - 1);
   for (std::size_t l = 0; l < count; ++l) {
     const Level& now = scope.levels[l]->level();
     const bool same = l < steps_.size() && same_boxes(present_[l].boxes, now.boxes);
     if (l >= steps_.size())
       steps_.push_back(std::make_unique<SolidStep>(*scene_, *solids_, *carried_, *kinds_));
-    if (!same && l > 0) joints_[l - 1] = std::make_unique<CompositeNodes>(now);
+    if (!same && l > 0) interfaces_[l - 1] = std::make_unique<CompositeNodes>(now);
     present_[l] = now;
   }
   steps_.resize(count);
@@ -111,12 +111,12 @@ void SolidLevels::join_sums(const StageScope& scope, NodeLanes Body::*group) {
   for (int m = 0; m < static_cast<int>(solids_->materials.size()); ++m)
     for (int l = 0; l + 1 < count(); ++l) {
       Body &coarse = level(l).body(m), &fine = level(l + 1).body(m);
-      joints_[l]->to_fine(coarse.table, coarse.*group, fine.table, fine.*group);
+      interfaces_[l]->to_fine(coarse.table, coarse.*group, fine.table, fine.*group);
     }
   for (int l = count() - 1; l >= 0; --l) {
     level(l).share_sums(scope_of(scope, l), group);
     if (l == 0) break;
-    const CompositeNodes& joint = *joints_[l - 1];
+    const CompositeNodes& joint = *interfaces_[l - 1];
     for (int m = 0; m < static_cast<int>(solids_->materials.size()); ++m) {
       Body &coarse = level(l - 1).body(m), &fine = level(l).body(m);
       joint.add_parents(fine.table, fine.*group, coarse.table, coarse.*group);
@@ -163,11 +163,11 @@ void SolidLevels::spread(NodeLanes Body::*group) {
   for (int m = 0; m < static_cast<int>(solids_->materials.size()); ++m) {
     for (int l = 0; l + 1 < count(); ++l) {
       Body &coarse = level(l).body(m), &fine = level(l + 1).body(m);
-      joints_[l]->from_coarse(fine.table, fine.*group, coarse.table, coarse.*group);
+      interfaces_[l]->from_coarse(fine.table, fine.*group, coarse.table, coarse.*group);
     }
     for (int l = count() - 2; l >= 0; --l) {
       Body &coarse = level(l).body(m), &fine = level(l + 1).body(m);
-      joints_[l]->from_fine(coarse.table, coarse.*group, fine.table, fine.*group);
+      interfaces_[l]->from_fine(coarse.table, coarse.*group, fine.table, fine.*group);
     }
   }
 }
@@ -196,11 +196,11 @@ void SolidLevels::heat_by_losses(const StageScope& scope) {
   }
 }
 
-Verdict SolidLevels::take_over(const StageScope& scope) {
+Verdict SolidLevels::commit(const StageScope& scope) {
   scope.journal->at_acceptance([this, cloud = scope.particles, maxima = scope.maxima,
                                 ranks = scope.ranks, sums = scope.sums, events = scope.events,
                                 end = scope.step.time + scope.step.dt] {
-    cloud->take_over(end);
+    cloud->commit(end);
     double travel = 0;
     bool left = false;
     for (int l = 0; l < count(); ++l) {
@@ -216,7 +216,7 @@ Verdict SolidLevels::take_over(const StageScope& scope) {
     const bool split =
         solids_->refine_particles && split_particles(*solids_, *carried_, *cloud, *ranks);
     if (left) book_leaving(*solids_, *carried_, present_, *cloud, *ranks, *sums, *events);
-    if (strayed_ >= most_stray || left || split) relocate(*cloud);
+    if (strayed_ >= max_stray || left || split) relocate(*cloud);
     const bool regrouped = solids_->granular && regroup(*cloud, *ranks, {end, sums, events});
     for (int l = 0; l < count() && (split || regrouped); ++l) {  // the bounds of what there is now
       const std::vector<double> rates = cloud->rates(l);

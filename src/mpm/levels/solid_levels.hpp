@@ -32,7 +32,7 @@ class SolidLevels {
   Verdict filter_velocities(const StageScope& scope);
   Verdict map_back(const StageScope& scope);
   Verdict from_grid(const StageScope& scope);
-  Verdict take_over(const StageScope& scope);
+  Verdict commit(const StageScope& scope);
   // Particles to their boxes, corners with them: after some have been taken away. Collective.
   void relocate(ParticleCloud& cloud);
 
@@ -69,10 +69,10 @@ class SolidLevels {
   const std::vector<Carried>* carried_;
   const std::vector<ParticleKind>* kinds_;
   std::vector<std::unique_ptr<SolidStep>> steps_;
-  std::vector<Level> present_;                            // as they were when last looked at
-  std::vector<std::unique_ptr<CompositeNodes>> joints_;   // by coarser level
-  std::vector<std::vector<std::vector<double>>> maxima_;  // by level: what its step is handed
-  double strayed_ = 0;                                    // since the particles were sorted, cells
+  std::vector<Level> present_;                               // as they were when last looked at
+  std::vector<std::unique_ptr<CompositeNodes>> interfaces_;  // by coarser level
+  std::vector<std::vector<std::vector<double>>> maxima_;     // by level: what its step is handed
+  double strayed_ = 0;  // since the particles were sorted, cells
 };
 
 }  // namespace sluice::mpm

@@ -48,9 +48,9 @@ bool LoadCurves::heats(int material) const {
   return false;
 }
 
-std::array<int, most_marks> LoadCurves::marks_of(int material, Vec3 x, Vec3 width, bool at_surface,
-                                                 const std::array<int, most_marks>& named) const {
-  std::array<int, most_marks> marks{};
+std::array<int, max_marks> LoadCurves::marks_of(int material, Vec3 x, Vec3 width, bool at_surface,
+                                                const std::array<int, max_marks>& named) const {
+  std::array<int, max_marks> marks{};
   std::size_t found = 0;
   for (std::size_t n = 0; n < loads_.size(); ++n) {
     const Load& load = loads_[n];
@@ -65,7 +65,7 @@ std::array<int, most_marks> LoadCurves::marks_of(int material, Vec3 x, Vec3 widt
       feels = at_surface && load.surface.holds(x, width);
     }
     if (!feels) continue;
-    if (found == most_marks) throw std::length_error("more than three loads act on a particle");
+    if (found == max_marks) throw std::length_error("more than three loads act on a particle");
     marks[found++] = static_cast<int>(n) + 1;
   }
   return marks;

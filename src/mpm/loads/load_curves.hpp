@@ -14,13 +14,13 @@
 
 namespace sluice::mpm {
 
-constexpr int most_marks = 3;
+constexpr int max_marks = 3;
 
 // Columns of some particles, and those to which forces are added.
 struct LoadedParticles {
   std::size_t begin = 0, end = 0;
   std::array<const double*, 3> x{};
-  std::array<const double*, most_marks> marks{};
+  std::array<const double*, max_marks> marks{};
   Nine<const double> F{};
   std::array<const double*, 3> normal{};  // of point files; null: none
   std::array<double, 3> width{};          // of a particle at rest, length
@@ -36,8 +36,8 @@ class LoadCurves {
   bool heats(int material) const;
   // Loads of a particle at the start; `named` are the ids of curves that its point file names. More
   // than three: std::length_error.
-  std::array<int, most_marks> marks_of(int material, Vec3 x, Vec3 width, bool at_surface,
-                                       const std::array<int, most_marks>& named) const;
+  std::array<int, max_marks> marks_of(int material, Vec3 x, Vec3 width, bool at_surface,
+                                      const std::array<int, max_marks>& named) const;
   // Adds to the force on each particle, N; `counts` by load: marked particles of all ranks.
   void add_forces(double time, const std::vector<double>& counts, const LoadedParticles& p,
                   const std::array<double*, 3>& force) const;

@@ -29,7 +29,7 @@ inline constexpr double rounding_number = 0x1.8p52;  // 1.5 2^52
 inline constexpr std::int64_t rounding_bits = std::bit_cast<std::int64_t>(rounding_number);
 inline constexpr int count_lane = lanes - 1;
 // Contributions that the lanes of a node take without overflow.
-inline constexpr std::int64_t most_contributions = 4096;
+inline constexpr std::int64_t max_contributions = 4096;
 
 // Lanes wrap: what they sum is right modulo 2^64.
 inline std::int64_t wrapped_sum(std::int64_t a, std::int64_t b) {

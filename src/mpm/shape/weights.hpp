@@ -60,13 +60,13 @@ struct Gimp {
   template <bool Offsets>
   static void weights(const Axis& a, const double* x, double half, int n, AxisWeights<3>& to) {
     const double quarter = 1 / (4 * half), slope = a.inverse / (2 * half);
-    of_widths<Offsets>(a, x, n, to, [&](int) { return Width{half, quarter, slope}; });
+    weights_of_widths<Offsets>(a, x, n, to, [&](int) { return Width{half, quarter, slope}; });
   }
   // Each particle has a half width of its own.
   template <bool Offsets>
   static void weights(const Axis& a, const double* x, const double* half, int n,
                       AxisWeights<3>& to) {
-    of_widths<Offsets>(a, x, n, to, [&](int p) {
+    weights_of_widths<Offsets>(a, x, n, to, [&](int p) {
       return Width{half[p], 1 / (4 * half[p]), a.inverse / (2 * half[p])};
     });
   }
@@ -76,8 +76,8 @@ struct Gimp {
     double half, quarter, slope;
   };
   template <bool Offsets, class Widths>
-  static void of_widths(const Axis& a, const double* x, int n, AxisWeights<3>& to,
-                        const Widths& widths) {
+  static void weights_of_widths(const Axis& a, const double* x, int n, AxisWeights<3>& to,
+                                const Widths& widths) {
     for (int p = 0; p < n; ++p) {
       const auto [l, quarter, slope] = widths(p);
       const double u = a.place(x[p]), r = nearest_node(a, u), s = u - r;

@@ -30,7 +30,7 @@ bool is_covered(std::span<const IndexBox> covered, IntVec3 cell) {
 
 namespace {
 
-constexpr double least_share = 1e-6;  // of a cut cell
+constexpr double min_share = 1e-6;  // of a cut cell
 
 // The distance of a neighbouring place, or, for cut parts, of a part's faces.
 Vec3 reach_of(const SeedObject& object, const Level& level, const OptionalColumns& columns) {
@@ -146,7 +146,7 @@ class Filler {
     const Vec3 x = place(cell, part, res);
     const Vec3 half = 0.5 * reach_of(object_, level_, what_.columns);
     const CutPart cut = part_inside(piece, {x - half, x + half}, wide_);
-    if (cut.share < least_share) return;
+    if (cut.share < min_share) return;
     if (cut.share >= 1)
       emit_whole(cell, part, 0, at_surface(piece, x, res));
     else

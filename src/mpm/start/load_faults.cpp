@@ -119,7 +119,7 @@ void check_loads(const MpmScene& scene, const Grid& grid, const Seeder& seeder,
     } catch (const std::length_error& error) {
       return add_error(
           faults, load.where, error.what(),
-          fmt::format("write boxes that share no particle; {} may act on one", most_marks));
+          fmt::format("write boxes that share no particle; {} may act on one", max_marks));
     }
     const bool by_force = load.kind == LoadCurve::Kind::force;
     add_warning(faults, load.where,

@@ -17,9 +17,9 @@
 namespace sluice::mpm {
 namespace {
 
-constexpr std::int64_t most_cells = 200'000;  // around two bodies; more are not looked at
-constexpr double round_off = 1e-6;            // of a cell
-constexpr std::size_t most_pairs_shown = 3;
+constexpr std::int64_t max_cells = 200'000;  // around two bodies; more are not looked at
+constexpr double round_off = 1e-6;           // of a cell
+constexpr std::size_t max_pairs_shown = 3;
 
 struct Body {
   const SeedObject* object;
@@ -41,9 +41,9 @@ std::size_t first_of(const std::vector<Body>& bodies, std::size_t n) {
 }
 
 // The parts that hold particles, cell by cell, of one body in a window.
-class Places {
+class BodyPositions {
  public:
-  Places(const Body& body, const Level& level, const IndexBox& window)
+  BodyPositions(const Body& body, const Level& level, const IndexBox& window)
       : body_(body),
         level_(level),
         window_(window),
@@ -80,7 +80,7 @@ class Places {
 };
 
 // The gap between the parts of two places, in cells, along the direction in which it is widest.
-double gap_of(const Places& a, Vec3 p, const Places& b, Vec3 q) {
+double gap_of(const BodyPositions& a, Vec3 p, const BodyPositions& b, Vec3 q) {
   double gap = 0;
   for (int d = 0; d < 3; ++d) {
     if (a.level().domain.size()[d] == 1) continue;
@@ -114,7 +114,8 @@ struct Nearest {
   double of_surfaces = std::numeric_limits<double>::infinity();
 };
 
-void look_in(const Places& a, IntVec3 cell, const Places& b, IntVec3 other, Nearest& nearest) {
+void look_in(const BodyPositions& a, IntVec3 cell, const BodyPositions& b, IntVec3 other,
+             Nearest& nearest) {
   const std::vector<Vec3> theirs = b.in(other);
   for (const Vec3 p : a.in(cell))
     for (const Vec3 q : theirs) {
@@ -142,8 +143,8 @@ IndexBox between(const Body& a, const Body& b, const Level& level) {
 // In cells; 0 where they touch, nothing where they are further apart than a cell.
 std::optional<double> gap_between(const Body& a, const Body& b, const Level& level) {
   const IndexBox window = between(a, b, level);
-  if (window.empty() || window.volume() > most_cells) return {};
-  const Places first(a, level, window), second(b, level, window);
+  if (window.empty() || window.volume() > max_cells) return {};
+  const BodyPositions first(a, level, window), second(b, level, window);
   Nearest nearest;
   for_each_cell(window, [&](IntVec3 cell) {
     if (nearest.of_parts < round_off || !first.any(cell)) return;
@@ -197,7 +198,7 @@ void check_near_bodies(const SolidMaterial& material, const Level& level,
   std::erase_if(near, [&](const NearPair& pair) {
     return first_of(bodies, pair.a) == first_of(bodies, pair.b);
   });
-  const std::size_t shown = near.size() > most_pairs_shown ? 1 : near.size();
+  const std::size_t shown = near.size() > max_pairs_shown ? 1 : near.size();
   for (std::size_t n = 0; n < shown; ++n) tell(bodies, near[n], near.size() - shown, faults);
 }
 

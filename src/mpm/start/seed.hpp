@@ -47,7 +47,7 @@ class Seeder {
                    std::span<const IndexBox> covered, SeededParticles& particles) const;
 
   // How many ids there may be.
-  std::int64_t most_ids() const { return next_; }
+  std::int64_t max_ids() const { return next_; }
 
  private:
   // What is known of an object before any particle is made.

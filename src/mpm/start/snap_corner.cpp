@@ -7,8 +7,8 @@
 namespace sluice::mpm {
 namespace {
 
-constexpr double least_way = 1e-9;  // of a part: the corner lies on the surface
-constexpr double beside = 1e-6;     // of a part: points just inside and just outside
+constexpr double min_displacement = 1e-9;  // of a part: the corner lies on the surface
+constexpr double beside = 1e-6;            // of a part: points just inside and just outside
 constexpr int bisections = 60;
 
 // In units of parts, from the corner; directions in their order among the active ones.
@@ -24,7 +24,7 @@ class Surface {
     for (int a = 0; a < corner_.count; ++a) {
       const int d = corner_.active[a];
       const double way = w[a];
-      if (std::fabs(way) > least_way) p[d] += way * corner_.step[d];
+      if (std::fabs(way) > min_displacement) p[d] += way * corner_.step[d];
     }
     return p;
   }
@@ -96,7 +96,7 @@ std::optional<Way> square_corner(const Surface& surface, const LatticeCorner& co
     if (stays(a)) continue;
     Way along{};
     along[a] = outward[a];
-    const auto found = surface.crossing(base, along, 1 + least_way);
+    const auto found = surface.crossing(base, along, 1 + min_displacement);
     if (!found) return std::nullopt;
     w[a] = (*found)[a];
     moves = true;
@@ -159,7 +159,7 @@ Vec3 on_surface(const GeometryPiece& piece, const LatticeCorner& corner) {
   if (!surface.inside({}))
     for (double& component : along) component = -component;
   const double half_diagonal = 0.5 * std::sqrt(static_cast<double>(corner.count));
-  if (const auto w = surface.crossing({}, along, half_diagonal * (1 + least_way)))
+  if (const auto w = surface.crossing({}, along, half_diagonal * (1 + min_displacement)))
     return surface.place(*w);
   return corner.place;
 }

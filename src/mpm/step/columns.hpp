@@ -89,7 +89,7 @@ constexpr int outer_face_bit(int a, int side) {
   return 1 << (2 * a + side);
 }
 // Component d of corner c in column 3 c + d; null beyond those that there are.
-using CornerColumns = std::array<const double*, 3 * most_corners>;
+using CornerColumns = std::array<const double*, 3 * max_corners>;
 CornerColumns corners_of(const ParticleSet& set, const Columns& columns);
 
 // Places at which shape functions are taken, and what these ask beside.

@@ -12,7 +12,7 @@ struct SolidLabels {
       concentration, affine, spin, half, size, displacement, colour, marks, given_force, normal,
       outside_force, viscous, lost_energy, lost_heat, viscous_heat, reference, scale_factor,
       heat_source, heating, rate_of_format, place_of_format, outer, split;
-  std::array<Label, most_corners> corner;
+  std::array<Label, max_corners> corner;
   Label filled;
   Label surface_temperature, surface_gradient;
   Label flame_kind, flame_come, flame_time, flame_way;

@@ -91,7 +91,7 @@ void SolidStep::move_group(const NodeStep& step, std::span<const BlockMember> me
 
 // The bodies with mass at node n of a block; false: no rule can act.
 bool SolidStep::gather(std::span<const BlockMember> members, int n, IntVec3 at, bool side,
-                       Hook hook, Meeting& meeting) const {
+                       Hook hook, ContactNode& meeting) const {
   meeting.bodies.clear();
   meeting.outside = {};
   bool leads = false;
@@ -138,14 +138,14 @@ void SolidStep::meet(const NodeStep& step, std::span<const BlockMember> members,
   const IntVec3 low = shape_.lower(first.table.block(first_block));
   const bool side = boundary_->meets(low, shape_.edge);
   const bool booked = exchange_->is_home(first.table, first_block);
-  Meeting& meeting = scratch.meeting;
+  ContactNode& meeting = scratch.meeting;
   meeting.cell_volume = level_.cell_volume();
   for (int n = 0; n < block_nodes; ++n) {
     const IntVec3 at = node_of(shape_, low, n);
     meeting.place = level_.anchor + to_real(at) * level_.spacing;
     if (!gather(members, n, at, side, hook, meeting)) continue;
     contact_->act(hook, meeting);
-    OutsideBooks& outside = meeting.outside;
+    OutsideBudget& outside = meeting.outside;
     Vec3 given{};
     const AtNode* giver = nullptr;  // that transmits forces
     const bool held =

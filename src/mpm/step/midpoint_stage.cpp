@@ -247,7 +247,7 @@ double SolidStep::extent_of_middle(const Body& body) const {
 void SolidStep::find_middle_nodes(BlockWork& w, const ThreadReport& report) const {
   const Body& body = bodies_[static_cast<std::size_t>(w.kind)];
   const int reach = by_corners(solids_->basis)
-                        ? static_cast<int>(std::floor(extent_of_middle(body) + most_stray)) + 1
+                        ? static_cast<int>(std::floor(extent_of_middle(body) + max_stray)) + 1
                         : 1;
   w.middle_lowest = w.lowest;
   w.middle_highest = w.highest;

@@ -50,7 +50,7 @@ void OutsideForces::count(const ParticleCloud& cloud, Communicator& ranks,
     for (int l = 0; l < store.level_count(); ++l)
       for (int b = 0; b < store.box_count(l); ++b) {
         const ParticleSet& set = store.set(l, b);
-        for (const double* marks : read_columns<most_marks>(set, c.marks))
+        for (const double* marks : read_columns<max_marks>(set, c.marks))
           for (std::size_t p = 0; p < set.size(); ++p)
             if (marks[p] > 0) ++found[static_cast<std::size_t>(marks[p]) - 1];
       }
@@ -134,7 +134,7 @@ LoadedParticles OutsideForces::loaded(int kind, const ParticleSet& set, std::siz
     p.x[d] = set.coordinate(static_cast<int>(d));
     p.width[d] = 2 * carried.half_at_rest[d] * level_.spacing[static_cast<int>(d)];
   }
-  p.marks = read_columns<most_marks>(set, carried.columns.marks);
+  p.marks = read_columns<max_marks>(set, carried.columns.marks);
   p.F = read_columns<9>(set, carried.columns.F);
   p.normal = read_columns<3>(set, carried.columns.normal);
   return p;

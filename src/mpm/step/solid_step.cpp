@@ -121,7 +121,7 @@ void SolidStep::find_nodes_of(BlockWork& w) const {
   const Body& body = bodies_[static_cast<std::size_t>(w.kind)];
   const Columns& c = body.carried->columns;
   const int reach = std::max(reach_of(solids_->basis),
-                             static_cast<int>(std::floor(most_stray + body.rates.extent)) + 1);
+                             static_cast<int>(std::floor(max_stray + body.rates.extent)) + 1);
   w.lowest = w.highest = shape_.lower(w.run.block);
   const std::array<const double*, 3> x = places_of(*w.set, c);
   for (int d = 0; d < 3; ++d) {

@@ -155,7 +155,7 @@ struct NodeImpulses {
 using BlockImpulses = std::array<NodeImpulses, block_nodes>;
 // What one thread keeps of such a block from hook to hook; work: of contact, from outside.
 struct MeetingScratch {
-  Meeting meeting;
+  ContactNode meeting;
   std::vector<BlockImpulses> impulses;  // by member
   std::array<double, block_nodes> work{};
 };
@@ -280,7 +280,7 @@ class SolidStep {
   void move_group(const NodeStep& step, std::span<const BlockMember> members,
                   MeetingScratch& scratch, NodeBooks& books);
   bool gather(std::span<const BlockMember> members, int n, IntVec3 at, bool side, Hook hook,
-              Meeting& meeting) const;
+              ContactNode& meeting) const;
   void meet(const NodeStep& step, std::span<const BlockMember> members, Hook hook,
             MeetingScratch& scratch, NodeBooks& books);
   void prescribe(const Matrix3& rate, int body, int block);

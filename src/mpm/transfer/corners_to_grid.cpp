@@ -10,7 +10,7 @@ namespace sluice::mpm {
 namespace {
 
 template <int D, bool Tetrahedron, bool Affine, bool Forces>
-void add_particle(const Gift& g, const Corners<D, Tetrahedron>& corners, int q,
+void add_particle(const NodalContribution& g, const Corners<D, Tetrahedron>& corners, int q,
                   const TransferGrid& grid, const std::ptrdiff_t (&stride)[D], std::int64_t* nodes,
                   const int (&low)[D]) {
   constexpr double share = Corners<D, Tetrahedron>::share;
@@ -57,7 +57,7 @@ template <int D, bool Tetrahedron, bool Affine, bool Forces>
 void add_block(const TransferGrid& grid, const ParticlesToGrid& p, int begin, int end,
                const SumUnits& units, Window& window) {
   static thread_local Corners<D, Tetrahedron> corners;
-  static thread_local Gift gifts[chunk_size];
+  static thread_local NodalContribution gifts[chunk_size];
   std::ptrdiff_t stride[D];
   int low[D];
   for (int a = 0; a < D; ++a) {
@@ -69,7 +69,7 @@ void add_block(const TransferGrid& grid, const ParticlesToGrid& p, int begin, in
   for (int at = begin; at < end; at += chunk_size) {
     const int n = std::min(chunk_size, end - at);
     find_corners(grid, p.x, p.shape, at, n, Forces ? Slopes::wanted : Slopes::unused, corners);
-    make_gifts(grid, p, at, n, units, gifts);
+    nodal_contributions(grid, p, at, n, units, gifts);
     for (int q = 0; q < n; ++q)
       add_particle<D, Tetrahedron, Affine, Forces>(gifts[q], corners, q, grid, stride, nodes, low);
   }

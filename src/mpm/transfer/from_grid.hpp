@@ -9,7 +9,7 @@
 namespace sluice::mpm {
 
 // v* at corners that particles carry.
-using VelocitiesAtCorners = double[most_corners][3][chunk_size];
+using VelocitiesAtCorners = double[max_corners][3][chunk_size];
 
 // Results for the particles of a chunk.
 struct GridAtParticles {

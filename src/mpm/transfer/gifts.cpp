@@ -47,7 +47,7 @@ void reference_row(const ParticlesToGrid& p, int d, int at, int n, double scale,
 
 // Columns of C of a spin: w x e_d.
 void add_spin(const TransferGrid& grid, const ParticlesToGrid& p, int at, int n, double unit,
-              Gift* gifts) {
+              NodalContribution* gifts) {
   const double *x = p.spin[0] + at, *y = p.spin[1] + at, *z = p.spin[2] + at;
   for (int q = 0; q < n; ++q) {
     const double mu = p.mass[at + q] * unit;
@@ -60,8 +60,8 @@ void add_spin(const TransferGrid& grid, const ParticlesToGrid& p, int at, int n,
 
 }  // namespace
 
-void make_gifts(const TransferGrid& grid, const ParticlesToGrid& p, int at, int n,
-                const SumUnits& u, Gift* gifts) {
+void nodal_contributions(const TransferGrid& grid, const ParticlesToGrid& p, int at, int n,
+                         const SumUnits& u, NodalContribution* gifts) {
   for (int q = 0; q < n; ++q) {
     const int i = at + q;
     const double m = p.mass[i], mu = m * u.momentum;

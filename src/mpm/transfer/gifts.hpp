@@ -8,14 +8,14 @@ namespace sluice::mpm {
 // Of one particle: lanes M, P | f, count.
 //   momentum half: (mass_momentum + sum_d affine_d (x_i - x_p)_d) S
 //   force half:    load S + sum_d traction_d dS/dx_d
-struct alignas(64) Gift {
+struct alignas(64) NodalContribution {
   Four mass_momentum, load;
   Four traction[3];  // of the active directions, in their order
   Four affine[3];
 };
 
 // Particles at, ..., at + n - 1 of columns, n <= chunk_size.
-void make_gifts(const TransferGrid& grid, const ParticlesToGrid& p, int at, int n,
-                const SumUnits& units, Gift* gifts);
+void nodal_contributions(const TransferGrid& grid, const ParticlesToGrid& p, int at, int n,
+                         const SumUnits& units, NodalContribution* gifts);
 
 }  // namespace sluice::mpm

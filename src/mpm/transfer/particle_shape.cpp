@@ -6,7 +6,7 @@
 namespace sluice::mpm {
 namespace {
 
-constexpr double least_half = 1.0 / 256, most_half = 0.5;  // cells
+constexpr double min_half = 1.0 / 256, max_half = 0.5;  // cells
 
 }  // namespace
 
@@ -21,7 +21,7 @@ void own_widths(Basis basis, const TransferGrid& grid, const ParticleShape& shap
     const double* stretch = shape.F[4 * d] + at;
     for (int q = 0; q < n; ++q) to[q] *= std::fabs(stretch[q]);
   }
-  for (int q = 0; q < n; ++q) to[q] = std::min(most_half, std::max(least_half, to[q]));
+  for (int q = 0; q < n; ++q) to[q] = std::min(max_half, std::max(min_half, to[q]));
 }
 
 }  // namespace sluice::mpm

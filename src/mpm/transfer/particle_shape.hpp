@@ -17,7 +17,7 @@ struct TransferGrid {
   double corner_limit = 1e300;  // half diagonals of particles are cut to this length, cells (CPDI)
 };
 
-inline constexpr int most_corners = 8;
+inline constexpr int max_corners = 8;
 
 // Columns of the particles of a set; those that a basis does not need may be null.
 struct ParticleShape {
@@ -25,7 +25,7 @@ struct ParticleShape {
   Nine<const double> F{};               // deformation gradient at the start of the step
   Nine<const double> edges{};           // R0: edges in the reference state, in cells (columns)
   // Of a basis whose particles carry their corners: component d of corner c in column 3 c + d.
-  std::array<const double*, 3 * most_corners> corners{};
+  std::array<const double*, 3 * max_corners> corners{};
 };
 
 inline bool by_corners(Basis basis) {

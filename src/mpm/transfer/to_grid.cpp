@@ -13,7 +13,8 @@ namespace {
 // Adds to the nodes of one particle, a row along the first axis at a time. Nodes of the first
 // active direction follow each other in memory: those that are not active have one layer.
 template <int D, int N, bool Affine, bool Forces>
-[[gnu::always_inline]] inline void add_particle(const Gift& g, const AxisWeights<N> (&w)[D], int q,
+[[gnu::always_inline]] inline void add_particle(const NodalContribution& g,
+                                                const AxisWeights<N> (&w)[D], int q,
                                                 std::int64_t* nodes,
                                                 const std::ptrdiff_t (&stride)[D]) {
   constexpr int rows = D > 1 ? N : 1, planes = D > 2 ? N : 1;
@@ -68,7 +69,7 @@ template <int D, class B, bool Affine, bool Forces>
 void add_block(Basis basis, const TransferGrid& grid, const ParticlesToGrid& p, int begin, int end,
                const SumUnits& units, Window& window) {
   alignas(64) static thread_local AxisWeights<B::nodes> weights[D];
-  static thread_local Gift gifts[chunk_size];
+  static thread_local NodalContribution gifts[chunk_size];
   std::ptrdiff_t stride[D];
   int low[D];
   for (int a = 0; a < D; ++a) {
@@ -81,7 +82,7 @@ void add_block(Basis basis, const TransferGrid& grid, const ParticlesToGrid& p, 
     const int n = std::min(chunk_size, end - at);
     for (int a = 0; a < D; ++a)
       weights_of<B, Affine>(basis, grid, p.x, p.shape, grid.active[a], at, n, weights[a]);
-    make_gifts(grid, p, at, n, units, gifts);
+    nodal_contributions(grid, p, at, n, units, gifts);
     for (int q = 0; q < n; ++q) {
       std::int64_t* node = nodes;
       for (int a = 0; a < D; ++a) node += (weights[a].first[q] - low[a]) * stride[a];

@@ -8,7 +8,7 @@
 namespace sluice::mpm {
 
 // Particles stray less than this from the block in which they were sorted, in cells.
-inline constexpr double most_stray = 0.49;
+inline constexpr double max_stray = 0.49;
 
 class Window {
  public:

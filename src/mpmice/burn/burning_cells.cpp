@@ -67,7 +67,7 @@ void BurningCells::clear(Warehouse& state) const {
 }
 
 void BurningCells::declare(TaskList& diagnostics, int effect) const {
-  Places all;
+  IndexOffsets all;
   all.effect = effect;
   diagnostics.enter(all);
   for (std::size_t n = 0; n < slots_.size(); ++n) {

@@ -100,7 +100,7 @@ bool LevelCoupling<D>::settle(const StageScope& scope) {
       fields_.theta_next[i] = 1;
       return;
     }
-    double M[ice::most_materials], V[ice::most_materials], E[ice::most_materials];
+    double M[ice::max_materials], V[ice::max_materials], E[ice::max_materials];
     if (settle_cell(i, laws, M, V, E)) {
       for (std::size_t m = 0; m < count; ++m) {
         settled_.mass[m][i] = M[m];
@@ -301,7 +301,7 @@ Verdict LevelCoupling<D>::limit_step(const StageScope& scope) {
   double deck = 0, flow = 0, sound = 0;
   for_each_cell_near([&](const Cell<D>&, std::size_t i) {
     if (amounts_.touched[i] == 0 || !(amounts_.volume[i] > 0)) return;
-    double M[ice::most_materials], V[ice::most_materials], E[ice::most_materials], rho = 0;
+    double M[ice::max_materials], V[ice::max_materials], E[ice::max_materials], rho = 0;
     for (std::size_t m = 0; m < o.fluids.size(); ++m) {
       M[m] = settled_.mass[m][i];
       V[m] = o.fluids.size() == 1 ? 1.0 : settled_.filled[m][i];
@@ -313,7 +313,7 @@ Verdict LevelCoupling<D>::limit_step(const StageScope& scope) {
     for (std::size_t a = 0; a < D; ++a) {
       const double inverse = 1 / frame_.spacing[o.axes.direction[a]];
       const double u = std::fabs(settled_.momentum[a][i] / rho);
-      deck = std::max(deck, (u + o.sound_speed_knob * c) * inverse);
+      deck = std::max(deck, (u + o.sound_speed_factor * c) * inverse);
       sound = std::max(sound, (u + c) * inverse);
       sum += (u + c) * inverse;
       all += u * inverse;

@@ -14,7 +14,7 @@ FluidCells::FluidCells(const ice::FluidPart& of, const Warehouse& in)
     mass.push_back(in.find(l.mass, o.place(m)));
     energy.push_back(in.find(l.energy, o.place(m)));
     if (of.material_count() > 1) volume.push_back(in.find(l.volume, o.place(m)));
-    if (o.own_velocities) slip.push_back(in.find(l.slip, o.place(m)));
+    if (o.multi_velocity) slip.push_back(in.find(l.slip, o.place(m)));
   }
   for (const models::TransportedScalar& s : o.scalars) {
     scalar.push_back(in.find(s.state(), o.place(s.material)));
@@ -111,7 +111,7 @@ FluidState FluidBox::of_one(IntVec3 cell) const {
 }
 
 FluidState FluidBox::of_several(IntVec3 cell) const {
-  double M[ice::most_materials], V[ice::most_materials], E[ice::most_materials];
+  double M[ice::max_materials], V[ice::max_materials], E[ice::max_materials];
   for (int m = 0; m < cells_->materials(); ++m) {
     M[m] = mass(m, cell);
     V[m] = cells_->volume.empty() ? 1.0 : volume(m, cell);

@@ -26,7 +26,7 @@ inline bool take_one_temperature(const std::vector<ice::Fluid>& fluids, const do
   }
   if (!(M[most] > 0)) return false;
   double T = fluids[most].temperature(M[most] / V[most], E[most] / V[most]);
-  double at_T[ice::most_materials] = {};
+  double at_T[ice::max_materials] = {};
   for (int step = 0; step < most_steps && T > 0; ++step) {
     double sum = 0, capacity = 0;  // J/m^3, J/(m^3 K)
     for (std::size_t m = 0; m < count; ++m) {

@@ -11,7 +11,7 @@ const Names over_time = {"statistics", "turbulentFluxes"};
 const Names of_cells = {"spatialAvg"};
 const Names at_samples = {"minMax",       "lineExtract",        "planeExtract", "pointExtract",
                           "planeAverage", "planeAvgTurbFluxes", "statistics",   "turbulentFluxes"};
-const Names of_particles = {"particleExtract"};
+const Names particle_words = {"particleExtract"};
 const Names of_one_volume = {"momentumAnalysis", "firstLawThermo"};
 
 Names joined(Names a, const Names& b) {
@@ -19,8 +19,8 @@ Names joined(Names a, const Names& b) {
   return a;
 }
 const Names sampled =
-    joined(joined(joined(at_samples, {"controlVolFluxes"}), of_one_volume), of_particles);
-const Names with_variables = joined(joined(at_samples, of_cells), of_particles);
+    joined(joined(joined(at_samples, {"controlVolFluxes"}), of_one_volume), particle_words);
+const Names with_variables = joined(joined(at_samples, of_cells), particle_words);
 const Names with_times = joined(sampled, of_cells);
 
 TagSpec analyze() {
@@ -260,7 +260,7 @@ void add_analysis_tags(Schema& schema) {
           .with_children({tag("colorThreshold", "particles with p.color above this are followed")
                               .once()
                               .real()
-                              .only_for("name", of_particles)})
+                              .only_for("name", particle_words)})
           .with_children(volume_tags())
           .with_children(unneeded_labels())
           .with_children(statistics_tags());

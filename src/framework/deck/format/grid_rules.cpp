@@ -12,7 +12,7 @@ namespace sluice {
 namespace {
 
 // More cells than this cannot be meant: 40 doubles a cell would take 32 TB.
-constexpr double most_cells = 1e11;
+constexpr double max_cells = 1e11;
 
 // Cells per direction of a box, from its resolution or the level's spacing; 0: unknown or faulty.
 std::array<double, 3> cells_of(const DeckNode& level, const DeckNode& box) {
@@ -97,9 +97,9 @@ void check_boxes(const DeckNode& root, std::vector<Fault>& faults) {
       largest = box;
     }
   }
-  if (total > most_cells && largest != nullptr) {
+  if (total > max_cells && largest != nullptr) {
     add_error(faults, largest->where, fmt::format("the grid would have {:.3g} cells", total),
-              fmt::format("at most {:.0g} are allowed", most_cells));
+              fmt::format("at most {:.0g} are allowed", max_cells));
   }
 }
 

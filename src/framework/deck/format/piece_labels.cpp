@@ -103,10 +103,10 @@ class LabelResolver {
     }
     if (gave_up_) return;
     const bool inside_itself = std::find(within_.begin(), within_.end(), &piece) != within_.end();
-    if (inside_itself || copied_ > most_copied_) {
+    if (inside_itself || copied_ > max_copied_) {
       fault(reference, fmt::format("label {} repeats pieces endlessly", in_quotes(label)),
             "a piece cannot contain itself");
-      gave_up_ = copied_ > most_copied_;
+      gave_up_ = copied_ > max_copied_;
       return;
     }
     copy_children(piece, reference);
@@ -132,13 +132,13 @@ class LabelResolver {
       copy->where = child->where;
       copy->attributes = child->attributes;
       ++copied_;
-      if (copied_ <= most_copied_) copy_children(*child, *copy);
+      if (copied_ <= max_copied_) copy_children(*child, *copy);
       if (!is_empty(*copy)) forget_label(*copy);
       to.children.push_back(std::move(copy));
     }
   }
 
-  static constexpr int most_copied_ = 100'000;
+  static constexpr int max_copied_ = 100'000;
   std::vector<Fault>& faults_;
   std::map<std::string, const DeckNode*> pieces_;
   std::map<std::string, const DeckNode*> rivals_;  // second piece of a label, with other content

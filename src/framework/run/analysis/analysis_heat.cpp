@@ -18,7 +18,7 @@ void HeatThroughPlanes::add(int volume, const ControlVolume& plane) {
     places_.push_back(slots_.heat(volume, side));
 }
 
-void HeatThroughPlanes::account(double dt, const std::vector<double>& sums) {
+void HeatThroughPlanes::record(double dt, const std::vector<double>& sums) {
   double passed = 0;
   for (const int place : places_) passed += sums[place];
   rate_ = passed / dt;

@@ -26,7 +26,7 @@ class HeatThroughPlanes {
   void add(int volume, const ControlVolume& plane);
   bool any() const { return !places_.empty(); }
   // A step of length dt was accepted, with these sums over all ranks.
-  void account(double dt, const std::vector<double>& sums);
+  void record(double dt, const std::vector<double>& sums);
   double rate() const { return rate_; }  // W
 
  private:

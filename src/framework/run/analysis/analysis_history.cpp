@@ -44,7 +44,7 @@ bool Statistics::LevelStore::holds(const Level& level) const {
       [](const GridBox& a, const GridBox& b) { return a.cells == b.cells && a.owner == b.owner; });
 }
 
-void Statistics::LevelStore::take_over(const LevelStore* earlier, LevelStore* coarser) {
+void Statistics::LevelStore::commit(const LevelStore* earlier, LevelStore* coarser) {
   std::vector<GridBox> before;
   if (earlier != nullptr) {
     before = earlier->level_.boxes;

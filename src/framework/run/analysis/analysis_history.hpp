@@ -21,7 +21,7 @@ struct Statistics::LevelStore {
   RealView view(Label label, int box) const { return kept_.view(slot_of_.at(label), 0, box); }
   // Cells of an earlier layout keep what they had; others take it from the coarser level, whose
   // ghost cells are filled for that. Either may be null. Collective.
-  void take_over(const LevelStore* earlier, LevelStore* coarser);
+  void commit(const LevelStore* earlier, LevelStore* coarser);
   void add_pieces(std::vector<FieldPiece>& pieces) const;
   // False when the checkpoint does not hold all of it: then all is zero.
   bool read(const ArchiveStep& checkpoint);

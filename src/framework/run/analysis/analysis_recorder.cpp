@@ -16,7 +16,7 @@
 namespace sluice {
 namespace {
 
-constexpr std::size_t most_pending_lines = 50000;  // in memory before they are written
+constexpr std::size_t max_pending_lines = 50000;  // in memory before they are written
 
 // Names in an archive's folder that belong to others.
 bool is_reserved(const std::string& name) {
@@ -305,10 +305,10 @@ bool AnalysisRecorder::compute_labels(const std::vector<Module*>& due, double ti
   return true;
 }
 
-void AnalysisRecorder::account(double dt, const std::vector<double>& sums) {
+void AnalysisRecorder::record(double dt, const std::vector<double>& sums) {
   for (const Module& m : modules_)
-    if (m.budgets != nullptr) m.budgets->account(dt, sums);
-  if (heat_.any()) heat_.account(dt, sums);
+    if (m.budgets != nullptr) m.budgets->record(dt, sums);
+  if (heat_.any()) heat_.record(dt, sums);
 }
 
 std::optional<double> AnalysisRecorder::history(Label label) const {
@@ -350,7 +350,7 @@ bool AnalysisRecorder::sample(int step, double time) {
     m->budgets->sample(time);
     pending_lines_ += m->budgets->lines();
   }
-  if (pending_lines_ > most_pending_lines) flush();
+  if (pending_lines_ > max_pending_lines) flush();
   return filled;
 }
 

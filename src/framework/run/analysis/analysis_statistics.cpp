@@ -173,7 +173,7 @@ void Statistics::follow_levels() {
       continue;
     }
     now.push_back(std::make_unique<LevelStore>(level, rank_, kept_, kept_materials_));
-    now.back()->take_over(before, l > 0 ? now[n - 1].get() : nullptr);
+    now.back()->commit(before, l > 0 ? now[n - 1].get() : nullptr);
   }
   stores_ = std::move(now);
 }

@@ -46,7 +46,7 @@ class OverTime : public testing::Test {
     Warehouse& state = hierarchy_->level(0).state();
     for (int b = 0; b < 2; ++b)
       for_each_cell(state.local_boxes()[b].cells, [&](IntVec3 c) { state.view(0, 0, b)(c) = q; });
-    hierarchy_->level(0).touch();
+    hierarchy_->level(0).mark_modified();
     ++step_;
     recorder_->sample(step_, 0.125 * step_);
   }

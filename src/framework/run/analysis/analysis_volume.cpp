@@ -93,7 +93,7 @@ void VolumeBudgets::lay_out() {
   }
 }
 
-void VolumeBudgets::account(double dt, const std::vector<double>& sums) {
+void VolumeBudgets::record(double dt, const std::vector<double>& sums) {
   for (Volume& v : volumes_) {
     if (!sampled_) {  // the first line tells of its own step
       v.passed.assign(v.passed.size(), {});

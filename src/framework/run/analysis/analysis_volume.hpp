@@ -29,7 +29,7 @@ class VolumeBudgets {
   // Boxes are others than before.
   void lay_out();
   // A step of length dt was accepted, with these sums over all ranks.
-  void account(double dt, const std::vector<double>& sums);
+  void record(double dt, const std::vector<double>& sums);
   // Lines on rank 0. Collective.
   void sample(double time);
   std::size_t lines() const { return volumes_.size(); }

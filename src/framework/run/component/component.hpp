@@ -40,7 +40,7 @@ struct Totals {
   ConservedTotal momentum[3];           // kg m/s
   ConservedTotal internal_energy;       // J
   ConservedTotal kinetic_energy;        // J
-  std::vector<double> tallies;          // Component::tally_names, since the start; of all ranks
+  std::vector<double> tracked_totals;   // Component::tally_names, since the start; of all ranks
   std::vector<ConservedTotal> amounts;  // what else the component carries, in its own order
   // What the last sweep over each level summed, over levels and ranks; empty before the first.
   std::vector<double> sweep_sums;
@@ -174,9 +174,9 @@ class Component {
   virtual int first_volume_sum() const { return -1; }
 
   // May a block of uniform state sleep: nothing in the scene acts on uniform states.
-  virtual bool quiet_blocks_allowed() const = 0;
+  virtual bool skipping_allowed() const = 0;
   // And of one kind, where it may.
-  virtual bool may_sleep(int /*kind*/) const { return true; }
+  virtual bool may_be_skipped(int /*kind*/) const { return true; }
   // Cells that a wave crosses in one step at its limit: flags are widened so that finer levels keep
   // it between two looks.
   virtual double courant_number() const = 0;
@@ -197,11 +197,13 @@ class Component {
                               double dt) const = 0;
   // What a run counts beside what is conserved, from start to end and over restarts; names for
   // checkpoints, and what an accepted step with these sums adds to each.
-  virtual std::vector<std::string> tally_names() const { return {}; }
-  virtual std::vector<double> tallies(const std::vector<double>& /*sums*/) const { return {}; }
+  virtual std::vector<std::string> tracked_names() const { return {}; }
+  virtual std::vector<double> tracked_totals(const std::vector<double>& /*sums*/) const {
+    return {};
+  }
   // What a tally follows, as far as it follows a total; and what a report says of them, by name.
   virtual std::vector<ConservedTotal> tallied_totals(const Totals& /*totals*/) const { return {}; }
-  virtual std::vector<std::pair<std::string, double>> account(
+  virtual std::vector<std::pair<std::string, double>> budget(
       const Conservation& /*tallies*/) const {
     return {};
   }

@@ -51,52 +51,52 @@ void ConservedTotal::add(const double* q, std::size_t count) {
 }
 
 Conservation::Conservation(std::vector<std::string> names) {
-  for (std::string& name : names) books_.push_back({std::move(name), {}, {}, {}, {}});
+  for (std::string& name : names) budgets_.push_back({std::move(name), {}, {}, {}, {}});
 }
 
-Conservation::Book& Conservation::book(int quantity) {
-  return books_.at(quantity);
+Conservation::Budget& Conservation::budget_of(int quantity) {
+  return budgets_.at(quantity);
 }
-const Conservation::Book& Conservation::book(int quantity) const {
-  return books_.at(quantity);
+const Conservation::Budget& Conservation::budget_of(int quantity) const {
+  return budgets_.at(quantity);
 }
 
 const std::string& Conservation::name(int quantity) const {
-  return book(quantity).name;
+  return budget_of(quantity).name;
 }
 
 void Conservation::set_start(int quantity, const ConservedTotal& total) {
-  Book& b = book(quantity);
+  Budget& b = budget_of(quantity);
   b = {b.name, total, total, {}, {}};
 }
 
 void Conservation::set_now(int quantity, const ConservedTotal& total) {
-  book(quantity).now = total;
+  budget_of(quantity).now = total;
 }
 
 void Conservation::add_boundary(int quantity, const ConservedTotal& inflow) {
-  book(quantity).boundary.merge(inflow);
+  budget_of(quantity).boundary.merge(inflow);
 }
 
 void Conservation::add_sources(int quantity, const ConservedTotal& added) {
-  book(quantity).sources.merge(added);
+  budget_of(quantity).sources.merge(added);
 }
 
 double Conservation::start(int quantity) const {
-  return book(quantity).start.sum.value();
+  return budget_of(quantity).start.sum.value();
 }
 double Conservation::now(int quantity) const {
-  return book(quantity).now.sum.value();
+  return budget_of(quantity).now.sum.value();
 }
 double Conservation::boundary(int quantity) const {
-  return book(quantity).boundary.sum.value();
+  return budget_of(quantity).boundary.sum.value();
 }
 double Conservation::sources(int quantity) const {
-  return book(quantity).sources.sum.value();
+  return budget_of(quantity).sources.sum.value();
 }
 
 double Conservation::defect(int quantity) const {
-  const Book& b = book(quantity);
+  const Budget& b = budget_of(quantity);
   ExactSum sum = b.now.sum;
   sum.subtract(b.start.sum);
   sum.subtract(b.boundary.sum);
@@ -109,7 +109,7 @@ void Conservation::set_vector(int first, int components, double at_rest) {
 }
 
 double Conservation::own_scale(int quantity) const {
-  const Book& b = book(quantity);
+  const Budget& b = budget_of(quantity);
   ExactSum passed = b.boundary.magnitude;
   passed.merge(b.sources.magnitude);
   return std::max({b.start.magnitude.value(), b.now.magnitude.value(), passed.value()});
@@ -169,7 +169,7 @@ std::string Conservation::table() const {
 
 Json Conservation::checkpoint() const {
   Json json = Json::array();
-  for (const Book& b : books_) {
+  for (const Budget& b : budgets_) {
     json.push_back({{"name", b.name},
                     {"start", words_of(b.start)},
                     {"boundary", words_of(b.boundary)},
@@ -180,22 +180,22 @@ Json Conservation::checkpoint() const {
 
 void Conservation::restore(const Json& json) {
   try {
-    if (json.size() != books_.size()) {
+    if (json.size() != budgets_.size()) {
       throw InputError(fmt::format("the checkpoint follows {} conserved quantities, this run {}",
-                                   json.size(), books_.size()));
+                                   json.size(), budgets_.size()));
     }
-    std::vector<Book> restored;
-    for (std::size_t i = 0; i < books_.size(); ++i) {
+    std::vector<Budget> restored;
+    for (std::size_t i = 0; i < budgets_.size(); ++i) {
       const Json& entry = json.at(i);
       const auto found = entry.at("name").get<std::string>();
-      if (found != books_[i].name) {
+      if (found != budgets_[i].name) {
         throw InputError(fmt::format("the checkpoint follows '{}' where this run follows '{}'",
-                                     found, books_[i].name));
+                                     found, budgets_[i].name));
       }
-      restored.push_back({found, total_of(entry.at("start")), books_[i].now,
+      restored.push_back({found, total_of(entry.at("start")), budgets_[i].now,
                           total_of(entry.at("boundary")), total_of(entry.at("sources"))});
     }
-    books_ = std::move(restored);
+    budgets_ = std::move(restored);
   } catch (const JsonError& error) {
     throw InputError(fmt::format(
         "the conserved totals of a checkpoint cannot be read: {}\n  restart from an earlier "

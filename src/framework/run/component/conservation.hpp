@@ -43,7 +43,7 @@ class Conservation {
   // Names in the order of the indices below: "mass of gas", "momentum x", "total energy".
   explicit Conservation(std::vector<std::string> names);
 
-  int count() const { return static_cast<int>(books_.size()); }
+  int count() const { return static_cast<int>(budgets_.size()); }
   const std::string& name(int quantity) const;
 
   // The totals at the start of the run (all ranks' sum); clears what has passed.
@@ -80,7 +80,7 @@ class Conservation {
   void restore(const Json& json);
 
  private:
-  struct Book {
+  struct Budget {
     std::string name;
     ConservedTotal start, now, boundary, sources;
   };
@@ -89,10 +89,10 @@ class Conservation {
     double at_rest = 0;
   };
   double own_scale(int quantity) const;
-  Book& book(int quantity);
-  const Book& book(int quantity) const;
+  Budget& budget_of(int quantity);
+  const Budget& budget_of(int quantity) const;
 
-  std::vector<Book> books_;
+  std::vector<Budget> budgets_;
   Vector vector_;
 };
 

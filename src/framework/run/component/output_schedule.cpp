@@ -10,7 +10,7 @@ namespace {
 
 constexpr double round_off = 1e-10;  // of a step
 // Beyond this an interval is so short that every step is due; counting on would overflow.
-constexpr double most_multiples = 9e15;
+constexpr double max_multiples = 9e15;
 
 bool due(double end, double dt, double interval, std::int64_t multiple) {
   return interval > 0 && reaches(end, static_cast<double>(multiple) * interval, dt);
@@ -28,10 +28,10 @@ bool reaches(double t, double target, double dt) {
 
 std::int64_t next_multiple(double t, double interval, double dt) {
   const double passed = std::floor((t + round_off * dt) / interval);
-  auto multiple = static_cast<std::int64_t>(std::clamp(passed, -most_multiples, most_multiples));
+  auto multiple = static_cast<std::int64_t>(std::clamp(passed, -max_multiples, max_multiples));
   // The quotient is rounded: step back or on until the definition holds.
   while (!reaches(t, static_cast<double>(multiple) * interval, dt)) --multiple;
-  if (passed < most_multiples) {
+  if (passed < max_multiples) {
     while (reaches(t, static_cast<double>(multiple) * interval, dt)) ++multiple;
   }
   return multiple;

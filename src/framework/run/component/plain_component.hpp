@@ -36,7 +36,7 @@ class PlainComponent : public Component {
   Label mask_label() const override;
   int reduction_maxima() const override { return 0; }
   int reduction_sums() const override { return 0; }
-  bool quiet_blocks_allowed() const override { return false; }
+  bool skipping_allowed() const override { return false; }
   double courant_number() const override { return 1; }
   void measure_rates(const Warehouse& /*state*/, Reductions& /*rates*/) const override {}
   void add_totals(const Warehouse& state, const LevelCoverage& coverage,

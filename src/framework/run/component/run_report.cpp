@@ -36,9 +36,9 @@ Json to_json(const EffectCost& e) {
 }
 
 Json to_json(const LevelCost& level) {
-  return {{"cells", level.cells},           {"boxes", level.boxes},
-          {"most_cells", level.most_cells}, {"domain_cells", level.domain_cells},
-          {"substeps", level.substeps},     {"cell_updates", level.updates}};
+  return {{"cells", level.cells},          {"boxes", level.boxes},
+          {"most_cells", level.max_cells}, {"domain_cells", level.domain_cells},
+          {"substeps", level.substeps},    {"cell_updates", level.updates}};
 }
 
 }  // namespace
@@ -53,8 +53,8 @@ Json to_json(const RunReport& r) {
   Json particles = Json::array();
   for (const ParticleCount& p : r.particles)
     particles.push_back({{"name", p.name}, {"made", p.made}, {"left", p.left}, {"here", p.here}});
-  Json account = Json::object();
-  for (const auto& [name, value] : r.account) account[name] = value;
+  Json budget = Json::object();
+  for (const auto& [name, value] : r.budget) budget[name] = value;
   return {{"status", to_string(r.status)},
           {"message", r.message},
           {"archive", archive},
@@ -71,7 +71,7 @@ Json to_json(const RunReport& r) {
           {"ns_per_cell_step", r.ns_per_cell_step()},
           {"peak_memory_bytes", r.peak_memory_bytes},
           {"cell_updates", r.cell_updates},
-          {"updates_asleep", r.updates_asleep},
+          {"updates_asleep", r.updates_skipped},
           {"uniform_updates", r.uniform_updates()},
           {"levels", levels},
           {"particles", particles},
@@ -82,11 +82,11 @@ Json to_json(const RunReport& r) {
           {"balances", r.balances},
           {"balance_s", r.balance_seconds},
           {"blocks_run", r.blocks_run},
-          {"blocks_asleep", r.blocks_asleep},
+          {"blocks_asleep", r.blocks_skipped},
           {"step_limit", r.step_limit},
           {"effects", effects},
           {"events", Json::parse(r.events_json)},
-          {"energy_account", account},
+          {"energy_account", budget},
           {"solids_energy", Json::parse(r.solids_json)},
           {"conservation", Json::parse(r.conservation_json)}};
 }
@@ -112,8 +112,8 @@ std::string levels_text(const RunReport& r) {
     const LevelCost& level = r.levels[l];
     text += fmt::format("level {}: {} cells in {} box{}", l, human_count(level.cells), level.boxes,
                         level.boxes == 1 ? "" : "es");
-    if (level.most_cells > level.cells)
-      text += fmt::format(", at most {}", human_count(level.most_cells));
+    if (level.max_cells > level.cells)
+      text += fmt::format(", at most {}", human_count(level.max_cells));
     text += fmt::format("; {} updates\n", human_count(level.updates));
   }
   const double uniform = r.uniform_updates();
@@ -133,7 +133,7 @@ namespace {
 // Where energy went that is in no total, as shares of what there was.
 std::string account_text(const RunReport& r) {
   std::vector<std::string> parts;
-  for (const auto& [name, value] : r.account)
+  for (const auto& [name, value] : r.budget)
     parts.push_back(
         fmt::format("{} {:.1e}", name, r.energy_scale > 0 ? value / r.energy_scale : 0.0));
   return fmt::format("energy budget: {} of the scale\n", join(parts, ", "));
@@ -164,12 +164,12 @@ std::string summary(const RunReport& r) {
   for (const ParticleCount& p : r.particles)
     text += fmt::format("particles {}: {} in the domain; {} created, {} left it\n", p.name,
                         human_count(p.here), human_count(p.made), human_count(p.left));
-  if (r.blocks_asleep > 0)
+  if (r.blocks_skipped > 0)
     text += fmt::format("skipped blocks: {:.0f} % of all\n",
-                        100.0 * static_cast<double>(r.blocks_asleep) /
-                            static_cast<double>(r.blocks_asleep + r.blocks_run));
+                        100.0 * static_cast<double>(r.blocks_skipped) /
+                            static_cast<double>(r.blocks_skipped + r.blocks_run));
   text += fmt::format("conservation: worst drift {:.1e} of the scale\n", r.worst_drift);
-  if (!r.account.empty()) text += account_text(r);
+  if (!r.budget.empty()) text += account_text(r);
   text += r.solids_text;
   if (r.archive) text += fmt::format("archive: {}\n", *r.archive);
   return text;

@@ -24,7 +24,7 @@ struct LevelCost {
   std::int64_t cells = 0;    // now
   std::int64_t boxes = 0;    // now
   std::int64_t updates = 0;  // cells times substeps of accepted coarse steps
-  std::int64_t most_cells = 0;
+  std::int64_t max_cells = 0;
   std::int64_t domain_cells = 0;  // if it were everywhere
   int substeps = 1;               // in a coarse step
 };
@@ -48,13 +48,13 @@ struct RunReport {
   double wall_seconds = 0;      // of the process's run, set-up and output included
   double stepping_seconds = 0;  // of the steps alone
   double output_seconds = 0;
-  double start_seconds = 0;                        // before the first step, outputs aside
-  std::uint64_t peak_memory_bytes = 0;             // of all ranks together
-  std::int64_t blocks_run = 0, blocks_asleep = 0;  // of all ranks
+  double start_seconds = 0;                         // before the first step, outputs aside
+  std::uint64_t peak_memory_bytes = 0;              // of all ranks together
+  std::int64_t blocks_run = 0, blocks_skipped = 0;  // of all ranks
   std::vector<EffectCost> effects;
   std::vector<LevelCost> levels;  // coarse to fine
   std::int64_t cell_updates = 0;  // of all levels; of these, cells asleep stayed as they were:
-  std::int64_t updates_asleep = 0;
+  std::int64_t updates_skipped = 0;
   std::vector<ParticleCount> particles;
   std::int64_t particle_updates = 0;  // particles times steps
   bool particles_alone = false;       // cells carry nothing: work is told by particle
@@ -66,10 +66,10 @@ struct RunReport {
   std::string events_json = "{}";
   std::string conservation_json = "{}";
   double worst_drift = 0;
-  std::vector<std::pair<std::string, double>> account;  // Component::account
-  double energy_scale = 0;                              // J
-  std::string solids_json = "{}";                       // EnergyGuard::to_json
-  std::string solids_text;                              // what it has to tell
+  std::vector<std::pair<std::string, double>> budget;  // Component::account
+  double energy_scale = 0;                             // J
+  std::string solids_json = "{}";                      // EnergyGuard::to_json
+  std::string solids_text;                             // what it has to tell
 
   double ns_per_cell_step() const;
   double ns_per_particle_step() const;

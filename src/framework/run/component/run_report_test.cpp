@@ -18,7 +18,7 @@ RunReport two_of_three_levels() {
   r.steps = 10;
   r.levels = {{100, 1, 1000, 100, 100, 1}, {100, 3, 2400, 140, 400, 2}, {0, 0, 0, 0, 6400, 8}};
   r.cell_updates = 3400;
-  r.updates_asleep = 40;
+  r.updates_skipped = 40;
   r.cells = 200;
   r.stepping_seconds = 0.5;
   r.regrids = 1;

@@ -76,9 +76,9 @@ class StepShape {
     std::string name;
     std::vector<Label> stored;  // beside those that are saved
   };
-  struct TakeOver {};
+  struct Commit {};
   struct Iterate;
-  using Stage = std::variant<Exchange, Prepare, Solve, Sweep, TakeOver, Iterate>;
+  using Stage = std::variant<Exchange, Prepare, Solve, Sweep, Commit, Iterate>;
   // Stages until `converged`, which may reject the step by the reason it gives.
   struct Iterate {
     std::string name;
@@ -104,7 +104,7 @@ class StepShape {
   void sweep(std::string name, std::vector<Label> stored = {}) {
     stages_.push_back(Sweep{std::move(name), std::move(stored)});
   }
-  void take_over() { stages_.push_back(TakeOver{}); }
+  void commit() { stages_.push_back(Commit{}); }
   void iterate(std::string name, int most,
                std::function<Iterate::Answer(const StageScope&)> converged,
                const std::function<void(StepShape&)>& body) {

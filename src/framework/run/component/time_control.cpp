@@ -16,7 +16,7 @@ namespace sluice {
 namespace {
 
 constexpr double round_off = 1e-10;  // of a step: what a clamp may stretch it by
-constexpr int most_messages = 3;     // of one kind; the counts tell the rest
+constexpr int max_messages = 3;      // of one kind; the counts tell the rest
 
 constexpr std::array all_limits = {
     TimeLimit::max_delt_increase, TimeLimit::delt_min,    TimeLimit::delt_max,
@@ -191,7 +191,7 @@ std::string TimeControl::describe(const StepPlan& plan, double physics_dt) {
   std::vector<std::string> names;
   for (const TimeLimit limit : told_limits) {
     if (!plan.set_by(limit) || (told_limits_ & bit(limit)) != 0) continue;
-    if (++told_counts_[limit] <= most_messages) names.emplace_back(to_string(limit));
+    if (++told_counts_[limit] <= max_messages) names.emplace_back(to_string(limit));
   }
   told_limits_ = plan.limits;
   if (names.empty()) return {};

@@ -40,7 +40,7 @@ Hierarchy::Hierarchy(const Scene& scene, const Component& component, Communicato
   maxima_.resize(levels.size());
   ends_of_levels_.resize(levels.size());
   costs_.resize(levels.size());
-  joints_.resize(levels.size());
+  interfaces_.resize(levels.size());
   if (const ParticleMethod* method = component.particles())
     particles_ = std::make_unique<ParticleCloud>(*method, communicator);
   if (component.first_volume_sum() >= 0)
@@ -50,7 +50,7 @@ Hierarchy::Hierarchy(const Scene& scene, const Component& component, Communicato
     regridder_.emplace(scene.refinement, levels, communicator.size(), options.threads,
                        component.courant_number());
   if (regridder_) {
-    regridder_->limit_boxes(options.most_box_cells);
+    regridder_->limit_boxes(options.max_box_cells);
     keep_freed_memory();
   }
   for (int l = 0; l + 1 < level_count(); ++l) make_joint(l);
@@ -140,7 +140,7 @@ void Hierarchy::accept() {
     level(l).accept();
     const std::int64_t cells = level(l).level().cell_count();
     costs_[l].updates += in_coarse_step_[l] * cells;
-    costs_[l].most_cells = std::max(costs_[l].most_cells, cells);
+    costs_[l].max_cells = std::max(costs_[l].max_cells, cells);
   }
 }
 
@@ -210,7 +210,7 @@ std::vector<LevelCost> Hierarchy::costs() const {
   for (int l = 0; l < possible_levels(); ++l) {
     costs[l].cells = level(l).level().cell_count();
     costs[l].boxes = static_cast<std::int64_t>(level(l).level().boxes.size());
-    costs[l].most_cells = std::max(costs[l].most_cells, costs[l].cells);
+    costs[l].max_cells = std::max(costs[l].max_cells, costs[l].cells);
     costs[l].domain_cells = level(l).level().domain.volume();
     costs[l].substeps = in_coarse_step_[l];
   }

@@ -109,7 +109,7 @@ class Hierarchy {
 
  private:
   // Where a level meets the next finer one.
-  struct Joint {
+  struct LevelInterface {
     Interpolation ghosts;
     FluxRegister fluxes;
     Restriction restriction;
@@ -127,7 +127,7 @@ class Hierarchy {
   static bool ends_coarse_step(const StepScope& scope);
   void ask_control();
   Verdict sweep(int level, const StepScope& scope, const std::vector<Label>& stored);
-  void take_over(int level, const StepScope& scope);
+  void commit(int level, const StepScope& scope);
   Verdict match(int level, const StepScope& scope);
   double share_of(int level) const;
   void make_joint(int coarser);
@@ -148,12 +148,13 @@ class Hierarchy {
   const Component* component_;
   Communicator* communicator_;
   std::vector<std::unique_ptr<LevelSolver>> solvers_;
-  std::vector<std::unique_ptr<Joint>> joints_;  // by coarser level, of the levels that exist
-  std::vector<int> substeps_;                   // of a level in one step of the next coarser one
-  std::vector<int> done_;                       // of those, in the present step of the coarser one
-  std::vector<int> in_coarse_step_;             // substeps of a level in a coarse step
-  std::vector<double> ends_;                    // of the last sweep over a level: its time
-  std::vector<std::vector<double>> maxima_;     // rates by level
+  std::vector<std::unique_ptr<LevelInterface>>
+      interfaces_;                           // by coarser level, of the levels that exist
+  std::vector<int> substeps_;                // of a level in one step of the next coarser one
+  std::vector<int> done_;                    // of those, in the present step of the coarser one
+  std::vector<int> in_coarse_step_;          // substeps of a level in a coarse step
+  std::vector<double> ends_;                 // of the last sweep over a level: its time
+  std::vector<std::vector<double>> maxima_;  // rates by level
   std::vector<LevelCost> costs_;
   std::vector<InterfaceDistance> ends_of_levels_;
   std::vector<VolumeCells> volumes_;
@@ -177,7 +178,7 @@ class Hierarchy {
   const std::vector<Label>* wanted_ = nullptr;
   const RunControl* control_ = nullptr;
   EventLedger* ledger_ = nullptr;
-  std::size_t most_bytes_ = 0;  // of all levels since memory was returned to the system
+  std::size_t max_bytes_ = 0;  // of all levels since memory was returned to the system
   int regrids_ = 0, last_balance_ = 0;
   int layouts_ = 0;
   int balances_ = 0;

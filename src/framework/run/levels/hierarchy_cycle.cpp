@@ -19,14 +19,15 @@ constexpr int masked_attempts = 3;  // at one substep, each with more cells at f
 Schedule Hierarchy::schedule_of(int l) {
   Schedule s = component_->before_sweep(level(l));
   const int width = halo_width(*component_);
-  s.push_back({HaloPoint{"of old state", l, width, [this, l](const StepScope& scope, StepJournal&) {
-                           fill(l, scope.time);
-                           return Verdict::good;
-                         }}});
+  s.push_back(
+      {GhostExchange{"of old state", l, width, [this, l](const StepScope& scope, StepJournal&) {
+                       fill(l, scope.time);
+                       return Verdict::good;
+                     }}});
   s.push_back({Sweep{"step", l, [this, l](const StepScope& scope, StepJournal&) {
-                       if (const auto& joint = joints_[l]) joint->fluxes.clear();
+                       if (const auto& joint = interfaces_[l]) joint->fluxes.clear();
                        const Verdict verdict = sweep(l, scope, {});
-                       if (verdict == Verdict::good) take_over(l, scope);
+                       if (verdict == Verdict::good) commit(l, scope);
                        return verdict;
                      }}});
   if (l + 1 >= level_count()) return s;
@@ -81,9 +82,9 @@ Node Hierarchy::stage_node(const StepShape::Stage& stage) {
       fill(l, ends_[l]);
       return Verdict::good;
     });
-  if (std::holds_alternative<StepShape::TakeOver>(stage))
+  if (std::holds_alternative<StepShape::Commit>(stage))
     return on_levels("take over", [this](int l, const StepScope& scope) {
-      take_over(l, scope);
+      commit(l, scope);
       return Verdict::good;
     });
   if (const auto* prepare = std::get_if<StepShape::Prepare>(&stage))
@@ -130,7 +131,7 @@ Schedule Hierarchy::schedule_of(const StepShape& shape) {
   Schedule s;
   link_ = shape.link();
   s.push_back({Stage{"clear flux records", [this](const StepScope&, StepJournal&) {
-                       for (auto& joint : joints_)
+                       for (auto& joint : interfaces_)
                          if (joint != nullptr) joint->fluxes.clear();
                        return Verdict::good;
                      }}});
@@ -170,9 +171,9 @@ void Hierarchy::fill(int l, double time) {
     if (share > 0) fill(l - 1, advancing_ ? ends_[l - 1] : time);
     const Warehouse* before = share < 1 ? &coarser.previous() : nullptr;
     const Warehouse* after = share > 0 ? &coarser.state() : nullptr;
-    joints_[l - 1]->ghosts.run(before, after, share, state, solver.state_slots(),
-                               component_->transfer(), scene_->refinement.interface_order,
-                               solver.team());
+    interfaces_[l - 1]->ghosts.run(before, after, share, state, solver.state_slots(),
+                                   component_->transfer(), scene_->refinement.interface_order,
+                                   solver.team());
   };
   solver.fill_ghosts(time, interface, &level(0));
 }
@@ -221,7 +222,7 @@ Verdict Hierarchy::sweep(int l, const StepScope& scope, const std::vector<Label>
 }
 
 // The new state becomes the present one.
-void Hierarchy::take_over(int l, const StepScope& scope) {
+void Hierarchy::commit(int l, const StepScope& scope) {
   const std::size_t n = l;
   LevelSolver& solver = level(l);
   const StepAttempt& a = solver.attempt_result();
@@ -230,14 +231,14 @@ void Hierarchy::take_over(int l, const StepScope& scope) {
   solver.advance();
   ends_[n] = scope.time + scope.dt;
   if (l > 0) {
-    joints_[n - 1]->fluxes.add_substep();
+    interfaces_[n - 1]->fluxes.add_substep();
     ++done_[n];
   }
   if (n + 1 < done_.size()) done_[n + 1] = 0;
 }
 
 Verdict Hierarchy::match(int l, const StepScope& /*scope*/) {
-  Joint& joint = *joints_[l];
+  LevelInterface& joint = *interfaces_[l];
   LevelSolver& coarse = level(l);
   LevelSolver& fine = level(l + 1);
   const CorrectionReport report = joint.fluxes.correct(
@@ -259,8 +260,8 @@ Verdict Hierarchy::match(int l, const StepScope& /*scope*/) {
   }
   joint.restriction.run(fine.state(), coarse.state(), coarse.state_slots(), component_->transfer(),
                         coarse.team());
-  coarse.touch();
-  fine.touch();
+  coarse.mark_modified();
+  fine.mark_modified();
   return Verdict::good;
 }
 

@@ -26,7 +26,7 @@ class ParticlesOnLevels : public OnLevels {
       for_each_cell(state.local_boxes()[n].cells, [&](IntVec3 c) {
         state.view(slot, 0, n)(c) = holds(level.level(), c) ? 1 / level.level().cell_volume() : 0;
       });
-    level.touch();
+    level.mark_modified();
   }
   bool holds(const Level& level, IntVec3 c) const {
     const Vec3 x = level.centre(c);

@@ -27,15 +27,15 @@ void add_start_boxes(const RefinementSettings& settings, std::vector<FlagField>&
 
 void Hierarchy::make_joint(int coarser) {
   const int rank = communicator_->rank(), width = halo_width(*component_);
-  auto& joint = joints_[coarser];
+  auto& joint = interfaces_[coarser];
   joint.reset();
   const Level& coarse = level(coarser).level();
   const Level& fine = level(coarser + 1).level();
   if (fine.boxes.empty()) return;
-  joint = std::make_unique<Joint>(
-      Joint{Interpolation::of_ghosts(coarse, width, fine, width, rank, LevelSolver::arrays),
-            FluxRegister(coarse, fine, component_->transfer().flux_quantities(), rank),
-            Restriction(coarse, fine, rank)});
+  joint = std::make_unique<LevelInterface>(LevelInterface{
+      Interpolation::for_ghosts(coarse, width, fine, width, rank, LevelSolver::arrays),
+      FluxRegister(coarse, fine, component_->transfer().flux_quantities(), rank),
+      Restriction(coarse, fine, rank)});
 }
 
 // What the levels know of each other, once every joint is made. Levels below `first` lie where they
@@ -45,8 +45,9 @@ void Hierarchy::join_levels(int first) {
   const int rank = communicator_->rank();
   for (int l = std::max(0, first - 1); l < possible_levels() && possible_levels() > 1; ++l) {
     FluxRecorder recorder;
-    if (joints_[l] != nullptr) recorder.as_coarse = &joints_[l]->fluxes.coarse_faces();
-    if (l > 0 && joints_[l - 1] != nullptr) recorder.as_fine = &joints_[l - 1]->fluxes.fine_faces();
+    if (interfaces_[l] != nullptr) recorder.as_coarse = &interfaces_[l]->fluxes.coarse_faces();
+    if (l > 0 && interfaces_[l - 1] != nullptr)
+      recorder.as_fine = &interfaces_[l - 1]->fluxes.fine_faces();
     if (l >= first)
       ends_of_levels_[l] =
           InterfaceDistance(level(l).level(), rank, component_->interface_depth(level(l).level()),
@@ -86,8 +87,8 @@ void Hierarchy::lay_out_level(int l, std::vector<GridBox> boxes, bool from_deck)
     LevelCopy(earlier, now, rank).run(before, solver.state(), solver.state_slots());
   if (l == 0 || solver.state_slots().empty()) return;  // cells of solids carry nothing
   LevelSolver& coarser = level(l - 1);
-  Interpolation fresh = Interpolation::of_new_cells(coarser.level(), halo_width(*component_), now,
-                                                    earlier.boxes, rank);
+  Interpolation fresh = Interpolation::for_new_cells(coarser.level(), halo_width(*component_), now,
+                                                     earlier.boxes, rank);
   fresh.run(nullptr, &coarser.state(), 1.0, solver.state(), solver.state_slots(),
             component_->transfer(), scene_->refinement.interpolation_order, solver.team());
 }
@@ -102,7 +103,8 @@ int Hierarchy::lay_out(bool from_deck) {
     deal_out(boxes, level(l), particles_.get(), *communicator_);
     if (same_boxes(boxes, level(l).level().boxes)) {
       if (laid_out == l - 1) make_joint(l - 1);
-      if (laid_out > 0) level(l).touch();  // cells have come where it took ghosts of ghosts from
+      if (laid_out > 0)
+        level(l).mark_modified();  // cells have come where it took ghosts of ghosts from
       continue;
     }
     if (!from_deck && !boxes.empty()) fill(l - 1, time_);
@@ -136,11 +138,11 @@ std::vector<FlagField> Hierarchy::flags() {
 void Hierarchy::restrict_all() {
   for (int l = level_count() - 2; l >= 0; --l) {
     LevelSolver& coarse = level(l);
-    joints_[l]->restriction.run(level(l + 1).state(), coarse.state(), coarse.state_slots(),
-                                component_->transfer(), coarse.team());
-    coarse.touch();
+    interfaces_[l]->restriction.run(level(l + 1).state(), coarse.state(), coarse.state_slots(),
+                                    component_->transfer(), coarse.team());
+    coarse.mark_modified();
   }
-  for (int l = 0; l < level_count(); ++l) level(l).touch();
+  for (int l = 0; l < level_count(); ++l) level(l).mark_modified();
 }
 
 // With subcycling the coarser level's limit holds for the cells that a finer level gains: their
@@ -185,10 +187,10 @@ void Hierarchy::initialise() {
 void Hierarchy::return_memory() {
   std::size_t bytes = 0;
   for (int l = 0; l < level_count(); ++l) bytes += level(l).memory_bytes();
-  most_bytes_ = std::max(most_bytes_, bytes);
-  if (bytes > most_bytes_ / 2) return;
+  max_bytes_ = std::max(max_bytes_, bytes);
+  if (bytes > max_bytes_ / 2) return;
   return_freed_memory();
-  most_bytes_ = bytes;
+  max_bytes_ = bytes;
 }
 
 bool Hierarchy::regrid(int step) {
@@ -319,7 +321,7 @@ void Hierarchy::restore(const ArchiveStep& checkpoint) {
   for (int l = 0; l < level_count(); ++l) {
     check_same_cells(level(l).level(), then[l], checkpoint.folder().string());
     read_level(level(l), *component_, checkpoint);
-    level(l).touch();
+    level(l).mark_modified();
   }
   if (particles_ != nullptr) particles_->restore(checkpoint, existing_levels());
 }

@@ -85,7 +85,7 @@ TEST_F(Regrids, WhatIsKeptIsWhatWouldBeFoundAnew) {
       for (int l = 0; l < h.level_count(); ++l) {
         EXPECT_EQ(h.level(l).coverage().uncovered_cells(),
                   h.level(l).level().cell_count() - cells_under(h, l));
-        h.level(l).touch();
+        h.level(l).mark_modified();
       }
       h.fill_ghosts(run.time);
       ASSERT_TRUE(kept == numbers_of(h)) << "after step " << run.step;

@@ -146,7 +146,7 @@ TEST_F(Rejection, IsForGoodWhereAStateHoldsNoNumber) {
     for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b)
       if (state.local_boxes()[b].cells.contains(cell))
         state.view(slot, 0, b)(cell) = std::numeric_limits<double>::quiet_NaN();
-    run.hierarchy.level(l).touch();
+    run.hierarchy.level(l).mark_modified();
     EXPECT_FALSE(run.attempt(dt));
     ASSERT_TRUE(run.result.unsound) << l;
     EXPECT_EQ(run.result.unsound->where.level, l);

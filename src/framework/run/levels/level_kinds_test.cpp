@@ -107,7 +107,7 @@ struct KindsRun {
         mock(with_most(level, from, most)),
         solver(mock, level, world(), o) {
     mock.initialise(solver.state());
-    solver.touch();
+    solver.mark_modified();
   }
   static KindsMock with_most(const Level& level, const KindsMock::Start& from, double most) {
     KindsMock m(level, from);
@@ -165,7 +165,7 @@ struct Way {
   std::string name;
   SolverOptions options;
   IntVec3 pieces{1, 1, 1};
-  bool touched = false;  // after every step
+  bool cut = false;  // after every step
 };
 
 std::vector<Way> ways(IntVec3 cells) {
@@ -186,7 +186,7 @@ std::vector<Way> ways(IntVec3 cells) {
   w[4].pieces = pieces;
   w[5].name = "touched";
   w[5].options.block = small;
-  w[5].touched = true;
+  w[5].cut = true;
   w[6].name = "substeps";
   w[6].options.block = small;
   w[6].options.substeps = 2;
@@ -229,7 +229,7 @@ TEST_P(KindsOnShapes, NoWayChangesABit) {
       for (int m = 0; m < 2; ++m) ASSERT_EQ(run.solver.attempt_result().sums[m], plain.sums[m]);
       ASSERT_EQ(run.solver.attempt_result().maxima[0], plain.maximum);
       for (int slot = 0; slot < 5; ++slot) run.known(slot);
-      if (way.touched) run.solver.touch();
+      if (way.cut) run.solver.mark_modified();
       if (HasFatalFailure()) return;
     }
     if (way.options.force_all) {
@@ -237,7 +237,7 @@ TEST_P(KindsOnShapes, NoWayChangesABit) {
     } else if (way.options.block != IntVec3{}) {
       for (int kind = 0; kind < 3; ++kind)
         EXPECT_GT(run.solver.blocks_run(kind), steps) << way.name;
-      EXPECT_GT(run.solver.blocks_asleep(), 0);
+      EXPECT_GT(run.solver.blocks_skipped(), 0);
     }
   }
 }
@@ -325,7 +325,7 @@ TEST(Kinds, WhatOthersWriteIsSeenOnceTheyTell) {
   run.solver.state().view(2, 0, 0)(40, 5, 0) = 0.5;
   run.solver.state().view(3, 0, 0)(40, 5, 0) = 0.5 / 1.5;
   run.solver.state().view(1, 0, 0)(40, 5, 0) = 1 / 1.5;
-  run.solver.touch();
+  run.solver.mark_modified();
   EXPECT_EQ(run.known(2), 0);
   run.step(dt);
   EXPECT_EQ(run.solver.state().view(2, 0, 0)(41, 5, 0), 0.25);
@@ -346,7 +346,7 @@ TEST(Kinds, ALevelLaidOutAnewKnowsNothing) {
         for_each_cell(state.local_boxes()[b].cells, [&](IntVec3 cell) {
           state.view(slot, c, b)(cell) = before.view(slot, c, 0)(cell);
         });
-  run.solver.touch();
+  run.solver.mark_modified();
   Plain plain(run.level.domain, start);
   for (int n = 0; n < 20; ++n) {
     if (n >= 10) run.step(dt);

@@ -144,7 +144,7 @@ std::unique_ptr<LevelSolver::Variant> LevelSolver::make_variant(bool masked, Pur
                                        options_.joined ? &coverage_ : nullptr, kind, &volumes_});
     SweepGraph graph = graph_of(*list, purpose, wanted);
     if (v->lists.size() > 1) graph.absent = absent_slots(*list, purpose, kind, wanted);
-    graph.may_sleep = component_->may_sleep(kind);
+    graph.may_be_skipped = component_->may_be_skipped(kind);
     return graph;
   };
   if (!diagnostic && chooses_kinds())
@@ -201,15 +201,15 @@ SweepOptions LevelSolver::sweep_options(Purpose purpose, bool storing) const {
   o.threads = options_.threads;
   o.team = team_;
   o.block = options_.block;
-  o.quiet_blocks =
-      !options_.force_all && !diagnostic && !storing && component_->quiet_blocks_allowed();
+  o.skip_uniform_blocks =
+      !options_.force_all && !diagnostic && !storing && component_->skipping_allowed();
   o.sample_every = diagnostic ? 0 : options_.sample_every;
   if (diagnostic) return o;
   o.maxima = component_->reduction_maxima();
   o.sums = component_->reduction_sums();
   o.time_boxes = communicator_->size() > 1;
   if (options_.joined)
-    o.never_sleeps = [this](int box, const IndexBox& block) {
+    o.never_skipped = [this](int box, const IndexBox& block) {
       return (recorder_.as_coarse != nullptr && recorder_.as_coarse->touches(box, block)) ||
              (recorder_.as_fine != nullptr && recorder_.as_fine->touches(box, block));
     };

@@ -23,11 +23,11 @@ namespace sluice {
 
 struct SolverOptions {
   int threads = 1;
-  bool force_all = false;           // no block sleeps, nothing of a step is left out
-  int sample_every = 0;             // time every n-th block; 0: never
-  IntVec3 block{};                  // extents of a block; 0: chosen
-  std::int64_t most_box_cells = 0;  // of boxes of adaptive levels; 0: no limit
-  int substeps = 1;                 // of this level in one coarse step
+  bool force_all = false;          // no block sleeps, nothing of a step is left out
+  int sample_every = 0;            // time every n-th block; 0: never
+  IntVec3 block{};                 // extents of a block; 0: chosen
+  std::int64_t max_box_cells = 0;  // of boxes of adaptive levels; 0: no limit
+  int substeps = 1;                // of this level in one coarse step
   std::shared_ptr<const ThreadTeam> team = nullptr;  // of `threads`; none: an own one
   bool joined = false;  // one of several levels: fluxes are recorded, sums count uncovered cells
 };
@@ -84,7 +84,7 @@ class LevelSolver {
   void fill_ghosts(double time, const std::function<void(Warehouse&)>& interface = nullptr,
                    const LevelSolver* coarsest = nullptr);
   // The interior of the state was changed: ghosts are to be filled anew, blocks to be looked at.
-  void touch() {
+  void mark_modified() {
     ghosts_filled_ = false;
     state_.forget();
   }
@@ -134,7 +134,7 @@ class LevelSolver {
   std::vector<int> effect_tasks() const;
   std::vector<double> effect_doubles() const;  // doubles a cell of scratch rings, by effect
   std::vector<double> box_seconds() const;     // by local box, since the level was laid out
-  std::int64_t blocks_run() const, blocks_asleep() const, cells_asleep() const;
+  std::int64_t blocks_run() const, blocks_skipped() const, cells_skipped() const;
   std::int64_t blocks_run(int kind) const;
   std::size_t memory_bytes() const;
   std::size_t message_bytes() const;

@@ -72,15 +72,15 @@ std::int64_t LevelSolver::blocks_run() const {
   return n;
 }
 
-std::int64_t LevelSolver::blocks_asleep() const {
+std::int64_t LevelSolver::blocks_skipped() const {
   std::int64_t n = 0;
-  for (const auto& [key, v] : variants_) n += v->executor->blocks_asleep();
+  for (const auto& [key, v] : variants_) n += v->executor->blocks_skipped();
   return n;
 }
 
-std::int64_t LevelSolver::cells_asleep() const {
+std::int64_t LevelSolver::cells_skipped() const {
   std::int64_t n = 0;
-  for (const auto& [key, v] : variants_) n += v->executor->cells_asleep();
+  for (const auto& [key, v] : variants_) n += v->executor->cells_skipped();
   return n;
 }
 

@@ -212,7 +212,7 @@ TEST_F(LevelSolverTest, TellsWhatItCosts) {
   tube.attempt(dt);
   EXPECT_EQ(tube.solver.effect_tasks(), (std::vector<int>{2, 0}));  // faces, update; nothing saved
   EXPECT_GT(tube.solver.effect_seconds()[0], 0);
-  EXPECT_EQ(tube.solver.blocks_run() + tube.solver.blocks_asleep(), 1);
+  EXPECT_EQ(tube.solver.blocks_run() + tube.solver.blocks_skipped(), 1);
   EXPECT_GE(tube.solver.memory_bytes(), 2 * 42 * sizeof(double));
   EXPECT_EQ(tube.solver.message_bytes(), 0u);  // one rank
   EXPECT_NE(tube.solver.graph_as_dot().find("update"), std::string::npos);

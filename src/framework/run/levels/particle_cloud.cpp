@@ -171,7 +171,7 @@ void ParticleCloud::advance(const Levels& levels, double end, int parts) {
   time_ = end;
 }
 
-void ParticleCloud::take_over(double end) {
+void ParticleCloud::commit(double end) {
   for (std::size_t k = 0; k < kinds_.size(); ++k) {
     if (!method_->in_stages(static_cast<int>(k))) continue;
     const std::vector<std::size_t> advanced = method_->kinds()[k].advanced_columns();

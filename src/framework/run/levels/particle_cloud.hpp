@@ -37,7 +37,7 @@ class ParticleCloud {
   // no stage moves. Collective.
   void advance(const Levels& levels, double end, int parts);
   // Of a method in stages: what was made beside the particles (next) is what they are at `end`.
-  void take_over(double end);
+  void commit(double end);
   // Particles that left the domain go, periodic ones are wrapped, all go to their boxes: needed
   // when one may have left its domain, or its block by most of a cell. Collective.
   void relocate();

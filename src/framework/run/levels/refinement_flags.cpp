@@ -12,7 +12,7 @@ using Word = std::uint64_t;
 constexpr int word_bits = 64;
 
 // Range of a variable below this share of its largest magnitude: round-off, nothing to resolve.
-constexpr double least_range = 1e-10;
+constexpr double min_range = 1e-10;
 
 // Numbers that are compared at a time: the compiler unrolls a loop over lanes and then compares
 // number by number.
@@ -169,7 +169,7 @@ std::vector<double> RefinementFlags::largest_errors(const std::vector<LevelSolve
       range = std::max(range, most - least);
       magnitude = std::max({magnitude, most, -least});
     }
-    errors.push_back(estimates_[n].tolerance * std::max(range, least_range * magnitude));
+    errors.push_back(estimates_[n].tolerance * std::max(range, min_range * magnitude));
   }
   return errors;
 }

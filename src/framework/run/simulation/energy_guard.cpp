@@ -22,7 +22,7 @@ double taken_in(const BodyEnergy& b) {
 // With K(v-) + U^n at the start of the step, `own` is the step's own share of H^n beyond it; what
 // is left of the change is part of H^(n+1). Where the step changes its length, H changes by some D;
 // and where loads act, part of their work is counted a step early.
-EnergyGuard::Change EnergyGuard::change(const Account& account, const BodyEnergy& b, double dt,
+EnergyGuard::Change EnergyGuard::change(const BodyBudget& budget, const BodyEnergy& b, double dt,
                                         double spacing) {
   Change c;
   const double dK = b.kinetic_after - b.kinetic_before;
@@ -30,38 +30,38 @@ EnergyGuard::Change EnergyGuard::change(const Account& account, const BodyEnergy
   const double jump = 2 * (b.kinetic_after + b.kinetic_before) - 4 * b.kinetic_middle;
   c.rise = b.stored_after - b.stored_before;
   double own = 0, own_work = 0;
-  if (account.steps > 0) {
-    const double ratio = dt / account.dt;
+  if (budget.steps > 0) {
+    const double ratio = dt / budget.dt;
     const double s = 1 / (1 + ratio);  // where U^n stands between v- and v+
     own = s * dK - 2 * s * (1 - s) * jump;
     own_work = s * b.work - s * (1 - s) * b.kick;
     // Of the jump, what the stress made.
     const double inner = std::max(0.0, jump - std::fabs(b.kick) - std::fabs(b.work));
-    c.growth = inner / 3 + (c.rise - account.rise * ratio) / 12;
+    c.growth = inner / 3 + (c.rise - budget.rise * ratio) / 12;
     const double unequal = std::min(ratio, 1 / ratio);
-    const double swing = std::max(std::fabs(c.growth), std::fabs(account.growth));
-    c.swing = 6 * swing * (account.steps == 1 ? 1 : 1 - unequal * unequal);
+    const double swing = std::max(std::fabs(c.growth), std::fabs(budget.growth));
+    c.swing = 6 * swing * (budget.steps == 1 ? 1 : 1 - unequal * unequal);
     c.unjust =
-        -std::max(c.swing, account.swing) - driven * (std::fabs(b.work) + std::fabs(account.work));
+        -std::max(c.swing, budget.swing) - driven * (std::fabs(b.work) + std::fabs(budget.work));
   }
-  c.gain = account.carried + own - own_work;
+  c.gain = budget.carried + own - own_work;
   c.unjust += c.gain - std::max(0.0, b.contact_slack);
   c.carried = dK + c.rise - own - (b.work - own_work);
   const double energy = b.kinetic_before + std::fabs(b.stored_before);
   const double slow = 1e-8 * spacing / dt;
-  c.scale = std::max({account.most, energy, account.work_in + taken_in(b), b.mass * slow * slow});
-  const double share = c.of_scale(c.growth), more = c.growth - account.growth;
-  if (share > std::max(large_growth, 1.05 * account.record) && more > step_gain * c.scale)
+  c.scale = std::max({budget.most, energy, budget.work_in + taken_in(b), b.mass * slow * slow});
+  const double share = c.of_scale(c.growth), more = c.growth - budget.growth;
+  if (share > std::max(large_growth, 1.05 * budget.record) && more > step_gain * c.scale)
     c.more = more;
   return c;
 }
 
 // What is sure of the gain, with either work of contact.
-double EnergyGuard::run_gain_of(const Account& a) {
+double EnergyGuard::run_gain_of(const BodyBudget& a) {
   const double low = a.gain - std::max(0.0, a.slack), high = a.gain - std::min(0.0, a.slack);
   if (high < 0) return high;
   // Of a swing, which is 6 D (1 - r^2), a fourth.
-  return std::max(0.0, low - 0.25 * a.most_swing);
+  return std::max(0.0, low - 0.25 * a.max_swing);
 }
 
 std::optional<EnergyGuard::Excess> EnergyGuard::judge(const std::vector<BodyEnergy>& step,
@@ -69,9 +69,9 @@ std::optional<EnergyGuard::Excess> EnergyGuard::judge(const std::vector<BodyEner
   std::optional<Excess> worst;
   double most = step_gain;
   for (std::size_t n = 0; n < step.size(); ++n) {
-    const Account account = n < accounts_.size() ? accounts_[n] : Account();
-    const Change c = change(account, step[n], dt, spacing);
-    const bool grows = account.streak > 0 || c.growth > most_growth * c.scale;
+    const BodyBudget budget = n < budgets_.size() ? budgets_[n] : BodyBudget();
+    const Change c = change(budget, step[n], dt, spacing);
+    const bool grows = budget.streak > 0 || c.growth > max_growth * c.scale;
     const double gain = std::max(c.unjust, grows ? c.more : 0.0);
     if (!(gain > most * c.scale)) continue;
     most = gain / c.scale;
@@ -82,9 +82,9 @@ std::optional<EnergyGuard::Excess> EnergyGuard::judge(const std::vector<BodyEner
 
 void EnergyGuard::accept(const std::vector<BodyEnergy>& step, int number, double dt,
                          double spacing) {
-  accounts_.resize(std::max(accounts_.size(), step.size()));
+  budgets_.resize(std::max(budgets_.size(), step.size()));
   for (std::size_t n = 0; n < step.size(); ++n) {
-    Account& a = accounts_[n];
+    BodyBudget& a = budgets_[n];
     const Change c = change(a, step[n], dt, spacing);
     a.name = step[n].name;
     a.material = step[n].material;
@@ -92,7 +92,7 @@ void EnergyGuard::accept(const std::vector<BodyEnergy>& step, int number, double
     a.work_in += taken_in(step[n]);
     // After the first step H is known for the first time: of its loss until then particles tell.
     a.gain += step[n].returned + (a.steps == 1 ? -step[n].lost : c.gain);
-    if (a.steps > 1) a.most_swing = std::max(a.most_swing, c.swing);
+    if (a.steps > 1) a.max_swing = std::max(a.max_swing, c.swing);
     a.slack += step[n].contact_slack;
     a.worst = std::max(a.worst, c.of_scale(c.unjust));
     a.carried = c.carried;
@@ -121,7 +121,7 @@ void EnergyGuard::accept(const std::vector<BodyEnergy>& step, int number, double
 
 std::vector<EnergyGuard::Crossing> EnergyGuard::crossings() const {
   std::vector<Crossing> all;
-  for (const Account& a : accounts_) {
+  for (const BodyBudget& a : budgets_) {
     const double share = scale_of(a) > 0 ? run_gain_of(a) / scale_of(a) : 0;
     if (a.gained_since > 0) all.push_back({a.material, true, a.gained_since, share});
     if (a.lost_since > 0) all.push_back({a.material, false, a.lost_since, share});
@@ -131,7 +131,7 @@ std::vector<EnergyGuard::Crossing> EnergyGuard::crossings() const {
 
 // Whatever asks for it again at once asks for longer patience.
 bool EnergyGuard::shorten() {
-  if (factor_ <= std::ldexp(1.0, -most_halvings)) return false;
+  if (factor_ <= std::ldexp(1.0, -max_halvings)) return false;
   factor_ *= 0.5;
   left_ = patience_;
   patience_ = std::min(2 * patience_, 1 << 20);
@@ -140,7 +140,7 @@ bool EnergyGuard::shorten() {
 
 Json EnergyGuard::to_json() const {
   Json json = Json::object();
-  for (const Account& a : accounts_) {
+  for (const BodyBudget& a : budgets_) {
     const double scale = scale_of(a);
     json[a.name] = {{"scale_J", scale},
                     {"numerical_gain_J", run_gain_of(a)},
@@ -154,7 +154,7 @@ Json EnergyGuard::to_json() const {
 
 std::string EnergyGuard::summary(std::string_view better) const {
   std::string text;
-  for (const Account& a : accounts_) {
+  for (const BodyBudget& a : budgets_) {
     const double scale = scale_of(a);
     if (a.gained_since > 0)
       text += fmt::format(
@@ -174,7 +174,7 @@ std::string EnergyGuard::summary(std::string_view better) const {
 
 Json EnergyGuard::checkpoint() const {
   Json bodies = Json::array();
-  for (const Account& a : accounts_)
+  for (const BodyBudget& a : budgets_)
     bodies.push_back({{"name", a.name},
                       {"material", a.material},
                       {"steps", a.steps},
@@ -189,7 +189,7 @@ Json EnergyGuard::checkpoint() const {
                       {"most", a.most},
                       {"work_in", a.work_in},
                       {"gain", a.gain},
-                      {"most_swing", a.most_swing},
+                      {"most_swing", a.max_swing},
                       {"slack", a.slack},
                       {"worst", a.worst},
                       {"gained_since", a.gained_since},
@@ -198,9 +198,9 @@ Json EnergyGuard::checkpoint() const {
 }
 
 void EnergyGuard::restore(const Json& json) {
-  accounts_.clear();
+  budgets_.clear();
   for (const Json& entry : json.at("bodies").entries()) {
-    Account a;
+    BodyBudget a;
     const auto real = [&](const char* name) { return entry.at(name).get<double>(); };
     const auto whole = [&](const char* name) { return entry.at(name).get<int>(); };
     a.name = entry.at("name").get<std::string>();
@@ -217,12 +217,12 @@ void EnergyGuard::restore(const Json& json) {
     a.most = real("most");
     a.work_in = real("work_in");
     a.gain = real("gain");
-    a.most_swing = real("most_swing");
+    a.max_swing = real("most_swing");
     a.slack = real("slack");
     a.worst = real("worst");
     a.gained_since = whole("gained_since");
     a.lost_since = whole("lost_since");
-    accounts_.push_back(a);
+    budgets_.push_back(a);
   }
   factor_ = json.at("factor").get<double>();
   patience_ = json.at("patience").get<int>();

@@ -42,9 +42,9 @@ class EnergyGuard {
   static constexpr double step_gain = 1e-3;     // of the scale: the step is redone
   static constexpr double run_gain = 5e-3;      // an event: of H
   static constexpr double large_growth = 0.03;  // D over the scale, of a growing mode
-  static constexpr double most_growth = 0.3;    // likewise, where one step of growth is enough
+  static constexpr double max_growth = 0.3;     // likewise, where one step of growth is enough
   static constexpr double run_loss = 0.1;       // an event
-  static constexpr int most_halvings = 8;
+  static constexpr int max_halvings = 8;
 
   struct Excess {
     int body = 0;  // in the order of the step's bodies
@@ -74,31 +74,31 @@ class EnergyGuard {
   Json to_json() const;
   // One line for each body that has passed a limit.
   std::string summary(std::string_view better) const;
-  bool any() const { return !accounts_.empty(); }
+  bool any() const { return !budgets_.empty(); }
 
   // Exact state for a checkpoint.
   Json checkpoint() const;
   void restore(const Json& json);
 
  private:
-  struct Account {
+  struct BodyBudget {
     std::string name;
     int material = 0;
-    int steps = 0;          // booked; at most 2
-    double carried = 0;     // part of the energy of the next step that this one made, less its work
-    double rise = 0;        // U^n - U^(n-1)
-    double growth = 0;      // D
-    double record = 0;      // largest D over the scale, slowly forgotten
-    int streak = 0;         // steps in which D was large and grew
-    double dt = 0;          // of the step before
-    double work = 0;        // likewise
-    double swing = 0;       // by what a change of its length changed H at most
-    double most = 0;        // largest energy
-    double work_in = 0;     // positive work and heat so far
-    double gain = 0;        // sum of g
-    double most_swing = 0;  // largest swing so far
-    double slack = 0;       // sum of slacks of contact
-    double worst = 0;       // largest g of a step, as a share
+    int steps = 0;         // booked; at most 2
+    double carried = 0;    // part of the energy of the next step that this one made, less its work
+    double rise = 0;       // U^n - U^(n-1)
+    double growth = 0;     // D
+    double record = 0;     // largest D over the scale, slowly forgotten
+    int streak = 0;        // steps in which D was large and grew
+    double dt = 0;         // of the step before
+    double work = 0;       // likewise
+    double swing = 0;      // by what a change of its length changed H at most
+    double most = 0;       // largest energy
+    double work_in = 0;    // positive work and heat so far
+    double gain = 0;       // sum of g
+    double max_swing = 0;  // largest swing so far
+    double slack = 0;      // sum of slacks of contact
+    double worst = 0;      // largest g of a step, as a share
     int gained_since = 0, lost_since = 0;  // step; 0: not beyond the limit
   };
   struct Change {
@@ -108,11 +108,11 @@ class EnergyGuard {
     double more = 0;    // of D, where it is large and grows
     double of_scale(double x) const { return scale > 0 ? x / scale : 0; }
   };
-  static double run_gain_of(const Account& a);
-  static double scale_of(const Account& a) { return a.most > a.work_in ? a.most : a.work_in; }
-  static Change change(const Account& account, const BodyEnergy& step, double dt, double spacing);
+  static double run_gain_of(const BodyBudget& a);
+  static double scale_of(const BodyBudget& a) { return a.most > a.work_in ? a.most : a.work_in; }
+  static Change change(const BodyBudget& budget, const BodyEnergy& step, double dt, double spacing);
 
-  std::vector<Account> accounts_;
+  std::vector<BodyBudget> budgets_;
   double factor_ = 1;
   int patience_ = first_patience, left_ = 0;  // accepted steps until the factor may grow
   static constexpr int first_patience = 64;

@@ -146,7 +146,7 @@ TEST(EnergyGuard, StepsStayShorterForAWhileAndNotForEver) {
   EXPECT_EQ(guard.factor(), 0.25);
   run(guard, spring, 1000, [](int) { return 0.1; });
   EXPECT_EQ(guard.factor(), 1);
-  for (int n = 0; n < EnergyGuard::most_halvings; ++n) EXPECT_TRUE(guard.shorten()) << n;
+  for (int n = 0; n < EnergyGuard::max_halvings; ++n) EXPECT_TRUE(guard.shorten()) << n;
   EXPECT_FALSE(guard.shorten());
 }
 

@@ -9,7 +9,7 @@
 
 namespace sluice {
 
-void PartedBodies::accept(const std::vector<BodyEnergy>& step, int number, double time) {
+void SeparatedBodies::accept(const std::vector<BodyEnergy>& step, int number, double time) {
   for (const BodyEnergy& body : step) {
     if (!(body.parted > 0 && body.particles > 1)) continue;  // one alone has no neighbours
     auto known = std::find_if(all_.begin(), all_.end(),
@@ -23,7 +23,7 @@ void PartedBodies::accept(const std::vector<BodyEnergy>& step, int number, doubl
   }
 }
 
-std::string PartedBodies::summary() const {
+std::string SeparatedBodies::summary() const {
   std::string text;
   for (const Parting& p : all_)
     text += fmt::format(
@@ -35,7 +35,7 @@ std::string PartedBodies::summary() const {
   return text;
 }
 
-Json PartedBodies::checkpoint() const {
+Json SeparatedBodies::checkpoint() const {
   Json bodies = Json::array();
   for (const Parting& p : all_)
     bodies.push_back({{"name", p.name},
@@ -47,7 +47,7 @@ Json PartedBodies::checkpoint() const {
   return bodies;
 }
 
-void PartedBodies::restore(const Json& json) {
+void SeparatedBodies::restore(const Json& json) {
   all_.clear();
   for (const Json& entry : json.entries()) {
     Parting p;

@@ -9,7 +9,7 @@ namespace sluice {
 class Json;
 struct BodyEnergy;  // framework/run/simulation/energy_guard.hpp
 
-class PartedBodies {
+class SeparatedBodies {
  public:
   struct Parting {
     std::string name;

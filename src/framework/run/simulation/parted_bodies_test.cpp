@@ -18,8 +18,8 @@ BodyEnergy body(const char* name, int material, double parted, double particles)
   return b;
 }
 
-TEST(PartedBodies, KeepSinceWhenAndTheLargestShare) {
-  PartedBodies parted;
+TEST(SeparatedBodies, KeepSinceWhenAndTheLargestShare) {
+  SeparatedBodies parted;
   parted.accept({body("ring", 2, 0, 100), body("bar", 0, 0, 10)}, 1, 0.1);
   EXPECT_FALSE(parted.any());
   EXPECT_EQ(parted.summary(), "");
@@ -29,7 +29,7 @@ TEST(PartedBodies, KeepSinceWhenAndTheLargestShare) {
   parted.accept({body("ring", 2, 7, 100)}, 3, 0.3);
   parted.accept({body("ring", 2, 5, 100)}, 4, 0.4);
   ASSERT_EQ(parted.all().size(), 1U);
-  const PartedBodies::Parting& ring = parted.all().front();
+  const SeparatedBodies::Parting& ring = parted.all().front();
   EXPECT_EQ(ring.material, 2);
   EXPECT_EQ(ring.since, 2);
   EXPECT_EQ(ring.since_time, 0.2);
@@ -39,11 +39,11 @@ TEST(PartedBodies, KeepSinceWhenAndTheLargestShare) {
   EXPECT_NE(parted.summary().find("at most 7 % of them, at t = 0.3"), std::string::npos);
 }
 
-TEST(PartedBodies, GoOnFromACheckpoint) {
-  PartedBodies parted, after;
+TEST(SeparatedBodies, GoOnFromACheckpoint) {
+  SeparatedBodies parted, after;
   parted.accept({body("ring", 2, 3, 100)}, 2, 0.2);
   after.restore(Json::parse(parted.checkpoint().dump()));
-  for (PartedBodies* p : {&parted, &after}) p->accept({body("ring", 2, 4, 100)}, 3, 0.3);
+  for (SeparatedBodies* p : {&parted, &after}) p->accept({body("ring", 2, 4, 100)}, 3, 0.3);
   EXPECT_EQ(after.checkpoint().dump(), parted.checkpoint().dump());
 }
 

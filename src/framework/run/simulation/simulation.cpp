@@ -55,7 +55,7 @@ Simulation::Simulation(const Scene& scene, const Component& component, Communica
       analysis_(std::make_unique<AnalysisRecorder>(scene, *hierarchy_, communicator)),
       level_history_(hierarchy_->possible_levels(), communicator.is_root()),
       conservation_(conserved_names(component)),
-      tallies_(component.tally_names()) {
+      tracked_(component.tracked_names()) {
   time_.set_switches(component.output_switches());
 }
 
@@ -69,8 +69,8 @@ void Simulation::restart_from(const ArchiveStep& checkpoint) {
   hierarchy_->set_previous_dt(time_.state().previous_dt);
   set_totals(true);
   conservation_.restore(Json::parse(kept.at("conservation")));
-  if (const auto counted = kept.find("tallies"); counted != kept.end() && tallies_.count() > 0)
-    tallies_.restore(Json::parse(counted->second));
+  if (const auto counted = kept.find("tallies"); counted != kept.end() && tracked_.count() > 0)
+    tracked_.restore(Json::parse(counted->second));
   ledger_ = EventLedger::from_json(Json::parse(kept.at("events")));
   if (const auto energies = kept.find("energies"); energies != kept.end())
     energies_.restore(Json::parse(energies->second));
@@ -167,7 +167,7 @@ StepInfo Simulation::step_info() const {
   info.next_delt = limit_.dt;
   info.state["time"] = to_json_text(t);
   info.state["conservation"] = conservation_.checkpoint().dump();
-  if (tallies_.count() > 0) info.state["tallies"] = tallies_.checkpoint().dump();
+  if (tracked_.count() > 0) info.state["tallies"] = tracked_.checkpoint().dump();
   if (energies_.any()) info.state["energies"] = energies_.checkpoint().dump();
   if (parted_.any()) info.state["parted"] = parted_.checkpoint().dump();
   info.state["events"] = ledger_.to_json().dump();
@@ -306,7 +306,7 @@ void Simulation::plant_nan(IntVec3 cell) {
   for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b)
     if (state.local_boxes()[b].cells.contains(cell))
       state.view(0, 0, b)(cell) = std::numeric_limits<double>::quiet_NaN();
-  hierarchy_->level(0).touch();
+  hierarchy_->level(0).mark_modified();
 }
 
 void Simulation::act_on_switches(const std::vector<double>& sums) {
@@ -330,9 +330,9 @@ void Simulation::step() {
     plant_nan(options_.plant_nan->second);
   CycleResult result;
   plan = advance(plan, result);
-  book(plan, result.sums);
-  book_energies(plan, result.sums);
-  analysis_->account(plan.dt, result.sums);
+  record(plan, result.sums);
+  record_energies(plan, result.sums);
+  analysis_->budget(plan.dt, result.sums);
   limit_ = hierarchy_->step_limit();
   stepping_seconds_ +=
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

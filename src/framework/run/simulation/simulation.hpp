@@ -35,11 +35,11 @@ struct RunOptions {
   std::map<std::string, std::filesystem::path> kept_files;
   // Components that take over from the first, in the order of their turns.
   std::vector<Successor> successors;
-  std::filesystem::path restart;    // archive to go on from; empty: start anew
-  int restart_step = -1;            // -1: the last checkpoint
-  bool copy_earlier = false;        // copy earlier outputs instead of referring to them
-  IntVec3 block{};                  // extents of a block; 0: chosen
-  std::int64_t most_box_cells = 0;  // splits boxes of adaptive levels above so many; 0: no limit
+  std::filesystem::path restart;   // archive to go on from; empty: start anew
+  int restart_step = -1;           // -1: the last checkpoint
+  bool copy_earlier = false;       // copy earlier outputs instead of referring to them
+  IntVec3 block{};                 // extents of a block; 0: chosen
+  std::int64_t max_box_cells = 0;  // splits boxes of adaptive levels above so many; 0: no limit
   // For tests: plants a NaN into a cell of the state at the start of a step.
   std::optional<std::pair<int, IntVec3>> plant_nan;
 };
@@ -78,9 +78,9 @@ class Simulation {
   bool judge_energies(const StepPlan& plan, const std::vector<double>& sums,
                       EnergyAttempts& attempts, std::string& reason);
   void tell_energies();
-  void book_energies(const StepPlan& plan, const std::vector<double>& sums);
-  double least_spacing() const;
-  void book(const StepPlan& plan, const std::vector<double>& sums);
+  void record_energies(const StepPlan& plan, const std::vector<double>& sums);
+  double min_spacing() const;
+  void record(const StepPlan& plan, const std::vector<double>& sums);
   void keep(const StepPlan& plan, const StepEnd& end);
   void prepare_next(const StepPlan& plan, const StepEnd& end);
   void act_on_switches(const std::vector<double>& sums);
@@ -113,8 +113,8 @@ class Simulation {
   EventLedger ledger_;
   Conservation conservation_;
   EnergyGuard energies_;
-  PartedBodies parted_;
-  Conservation tallies_;  // beside what is conserved: its "sources" alone
+  SeparatedBodies parted_;
+  Conservation tracked_;  // beside what is conserved: its "sources" alone
   StepStart step_start_;
   StepLimit limit_;
   RunStatus status_ = RunStatus::running;

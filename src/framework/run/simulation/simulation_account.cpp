@@ -41,7 +41,7 @@ Totals Simulation::totals() {
   for (ConservedTotal& m : t.momentum) merge_ranks(m, *communicator_);
   merge_ranks(t.internal_energy, *communicator_);
   merge_ranks(t.kinetic_energy, *communicator_);
-  for (int n = 0; n < tallies_.count(); ++n) t.tallies.push_back(tallies_.sources(n));
+  for (int n = 0; n < tracked_.count(); ++n) t.tracked_totals.push_back(tracked_.sources(n));
   for (ConservedTotal& a : t.amounts) merge_ranks(a, *communicator_);
   for (int l = 0; l < hierarchy_->level_count(); ++l) {
     const std::vector<double>& own = hierarchy_->level(l).attempt_result().sums;
@@ -75,13 +75,13 @@ void Simulation::set_totals(bool at_start) {
   set(energy);
   q = 0;
   for (const ConservedTotal& total : component_->tallied_totals(t)) {
-    if (at_start) tallies_.set_start(q, total);
-    tallies_.set_now(q++, total);
+    if (at_start) tracked_.set_start(q, total);
+    tracked_.set_now(q++, total);
   }
   conservation_.set_vector(component_->material_count(), 3, momentum_of_all_energy());
 }
 
-void Simulation::book(const StepPlan& plan, const std::vector<double>& sums) {
+void Simulation::record(const StepPlan& plan, const std::vector<double>& sums) {
   const bool joined = hierarchy_->possible_levels() > 1;
   const StepBalance b = component_->balance(sums, joined ? nullptr : &step_start_, plan.dt);
   int q = 0;
@@ -99,9 +99,9 @@ void Simulation::book(const StepPlan& plan, const std::vector<double>& sums) {
   }
   conservation_.add_boundary(q, single(b.energy));
   conservation_.add_sources(q, single(b.energy_of_forces));
-  const std::vector<double> added = component_->tallies(sums);
+  const std::vector<double> added = component_->tracked_totals(sums);
   for (std::size_t n = 0; n < added.size(); ++n)
-    tallies_.add_sources(static_cast<int>(n), single(added[n]));
+    tracked_.add_sources(static_cast<int>(n), single(added[n]));
 }
 
 // What the momentum would be if all the energy moved all the mass.

@@ -7,7 +7,7 @@
 
 namespace sluice {
 
-double Simulation::least_spacing() const {
+double Simulation::min_spacing() const {
   const Level& finest = hierarchy_->level(hierarchy_->level_count() - 1).level();
   double least = 0;
   for (int d = 0; d < 3; ++d)
@@ -22,8 +22,7 @@ bool Simulation::judge_energies(const StepPlan& plan, const std::vector<double>&
   attempts.refused = false;
   const std::vector<BodyEnergy> bodies = component_->body_energies(sums);
   if (bodies.empty()) return true;
-  const std::optional<EnergyGuard::Excess> excess =
-      energies_.judge(bodies, plan.dt, least_spacing());
+  const std::optional<EnergyGuard::Excess> excess = energies_.judge(bodies, plan.dt, min_spacing());
   if (!excess) return true;
   constexpr double no_less = 0.7;  // of what twice the step gained
   const bool inherited = attempts.gain > 0 && excess->gain > no_less * attempts.gain;
@@ -45,9 +44,9 @@ bool Simulation::judge_energies(const StepPlan& plan, const std::vector<double>&
   return false;
 }
 
-void Simulation::book_energies(const StepPlan& plan, const std::vector<double>& sums) {
+void Simulation::record_energies(const StepPlan& plan, const std::vector<double>& sums) {
   const std::vector<BodyEnergy> bodies = component_->body_energies(sums);
-  if (!bodies.empty()) energies_.accept(bodies, plan.step, plan.dt, least_spacing());
+  if (!bodies.empty()) energies_.accept(bodies, plan.step, plan.dt, min_spacing());
   parted_.accept(bodies, plan.step, plan.end);
 }
 
@@ -62,7 +61,7 @@ void Simulation::tell_energies() {
                                : "a solid has lost energy to transfer and integration",
                  place);
   }
-  for (const PartedBodies::Parting& parting : parted_.all()) {
+  for (const SeparatedBodies::Parting& parting : parted_.all()) {
     EventPlace place;
     place.step = parting.since;
     place.task = fmt::format("since t = {:g}, share of particles", parting.since_time);

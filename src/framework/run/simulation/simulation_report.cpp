@@ -34,19 +34,19 @@ RunReport Simulation::report() const {
   for (int l = 0; l < hierarchy_->possible_levels(); ++l) {
     const LevelSolver& solver = hierarchy_->level(l);
     r.blocks_run += solver.blocks_run();
-    r.blocks_asleep += solver.blocks_asleep();
-    r.updates_asleep += solver.cells_asleep();
+    r.blocks_skipped += solver.blocks_skipped();
+    r.updates_skipped += solver.cells_skipped();
     const std::vector<double> own = solver.effect_seconds();
     for (std::size_t e = 0; e < own.size(); ++e) seconds[e] += own[e];
   }
   Reduction of_all;
-  const auto run = of_all.add_count(r.blocks_run), asleep = of_all.add_count(r.blocks_asleep),
-             updates = of_all.add_count(r.updates_asleep),
+  const auto run = of_all.add_count(r.blocks_run), asleep = of_all.add_count(r.blocks_skipped),
+             updates = of_all.add_count(r.updates_skipped),
              particles_moved = of_all.add_count(particle_updates_);
   communicator_->reduce(of_all);
   r.blocks_run = of_all.count(run);
-  r.blocks_asleep = of_all.count(asleep);
-  r.updates_asleep = of_all.count(updates);
+  r.blocks_skipped = of_all.count(asleep);
+  r.updates_skipped = of_all.count(updates);
   r.particle_updates = of_all.count(particles_moved);
   r.particles_alone = component_->particles() != nullptr && component_->state_slots().empty();
   const std::vector<int> tasks = hierarchy_->level(0).effect_tasks();
@@ -58,7 +58,7 @@ RunReport Simulation::report() const {
   r.events_json = ledger_.to_json().dump();
   r.conservation_json = conservation_.to_json().dump();
   r.worst_drift = conservation_.worst_drift();
-  r.account = component_->account(tallies_);
+  r.budget = component_->budget(tracked_);
   r.solids_json = energies_.to_json().dump();
   r.solids_text = energies_.summary(component_->better_for_energy()) + parted_.summary();
   r.energy_scale = conservation_.scale(component_->material_count() + 3);

@@ -13,7 +13,7 @@ SolverOptions solver_options(const RunOptions& o) {
   s.force_all = o.force_all;
   s.sample_every = 61;
   s.block = o.block;
-  s.most_box_cells = o.most_box_cells;
+  s.max_box_cells = o.max_box_cells;
   return s;
 }
 

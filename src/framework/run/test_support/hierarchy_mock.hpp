@@ -157,7 +157,7 @@ class HierarchyMock final : public Component {
   Label mask_label() const override { return mock_labels().mask; }
   int reduction_maxima() const override { return 1; }
   int reduction_sums() const override { return 1; }  // of a, gained in uncovered cells
-  bool quiet_blocks_allowed() const override { return false; }
+  bool skipping_allowed() const override { return false; }
   double courant_number() const override { return 0; }  // flags are widened as the scene says
   void measure_rates(const Warehouse& state, Reductions& rates) const override;
   StepLimit step_limit(const std::vector<double>& maxima) const override {

@@ -74,7 +74,7 @@ class KindsMock final : public Component {
   Label refine_flag() const override { return {}; }
   int reduction_maxima() const override { return 1; }
   int reduction_sums() const override { return 2; }  // what entered of each material
-  bool quiet_blocks_allowed() const override { return true; }
+  bool skipping_allowed() const override { return true; }
   double courant_number() const override { return 0.5; }
 
   int step_kinds() const override { return 3; }

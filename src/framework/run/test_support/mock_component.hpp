@@ -43,7 +43,7 @@ class MockComponent : public Component {
   Label refine_flag() const override { return mock_labels().square; }
   int reduction_maxima() const override { return 1; }
   int reduction_sums() const override { return 1; }
-  bool quiet_blocks_allowed() const override { return true; }
+  bool skipping_allowed() const override { return true; }
   double courant_number() const override { return greed; }
 
   static double start(int i) { return 1 + 0.125 * ((i * 5) % 7); }

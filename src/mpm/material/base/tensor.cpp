@@ -12,10 +12,10 @@ namespace {
 // others. R: F without its change of volume, which takes fewer steps.
 template <int width>
 void turn(double (&R)[9][width]) {
-  constexpr int most_steps = 40;
+  constexpr int max_steps = 40;
   double goes[width];
   for (double& x : goes) x = 1;
-  for (int step = 0; step < most_steps; ++step) {
+  for (int step = 0; step < max_steps; ++step) {
     for (int l = 0; l < width; ++l) {
       Matrix old;
       for (std::size_t m = 0; m < 9; ++m) old[m] = R[m][l];

@@ -30,7 +30,7 @@ struct FibreConstants {
   double K, c1, c2, c3, c4, c5, c6, stretch;  // stretch: l*
   std::array<double, 3> direction;
   bool fails;
-  double most_stretch, most_shear, density;
+  double max_stretch, max_shear, density;
   std::array<double, shares> y{}, t{};
   bool relaxes = false;
 };
@@ -151,8 +151,8 @@ class FibreRubber final : public Material {
     if (!c_.fails) return 0;
     int now = before;
     const Principal C = principal(left_cauchy_green(transposed(F)));
-    if (0.5 * (C.values[2] - C.values[0]) > c_.most_shear) now |= 1;
-    if (p.stretch > c_.most_stretch) now |= 2;
+    if (0.5 * (C.values[2] - C.values[0]) > c_.max_shear) now |= 1;
+    if (p.stretch > c_.max_stretch) now |= 2;
     return now;
   }
 
@@ -255,8 +255,8 @@ std::shared_ptr<const Material> make(const Parameters& p, bool relaxes) {
   }
   c.direction = {a[0] / size, a[1] / size, a[2] / size};
   c.fails = p.real("failure_option") != 0;
-  c.most_stretch = p.real("max_fiber_strain");
-  c.most_shear = p.real("max_matrix_strain");
+  c.max_stretch = p.real("max_fiber_strain");
+  c.max_shear = p.real("max_matrix_strain");
   c.density = p.constants().density;
   c.relaxes = relaxes;
   for (std::size_t k = 0; relaxes && k < shares; ++k) {

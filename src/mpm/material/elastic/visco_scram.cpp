@@ -32,7 +32,7 @@ constexpr std::size_t elements = 5;
 struct ScramConstants {
   std::array<double, elements> G{}, rate{};  // G_i, 1/tau_i
   double shear = 0, bulk = 0, density = 0, specific_heat = 0, expansion = 0;
-  double a = 0, m = 0, most_growth = 0, K_0 = 0, friction = 0, c_0 = 0, growth = 0;
+  double a = 0, m = 0, max_growth = 0, K_0 = 0, friction = 0, c_0 = 0, growth = 0;
   double beta = 0, gamma = 0;
   double T_0 = 298, C1 = 6.5, C2 = 120;
   bool shifts = false, objective = true;
@@ -159,7 +159,7 @@ class ViscoScram final : public Material {
     const double size = std::sqrt(1.5 * double_dot(d.rate, d.rate));
     d.v = size <= 1e-8 ? 0 : std::exp(0.90564746 * std::log(size) - 2.90178468);
     if (d.mean > 0) d.v *= c_.growth;
-    d.v = std::min(d.v, c_.most_growth);
+    d.v = std::min(d.v, c_.max_growth);
 
     const double fastest = *std::max_element(c_.rate.begin(), c_.rate.end()) * d.shift;
     const int parts = static_cast<int>(std::clamp(std::ceil(2 * dt * fastest), 1.0, 1e5));
@@ -239,7 +239,7 @@ std::shared_ptr<const Material> make(const Parameters& p) {
   c.expansion = p.real("CoeffThermalExpansion");
   c.a = p.real("CrackParameterA");
   c.m = p.real("CrackPowerValue");
-  c.most_growth = p.real("CrackMaxGrowthRate");
+  c.max_growth = p.real("CrackMaxGrowthRate");
   c.K_0 = p.real("StressIntensityF");
   c.friction = p.real("CrackFriction");
   c.c_0 = p.real("InitialCrackRadius");

@@ -84,7 +84,7 @@ BrittleState brittle(const DamageConstants& c, const BrittleState& old, const Sy
   const double d = c.d;
   const double C = c.r_0 * std::cbrt(volume) * (1 + d) * std::log1p(d) / (c.fracture_energy * d);
   const double D = 0.999 / d * ((1 + d) / (1 + d * std::exp(-C * (tau - c.r_0))) - 1);
-  return {std::max(old.damage, std::min(D, old.damage + c.most_rise)), tau};
+  return {std::max(old.damage, std::min(D, old.damage + c.max_rise)), tau};
 }
 
 }  // namespace sluice::mpm

@@ -24,7 +24,7 @@ struct DamageConstants {
   std::uint64_t seed = 0;
   double friction = 0, cutoff = 1e10;  // angle, rad; tension over cohesion
   // brittle
-  double r_0 = 0, fracture_energy = 0, d = 0, most_rise = 0.1, recovery = 0;
+  double r_0 = 0, fracture_energy = 0, d = 0, max_rise = 0.1, recovery = 0;
   double young = 0;  // E of the law
 };
 

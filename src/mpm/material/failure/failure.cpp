@@ -56,7 +56,7 @@ class MaterialWithFailure final : public Material {
   void start(const Batch& b) const override {
     for (std::size_t k = of_law_; k < b.history.size(); ++k)
       std::fill_n(b.history[k], b.count, 0.0);
-    law_->start(of_law(b));
+    law_->start(law_batch(b));
     for (int i = 0; i < b.count; ++i) {
       if (threshold_at_ >= 0)
         b.history[threshold_at_][i] = drawn_threshold(c_.damage, b.id[i], b.volume_0[i]);
@@ -68,7 +68,7 @@ class MaterialWithFailure final : public Material {
   }
 
   std::optional<BatchFault> update(const Batch& b) const override {
-    if (auto fault = law_->update(of_law(b))) return fault;
+    if (auto fault = law_->update(law_batch(b))) return fault;
     for (std::size_t k = of_law_; k < b.history.size(); ++k)
       std::copy_n(b.old_history[k], b.count, b.history[k]);
     const Six<const double> new_stress = {b.stress[0], b.stress[1], b.stress[2],
@@ -90,7 +90,7 @@ class MaterialWithFailure final : public Material {
     columns_ += h.components;
     return at;
   }
-  Batch of_law(const Batch& b) const {
+  Batch law_batch(const Batch& b) const {
     Batch part = b;
     const std::size_t n = of_law_;
     part.history = b.history.first(n);
@@ -274,7 +274,7 @@ void read_brittle(const Parameters& p, const Material& law, DamageConstants& d) 
   d.r_0 = p.real("brittle_damage_initial_threshold");
   d.fracture_energy = p.real("brittle_damage_fracture_energy");
   d.d = p.real("brittle_damage_constant_D");
-  d.most_rise = p.real("brittle_damage_max_damage_increment");
+  d.max_rise = p.real("brittle_damage_max_damage_increment");
   if (p.flag("brittle_damage_allowRecovery")) d.recovery = p.real("brittle_damage_recoveryCoeff");
   const double K = law.bulk_modulus(), G = law.shear_modulus();
   d.young = 9 * K * G / (3 * K + G);

@@ -65,7 +65,7 @@ constexpr const char* column_names[] = {"p.plasticVolStrain",
                                         "p.ArenaSTREN",
                                         "p.ArenaYSLOPE"};
 
-constexpr double least_coherence = 1e-9;  // what has failed keeps a stiffness that is a number
+constexpr double min_coherence = 1e-9;  // what has failed keeps a stiffness that is a number
 
 class Arena final : public Material {
  public:
@@ -202,7 +202,7 @@ class Arena final : public Material {
     const double stiffer = moduli(trace(s.sigma) + trace(change), s.e_v, s.C).K / m.K - 1;
     const double wanted = std::ceil(std::max(
         10 * std::abs(stiffer), std::sqrt(double_dot(change, change)) / (c_.part_size * size)));
-    return wanted < c_.most_parts ? std::max(static_cast<int>(wanted), 1) : c_.most_parts;
+    return wanted < c_.max_parts ? std::max(static_cast<int>(wanted), 1) : c_.max_parts;
   }
 
   // Through a strain; `elastic` becomes the change of stress of a body that does not yield.
@@ -245,7 +245,7 @@ class Arena final : public Material {
     if (!(plastic > 0) || !(all > 0)) return;
     s.grown += dt * std::min(plastic / all, 1.0);
     const double C = 1 / (1 + std::exp(c_.fspeed * (s.grown / c_.t_fail - 1)));
-    s.C = std::max(std::min(s.C, C), least_coherence);
+    s.C = std::max(std::min(s.C, C), min_coherence);
   }
 
   // From a trial stress to the surface that is there after the plastic strain.

@@ -24,7 +24,7 @@ struct ArenaConstants {
   bool damage = false;            // coherence falls with the time of plastic flow
   double fspeed = 0, t_fail = 1;  // 1, s
   double part_size = 1;           // of the change of stress in a part, of the surface's size
-  int most_parts = 1;             // of a step
+  int max_parts = 1;              // of a step
   double density = 0;
 };
 

@@ -12,7 +12,7 @@
 namespace sluice::mpm {
 namespace {
 
-constexpr double least_p0 = 1000;  // Pa: of the model's authors
+constexpr double min_p0 = 1000;  // Pa: of the model's authors
 constexpr const char* spread[] = {"PEAKI1", "FSLOPE", "STREN", "YSLOPE", "BETA", "CR", "T1", "T2"};
 
 TagSpec not_negative(std::string name, std::string doc) {
@@ -110,11 +110,11 @@ bool read_crush(const Parameters& p, WetSoil& soil) {
   soil.p1 = p.real("p1");
   soil.p1_sat = p.real("p1_sat");
   soil.p2 = p.real("p2");
-  if (soil.p0 < least_p0) {
+  if (soil.p0 < min_p0) {
     add_warning(
         p.faults(), p.block("p0")->where,
-        fmt::format("{}: <p0> is less than {:g} Pa, which is used instead", p.owner(), least_p0));
-    soil.p0 = least_p0;
+        fmt::format("{}: <p0> is less than {:g} Pa, which is used instead", p.owner(), min_p0));
+    soil.p0 = min_p0;
   }
   if (std::abs(p.real("p3") - soil.p3()) > 1e-3 * soil.p3())
     add_warning(p.faults(), p.block("p3")->where,
@@ -206,7 +206,7 @@ std::shared_ptr<const Material> make_soil(const Parameters& p) {
              elastic = read_elastic(p, c.soil), yield = read_yield(p, c);
   if (!supported || !crush || !elastic || !yield) return nullptr;
   c.part_size = p.real("yield_surface_radius_scaling_factor");
-  c.most_parts = static_cast<int>(std::clamp(p.real("subcycling_characteristic_number"), 1.0, 1e6));
+  c.max_parts = static_cast<int>(std::clamp(p.real("subcycling_characteristic_number"), 1.0, 1e6));
   c.density = p.constants().density;
   return make_arena(c);
 }

@@ -145,7 +145,7 @@ class Arenisca final : public Material {
     const double size = std::min(0.5 * (now.limit.peak - now.X), now.strength(now.kappa));
     const Symmetric change = elastic_change(middle_modulus(s, trace(strain)), strain);
     const double wanted = std::ceil(10 * std::sqrt(double_dot(change, change)) / size);
-    return wanted < c_.most_parts ? std::max(static_cast<int>(wanted), 1) : c_.most_parts;
+    return wanted < c_.max_parts ? std::max(static_cast<int>(wanted), 1) : c_.max_parts;
   }
 
   // Through a strain; the change of stress of a body that does not yield comes back.

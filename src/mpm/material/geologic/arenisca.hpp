@@ -16,7 +16,7 @@ struct AreniscaConstants {
   double beta = 1;                      // of plastic flow: 1 associated, less dilates less
   double hardening = 0, kinematic = 0;  // H, c, Pa
   double T1 = 0, T2 = 0;                // s^(1 - T2), 1
-  int most_parts = 1;                   // of a step
+  int max_parts = 1;                    // of a step
   double density = 0;
 };
 

@@ -82,7 +82,7 @@ std::optional<AreniscaConstants> common(const Parameters& p, double STREN, doubl
   c.rock.fluid_pressure = c.rock.fluid > 0 ? p.real("fluid_pressure_initial") : 0;
   c.T1 = p.real("T1_rate_dependence");
   c.T2 = p.real("T2_rate_dependence");
-  c.most_parts = static_cast<int>(std::clamp(p.real("subcycling_characteristic_number"), 1.0, 1e6));
+  c.max_parts = static_cast<int>(std::clamp(p.real("subcycling_characteristic_number"), 1.0, 1e6));
   c.density = p.constants().density;
   if (!good) return std::nullopt;
   return c;

@@ -17,7 +17,7 @@ namespace {
 
 struct JwlppConstants {
   ExplosiveMixture of;
-  double ignition, G, b, most_burned, J0, density;
+  double ignition, G, b, max_burned, J0, density;
 };
 
 class Jwlpp final : public Material {
@@ -62,7 +62,7 @@ class Jwlpp final : public Material {
   double burnt(double f, double J_0, double J_1, double dt) const {
     constexpr double most = 0.02;  // relative, in a sub-step
     double t = 0;
-    for (int k = 0; k < 100000 && t < dt && f < c_.most_burned; ++k) {
+    for (int k = 0; k < 100000 && t < dt && f < c_.max_burned; ++k) {
       const auto rate = [&](double at_time, double at_f) {
         const double J = (J_0 + (J_1 - J_0) * at_time / dt) * c_.J0;
         return c_.G * std::pow(std::max(c_.of.pressure(J, at_f), 0.0), c_.b);
@@ -78,7 +78,7 @@ class Jwlpp final : public Material {
       t = h == dt - t ? dt : t + h;
       if (1 - f < 1e-12) f = 1;
     }
-    return std::min(f, c_.most_burned);
+    return std::min(f, c_.max_burned);
   }
 
   JwlppConstants c_;

@@ -37,7 +37,7 @@ struct MechanicalThreshold {
             a_3 * s.temperature};
   }
   double stress(const Here& here, double strain, double rate_) const {
-    const double rate = std::max(rate_, least_rate), ln_rate = std::log(rate);
+    const double rate = std::max(rate_, min_rate), ln_rate = std::log(rate);
     double of_barriers = factor(here.thermal / g_0e * (ln_rate_0e - ln_rate), p_e, q_e) *
                          evolved(here, strain, rate, ln_rate);
     if (sigma_i != 0)

@@ -27,7 +27,7 @@ struct PrestonTonksWallace {
     return {s.shear, kappa * s.temperature / s.melt, gamma * xi};
   }
   double stress(const Here& here, double strain, double rate_) const {
-    const double rate = std::max(rate_, least_rate), share = rate / here.gamma_xi;
+    const double rate = std::max(rate_, min_rate), share = rate / here.gamma_xi;
     const double glide = std::erf(std::max(-here.kappa_T * std::log(share), 0.0));
     const double driven = s_0 * std::pow(share, beta);
     const double tau_s = std::max(s_0 - (s_0 - s_inf) * glide, driven);

@@ -20,7 +20,7 @@ struct ZerilliArmstrong {
   };
   Here at(const MetalState& s) const { return {s.temperature}; }
   double stress(const Here& here, double strain, double rate) const {
-    const double ln_rate = std::log(std::max(rate, least_rate));
+    const double ln_rate = std::log(std::max(rate, min_rate));
     const double beta = std::max(beta_0 - beta_1 * ln_rate, 0.0);
     const double a = std::max(alpha_0 - alpha_1 * ln_rate, 0.0);
     return c_0 + K * std::pow(strain, n) + B * std::exp(-beta * here.T) +

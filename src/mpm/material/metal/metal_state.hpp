@@ -13,6 +13,6 @@ struct MetalState {
 };
 
 // No law of rates is asked for less: logarithms end.
-inline constexpr double least_rate = 1e-8;  // 1/s
+inline constexpr double min_rate = 1e-8;  // 1/s
 
 }  // namespace sluice::mpm
