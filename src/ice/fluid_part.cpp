@@ -4,16 +4,16 @@
 
 #include <algorithm>
 
-#include "ice/classic/variables.hpp"
 #include "ice/fluid/labels.hpp"
+#include "ice/internal_energy_form/variables.hpp"
 #include "ice/levels/interface_seeds.hpp"
 #include "ice/levels/mixture_transfer.hpp"
 #include "ice/levels/offset_transfer.hpp"
 #include "ice/levels/scalar_transfer.hpp"
 #include "ice/one_material/leaving_shocks.hpp"
+#include "ice/outputs/criteria.hpp"
 #include "ice/pressure/finer_faces.hpp"
 #include "ice/pressure/pressure_solve.hpp"
-#include "ice/saved/criteria.hpp"
 #include "ice/sources/source_tasks.hpp"
 #include "ice/start/initialise.hpp"
 #include "ice/step/effect_ids.hpp"
@@ -220,13 +220,9 @@ SchemeOptions FluidPart::graph_options(const StepVariant& variant) const {
 void FluidPart::declare_step(TaskList& list, const StepVariant& variant) const {
   const SchemeOptions o = graph_options(variant);
   list.enter(o.places);
-  if (o.internal_energy_form) return declare_internal_energy_form(list, o, effects_);
-  if (!o.mixture)
-    return o.has_cut_cells ? declare_cut_material(list, o, effects_)
-                           : declare_one_material(list, o, effects_);
-  if (o.has_cut_cells) return declare_cut_mixture(list, o, effects_);
-  if (o.multi_velocity) return declare_multi_velocity(list, o, effects_);
-  declare_mixture(list, o, effects_);
+  if (o.internal_energy_form) return declare_step_of_internal_energy(list, o, effects_);
+  if (o.has_cut_cells) return declare_step_of_cut_cells(list, o, effects_);
+  declare_step_of_full_cells(list, o, effects_);
 }
 
 // Semi-implicit: d by passes over a system that is made once, then the step with what came out.

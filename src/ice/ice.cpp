@@ -1,9 +1,9 @@
 // What the run loop asks of the fluid alone; the time steps are in step_tables.cpp.
 #include "ice/ice.hpp"
 
-#include "ice/account/rates.hpp"
-#include "ice/account/step_limit.hpp"
-#include "ice/account/totals.hpp"
+#include "ice/budgets/rates.hpp"
+#include "ice/budgets/step_limit.hpp"
+#include "ice/budgets/totals.hpp"
 #include "ice/fluid/labels.hpp"
 
 namespace sluice::ice {

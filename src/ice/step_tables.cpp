@@ -1,21 +1,21 @@
 #include "ice/step_tables.hpp"
 
-#include "ice/account/tasks.hpp"
-#include "ice/classic/variables.hpp"
-#include "ice/mixture/slip.hpp"
+#include "ice/budgets/tasks.hpp"
+#include "ice/cut_cells/materials.hpp"
+#include "ice/cut_cells/variables.hpp"
+#include "ice/internal_energy_form/variables.hpp"
 #include "ice/mixture/surface.hpp"
+#include "ice/multi_velocity/tasks.hpp"
 #include "ice/one_material/tasks.hpp"
+#include "ice/outputs/materials_of_mixture.hpp"
+#include "ice/outputs/step_labels.hpp"
 #include "ice/pressure/variables.hpp"
-#include "ice/saved/materials_of_mixture.hpp"
-#include "ice/saved/step_labels.hpp"
 #include "ice/scalars/heat_release.hpp"
 #include "ice/scalars/reactions.hpp"
 #include "ice/scalars/variables.hpp"
 #include "ice/sources/source_tasks.hpp"
 #include "ice/step/effect_ids.hpp"
 #include "ice/transport/viscosity.hpp"
-#include "ice/walls/materials.hpp"
-#include "ice/walls/variables.hpp"
 
 namespace sluice::ice {
 namespace {
@@ -41,18 +41,9 @@ void add_face_states(TaskList& list, const SchemeVariables& v, const SchemeOptio
   add_faces(list, v, o, effect_flow);
 }
 
-// Steps 7 and 8 of donors beside solids.
-void add_bases_and_fluxes(TaskList& list, const SchemeVariables& v, const SchemeOptions& o) {
-  SchemeOptions masked = o;
-  masked.masked = true;  // weights of slopes take the place of the mask of a redone step
-  add_remap_bases(list, walls::base_variables(v), masked, effect_second_order);
-  for (int axis = 0; axis < o.axes.count; ++axis)
-    add_remap_flux(list, walls::remap_variables(v, axis), masked, effect_flow, axis);
-}
-
 // What leaves through sides and levels, and what forces and models add: all steps alike.
-void add_accounts(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
-                  const EffectList& effects) {
+void add_budgets(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+                 const EffectList& effects) {
   if (effects.on(effect_boundary_budget))
     add_boundary_budget(list, v, o, effect_boundary_budget);  // fluxes         sums
   add_gravity_budget(list, v, o, effect_of_forces(o));        // m, dp          sums
@@ -61,211 +52,255 @@ void add_accounts(TaskList& list, const SchemeVariables& v, const SchemeOptions&
   add_flux_record(list, v, o, effect_flux_record);            // fluxes         face tables
 }
 
+mixture::Variables declare_variables(TaskList& list, const SchemeOptions& o) {
+  if (o.mixture) return mixture::declare_variables(list, o);
+  mixture::Variables one;
+  one.common = declare_conservative_variables(list, o);
+  return one;
+}
+
+// The masses that carry scalars: before the step, and as the remap leaves them.
+scalars::Masses masses_of(const mixture::Variables& m, std::span<const VariableId> remapped) {
+  if (m.mass.empty()) return {std::span(&m.common.rho, 1), remapped, {}};
+  return {m.mass, remapped, m.volume};
+}
+
+// A row of a step: a task that is there where the first column says so.
+struct Rows {
+  TaskList& list;
+  const SchemeOptions& o;
+
+  template <class Add, class Variables>
+  void operator()(bool when, Add add, const Variables& v, int effect) const {
+    if (when) add(list, v, o, effect);
+  }
+};
+
+void add_mixture_primitives(TaskList& list, const mixture::Variables& m, const SchemeOptions& o,
+                            int effect) {
+  mixture::add_primitives(list, m, o, effect);
+}
+void add_transport_models(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+                          int /*effect*/) {
+  add_transport(list, v, o, effect_viscosity, effect_turbulence);
+}
+void add_mixture_friction(TaskList& list, const mixture::Variables& m, const SchemeOptions& o,
+                          int /*effect*/) {
+  mixture::add_friction(list, m, o);
+}
+
+mixture::Variables declare_full_cells(TaskList& list, const SchemeOptions& o, bool apart) {
+  mixture::Variables m = declare_variables(list, o);
+  if (apart) mixture::declare_relative_velocities(list, o, m);
+  if (o.implicit) pressure::declare_variables(list, o, m.common);
+  if (o.implicit && apart) m.slip.common.solve = m.common.solve;
+  std::span<const VariableId> remapped(&m.common.rho_remap, 1);
+  if (o.mixture) remapped = apart ? m.mass_new : m.mass_remap;
+  scalars::declare_variables(list, o, m.common, masses_of(m, remapped));
+  return m;
+}
+
+// `x`: what several materials need in addition.
+mixture::Variables declare_cut_cells(TaskList& list, const SchemeOptions& o, bool apart,
+                                     cut_cells::MaterialVariables& x) {
+  mixture::Variables m = declare_variables(list, o);
+  SchemeVariables& v = m.common;
+  if (apart) mixture::declare_relative_velocities(list, o, m);
+  cut_cells::declare_variables(list, o, v);
+  if (o.implicit) pressure::declare_variables(list, o, v);
+  if (o.mixture) x = cut_cells::declare_materials(list, o, m);
+  scalars::declare_variables(
+      list, o, v,
+      masses_of(m, o.mixture ? std::span<const VariableId>(m.mass_remap)
+                             : std::span<const VariableId>(&v.walls.after_rho, 1)));
+  cut_cells::declare_scalar_walls(list, o, v);
+  return m;
+}
+
+// The variables of a step as tasks of full cells take them where solids cut some: what these call
+// by one name is another variable there.
+struct CutCellViews {
+  SchemeVariables moving;    // of the volume, which moves as its materials do together
+  SchemeVariables fluid;     // faces between cells of fluid alone
+  mixture::Variables open;   // stress and heat of whole faces, before their open share is taken
+  mixture::Variables whole;  // faces of full cells
+  mixture::Variables bases;  // donors of the remap
+  mixture::Variables cells;  // amounts, as the update takes them
+  mixture::Variables sides;  // what passes the sides of the domain
+  SchemeVariables saved;     // the state as outputs see it
+};
+
+CutCellViews views_of(const mixture::Variables& m, const cut_cells::MaterialVariables& x,
+                      bool apart) {
+  const SchemeVariables& v = m.common;
+  CutCellViews s;
+  s.moving = apart ? cut_cells::volume_variables(m) : v;
+  s.fluid = cut_cells::fluid_face_variables(s.moving);
+  s.open = s.whole = s.bases = s.cells = s.sides = m;
+  s.open.common.stress = v.walls.whole_stress;
+  s.open.common.heat_flux = v.walls.whole_heat_flux;
+  s.open.heat_flux = x.whole_heat_of_each;
+  s.whole.common.face_velocity = v.walls.flow;
+  s.bases.common = cut_cells::base_variables(v);
+  s.cells.common.momentum = v.walls.momentum;
+  s.sides.common.face_velocity = v.walls.flow;
+  s.saved = v;
+  if (!m.mass.empty()) return s;
+  s.saved.rho_new = v.walls.after_rho;
+  s.saved.momentum_new = v.walls.after_momentum;
+  s.saved.energy_new = v.walls.after_energy;
+  return s;
+}
+
+// What passes the faces, as between full cells.
+void add_cut_remap_fluxes(TaskList& list, const mixture::Variables& m,
+                          const cut_cells::MaterialVariables& x, const SchemeOptions& masked) {
+  for (int axis = 0; axis < masked.axes.count; ++axis)
+    if (!masked.mixture)
+      add_remap_flux(list, cut_cells::remap_variables(m.common, axis), masked, effect_flow, axis);
+    else if (masked.multi_velocity)
+      mixture::add_slip_flux(list, cut_cells::full_cell_remap(m, x, axis), masked, effect_flow,
+                             axis);
+    else
+      mixture::add_remap_flux(list, cut_cells::full_cell_remap(m, x, axis), masked, effect_flow,
+                              axis);
+}
+
+// Of a semi-implicit step: the error of the volume that is left. `moving`: how the volume moves.
+void add_end_of_solve(TaskList& list, const mixture::Variables& m, const SchemeVariables& moving,
+                      const SchemeOptions& o) {
+  constexpr int solve = effect_pressure_solve;
+  if (!o.implicit) return;
+  if (o.mixture) return pressure::add_end_of_mixture(list, m, moving, o, solve);
+  if (o.has_cut_cells) return pressure::add_cut_cell_end_of_step(list, m.common, o, solve);
+  pressure::add_end_of_one(list, m.common, o, solve);
+}
+
+// Scalars of materials that move apart.
+void add_scalars_of_each(TaskList& list, const mixture::Variables& m, const SchemeOptions& o) {
+  scalars::add_tasks(list, scalars::add_own_motion(list, m, o, effect_scalars), o, effect_scalars);
+}
+
 }  // namespace
 
-// One conservative step. Each line is a task (one for each axis where it says "faces" or "remap"),
-// in the file of its name under one_material/; when it is absent is said there in its first line.
-void declare_one_material(TaskList& list, const SchemeOptions& o, const EffectList& effects) {
-  SchemeVariables v = declare_conservative_variables(list, o);
-  if (o.implicit) pressure::declare_variables(list, o, v);
-  scalars::declare_variables(list, o, v, {std::span(&v.rho, 1), std::span(&v.rho_remap, 1), {}});
-  // task                    reads                              writes
-  add_primitives(list, v, o, effect_flow);          // state                    u, p, c
-  add_face_states(list, v, o);                      // u, p, c                  slopes, u_f, p_f
-  add_shock_shear(list, v, o, effect_shock_shear);  // rho, u, p, c     k of faces along shocks
-  add_transport(list, v, o, effect_viscosity, effect_turbulence);  // rho, E, u  mu, k of cells
-  add_viscous_stress(list, v, o, effect_viscosity);                // u                        t_f
-  add_heat_flux(list, v, o, effect_conduction);      // rho, E                   T, q_f
-  add_lagrangian(list, v, o, effect_flow);           // state, u_f, p_f, t_f, q  rho_L, E_L, v, E*
-  add_remap_bases(list, v, o, effect_second_order);  // state, slopes, Lagrange  bases
-  add_remap_fluxes(list, v, o, effect_flow);         // u_f, Lagrange, bases     F, G, U
-  add_update(list, v, o, effect_flow);               // Lagrange, fluxes         new state, rates
-  scalars::add_tasks(list, v, o, effect_scalars);    // u, u_f, F, 1/J, N        new scalars
-  scalars::add_heat_release(list, v, o, effect_sources);  // f, q, remap         new state, rates
-  scalars::add_reactions(list, v, o, effect_sources);     // Y, remap            new state, rates
-  if (o.implicit)
-    pressure::add_end_of_one(list, v, o, effect_pressure_solve);  // X, new state  R, new Y
-  add_accounts(list, v, o, effects);  // fluxes, m, dp   sums, face tables
-  declare_step_outputs(list, v, o, material_alone(list, v, o));  // whatever a deck saves  outputs
+// One conservative step of cells that are full of fluid: of one material, of several with one
+// velocity, or with a velocity each ("apart": multi_velocity/tasks.hpp). Each line is a task (one
+// for each axis where it says "faces" or "remap"), in the file of its name under one_material/ or
+// under the folder of its namespace; when it is absent is said here or there in its first line.
+void declare_step_of_full_cells(TaskList& list, const SchemeOptions& o, const EffectList& effects) {
+  const bool several = o.mixture, one = !several, apart = several && o.multi_velocity;
+  const bool together = several && !apart;
+  mixture::Variables m = declare_full_cells(list, o, apart);
+  const SchemeVariables &v = m.common, &moving = apart ? m.slip.common : m.common;
+  constexpr int flow = effect_flow, second_order = effect_second_order,
+                drag = effect_momentum_exchange;
+  constexpr int friction = effect_viscosity, equilibrium = effect_equilibration;
+  const int heat = o.conducting ? effect_conduction : effect_viscosity;
+  const Rows row{list, o};
+  // when        task, variables, effect                          // reads -> writes
+  row(one, add_primitives, v, flow);                           // state -> u, p, c
+  row(several, add_mixture_primitives, m, equilibrium);        // state -> who is where, u, p, c
+  row(several, mixture::add_surface, m, drag);                 // V_m -> where gas slips
+  row(apart, mixture::add_slip_motion, m, drag);               // state -> u_m; u, c of volume
+  add_face_states(list, moving, o);                            // u, p, c -> slopes, u_f, p_f
+  row(true, add_shock_shear, v, effect_shock_shear);           // u, p, c -> k along shocks
+  row(one, add_transport_models, v, friction);                 // rho, E, u -> mu, k of cells
+  row(one, add_viscous_stress, v, friction);                   // u -> t_f
+  row(one, add_heat_flux, v, effect_conduction);               // rho, E -> T, q_f
+  row(several, add_mixture_friction, m, friction);             // V_m, T_m, u -> mu, t_f
+  if (apart) mixture::add_slip_stress(list, m, o, friction);   // u_m -> t of each
+  row(apart, mixture::add_slip_phase, m, drag);                // p_f -> w_mL, drift, work
+  row(several, mixture::add_heat_flux, m, effect_conduction);  // T_m -> q_f of each
+  row(several, mixture::add_transported_heat, m, heat);        // t_f, q_f -> heat of each
+  row(one, add_lagrangian, v, flow);                           // faces -> rho_L, E_L, v, E*
+  row(several, mixture::add_lagrangian, m, flow);              // u_f, p_f -> E_mL, scales
+  row(apart, mixture::add_slip_faces, m, drag);                // drift -> u_fm, outflow
+  row(one, add_remap_bases, v, second_order);                  // Lagrange -> bases
+  row(several, mixture::add_remap_bases, m, second_order);     // Lagrange -> bases
+  row(apart, mixture::add_slip_bases, m, drag);                // Lagrange -> bases of u_m
+  row(one, add_remap_fluxes, v, flow);                         // u_f, bases -> F, G, U
+  row(together, mixture::add_remap_fluxes, m, flow);           // bases -> FV, FM, FE of each, U
+  row(apart, mixture::add_slip_fluxes, m, flow);               // bases -> FV, FM, FE, U of each
+  row(one, add_update, v, flow);                               // fluxes -> new state, rates
+  row(together, mixture::add_update, m, equilibrium);          // fluxes -> new state, rates
+  row(apart, mixture::add_slip_update, m, equilibrium);        // fluxes -> new state, rates
+  row(!apart, scalars::add_tasks, v, effect_scalars);          // u, u_f, F, 1/J -> new scalars
+  row(one, scalars::add_heat_release, v, effect_sources);      // f, q, remap -> new state
+  row(one, scalars::add_reactions, v, effect_sources);         // Y, remap -> new state
+  row(together, mixture::add_one_pressure, m, equilibrium);    // f, remap -> new state
+  add_end_of_solve(list, m, moving, o);                        // X, new state -> R, new Y
+  if (apart) add_scalars_of_each(list, m, o);                  // u_m, fluxes -> new scalars
+  add_budgets(list, v, o, effects);                            // fluxes, m, dp -> sums
+  row(apart, mixture::add_relative_velocity_force_budget, m, effect_of_forces(o));
+  declare_step_outputs(list, v, o,
+                       one ? material_alone(list, v, o) : mixture::materials_of_step(list, m, o));
 }
 
-// The same where solids are in the fluid; the tasks under walls/ but for those of whole cells.
-void declare_cut_material(TaskList& list, const SchemeOptions& o, const EffectList& effects) {
-  SchemeVariables v = declare_conservative_variables(list, o);
-  walls::declare_variables(list, o, v);
-  if (o.implicit) pressure::declare_variables(list, o, v);
-  scalars::declare_variables(list, o, v,
-                             {std::span(&v.rho, 1), std::span(&v.walls.after_rho, 1), {}});
-  walls::declare_scalar_walls(list, o, v);
-  const SchemeVariables fluid = walls::fluid_face_variables(v);
-  SchemeVariables open = v;
-  open.stress = v.walls.whole_stress;
-  open.heat_flux = v.walls.whole_heat_flux;
-  // task                    reads                              writes
-  walls::add_apertures(list, v, o, effect_solids);          // theta, a           where slopes count
-  add_primitives(list, v, o, effect_flow);                  // state              u, p, c
-  add_face_states(list, fluid, o);                          // u, p, c            slopes, u_f, p_f
-  walls::add_open_faces(list, fluid, v, o, effect_solids);  // u_f, p_f, A, C    u_f, p_f, w
-  add_shock_shear(list, v, o, effect_shock_shear);          // rho, u, p, c, theta  k of faces
-  if (o.implicit) pressure::add_cut_cell_system(list, v, o, effect_pressure_solve);  // w  matrix, R
-  add_transport(list, v, o, effect_viscosity, effect_turbulence);  // rho, E, u  mu, k of cells
-  add_viscous_stress(list, open, o, effect_viscosity);             // u                  t_f
-  add_heat_flux(list, open, o, effect_conduction);                 // rho, E             T, q_f
-  walls::add_shares(list, open, v, o, effect_solids);  // t_f, q_f, a        of open faces
-  walls::add_lagrangian(list, v, o, effect_solids);    // state, faces       Lagrange, donors
-  add_bases_and_fluxes(list, v, o);                    // Lagrange, slopes   F, G, U
-  walls::add_update(list, v, o, effect_solids);        // Lagrange, fluxes   new state, rates
-  if (o.implicit)
-    pressure::add_cut_cell_end_of_step(list, v, o,
-                                       effect_pressure_solve);  // X, new state  R, new Y
-  SchemeVariables sides = v;  // what passes through the sides of the domain
-  sides.face_velocity = v.walls.flow;
-  walls::add_scalar_walls(list, v, o, effect_solids);  // rho, theta, open   M, weights
-  scalars::add_tasks(list, sides, o, effect_scalars);  // u, w, F, 1/J, N    new scalars
-  add_accounts(list, sides, o, effects);               // fluxes, m, dp   sums, face tables
-  SchemeVariables saved = v;
-  saved.rho_new = v.walls.after_rho;
-  saved.momentum_new = v.walls.after_momentum;
-  saved.energy_new = v.walls.after_energy;
-  declare_step_outputs(list, saved, o, material_alone(list, saved, o));  // what a deck saves
-}
-
-// The same where several materials may meet; the tasks of that name under mixture/, but for those
-// of the mixture as a whole.
-void declare_mixture(TaskList& list, const SchemeOptions& o, const EffectList& effects) {
-  mixture::Variables m = mixture::declare_variables(list, o);
-  SchemeVariables& v = m.common;
-  if (o.implicit) pressure::declare_variables(list, o, v);
-  scalars::declare_variables(list, o, v, {m.mass, m.mass_remap, m.volume});
-  // task                            reads                              writes
-  mixture::add_primitives(list, m, o, effect_equilibration);   // state      who is where, u, p, c
-  add_face_states(list, v, o);                                 // u, p       slopes, u_f, p_f
-  add_shock_shear(list, v, o, effect_shock_shear);             // u, p, c    k along shocks
-  mixture::add_surface(list, m, o, effect_momentum_exchange);  // V_m       where gas slips
-  mixture::add_friction(list, m, o);                           // V_m, T_m, u  mu, t_f
-  mixture::add_heat_flux(list, m, o, effect_conduction);       // T_m        q_f, of each material
-  mixture::add_transported_heat(list, m, o, o.conducting ? effect_conduction : effect_viscosity);
-  mixture::add_lagrangian(list, m, o, effect_flow);             // u_f, p_f   E_mL, scales
-  mixture::add_remap_bases(list, m, o, effect_second_order);    // Lagrange   bases
-  mixture::add_remap_fluxes(list, m, o, effect_flow);           // bases      FV, FM, FE of each, U
-  mixture::add_update(list, m, o, effect_equilibration);        // fluxes     new state, rates
-  scalars::add_tasks(list, v, o, effect_scalars);               // u_f, fluxes  new scalars
-  mixture::add_one_pressure(list, m, o, effect_equilibration);  // remap, f  new state, rates
-  if (o.implicit)
-    pressure::add_end_of_mixture(list, m, v, o, effect_pressure_solve);  // X, new state  R, new Y
-  add_accounts(list, v, o, effects);  // fluxes, m, dp   sums, face tables
-  declare_step_outputs(list, v, o, mixture::materials_of_step(list, m, o));  // saved  outputs
-}
-
-// The same where solids are in the fluids; where they move apart (slip), they do so in cells that
-// no solid touches.
-void declare_cut_mixture(TaskList& list, const SchemeOptions& o, const EffectList& effects) {
-  mixture::Variables m = mixture::declare_variables(list, o);
-  SchemeVariables& v = m.common;
-  walls::declare_variables(list, o, v);
-  if (o.implicit) pressure::declare_variables(list, o, v);
-  const walls::MaterialVariables x = walls::declare_materials(list, o, m);
-  scalars::declare_variables(list, o, v, {m.mass, m.mass_remap, m.volume});
-  walls::declare_scalar_walls(list, o, v);
-  const bool apart = o.multi_velocity;
-  const SchemeVariables moving = apart ? walls::volume_variables(m) : v;
-  const SchemeVariables fluid = walls::fluid_face_variables(moving);
-  mixture::Variables open = m;
-  open.common.stress = v.walls.whole_stress;
-  open.common.heat_flux = v.walls.whole_heat_flux;
-  open.heat_flux = x.whole_heat_of_each;
-  mixture::Variables cells = m;  // amounts, as the update takes them
-  cells.common.momentum = v.walls.momentum;
+// The same of cells that solids cut; materials that move apart do so in cells that no solid cuts.
+// Tasks of cells and faces that are cut are those under cut_cells/.
+void declare_step_of_cut_cells(TaskList& list, const SchemeOptions& o, const EffectList& effects) {
+  const bool several = o.mixture, one = !several, apart = several && o.multi_velocity;
+  const bool together = several && !apart;
+  cut_cells::MaterialVariables x;
+  const mixture::Variables m = declare_cut_cells(list, o, apart, x);
+  const SchemeVariables& v = m.common;
+  CutCellViews s = views_of(m, x, apart);
+  constexpr int flow = effect_flow, second_order = effect_second_order,
+                drag = effect_momentum_exchange;
+  constexpr int friction = effect_viscosity, equilibrium = effect_equilibration;
+  constexpr int solids = effect_solids;
+  const int heat = o.conducting ? effect_conduction : effect_viscosity;
   SchemeOptions masked = o;
-  masked.masked = true;
-  constexpr int slip = effect_momentum_exchange;
-  // task                            reads                              writes
-  walls::add_cut_cells(list, m, o, effect_solids);            // theta      which cells solids touch
-  walls::add_apertures(list, v, o, effect_solids);            // theta, a   where slopes count
-  mixture::add_primitives(list, m, o, effect_equilibration);  // state      who is where, u, p, c
-  if (apart) mixture::add_slip_motion(list, m, o, slip);      // state      u_m, u, c of volume
-  add_face_states(list, fluid, o);                            // u, p       slopes, u_f, p_f
-  walls::add_open_faces(list, fluid, v, o, effect_solids);    // u_f, A, C  u_f, p_f, w
-  add_shock_shear(list, v, o, effect_shock_shear);            // u, p, c    k along shocks
-  if (o.implicit)
-    pressure::add_cut_cell_system(list, moving, o, effect_pressure_solve);  // w  matrix
-  mixture::add_friction(list, open, o);                                     // V_m, T_m, u  mu, t_f
-  if (apart) mixture::add_slip_stress(list, open, o, effect_viscosity);     // u_m  t of each
-  mixture::add_heat_flux(list, open, o, effect_conduction);   // T_m        q_f, of each material
-  walls::add_shares(list, open.common, v, o, effect_solids);  // t_f, a     of open faces
-  if (apart) walls::add_stress_of_open_faces(list, open, m, o, effect_solids);
-  walls::add_heat_of_open_faces(list, m, x, o, effect_solids);
-  mixture::add_transported_heat(list, m, o, o.conducting ? effect_conduction : effect_viscosity);
-  walls::add_lagrangian(list, v, o, effect_solids);  // state, faces  Lagrange, donors
-  const mixture::Variables whole = walls::full_cell_variables(m);
-  if (apart) mixture::add_slip_phase(list, m, o, slip);  // p_f        w_mL, drift, work
-  mixture::add_lagrangian_of_each(list, whole, o, effect_flow);
-  walls::add_shares_of_each(list, m, x, o, effect_solids);   // Lagrange   E_mL of touched cells
-  if (apart) mixture::add_slip_faces(list, whole, o, slip);  // drift      u_fm, outflow
-  mixture::Variables bases = m;
-  bases.common = walls::base_variables(v);
-  mixture::add_remap_bases(list, bases, masked, effect_second_order);  // Lagrange   bases
-  if (apart) mixture::add_slip_bases(list, bases, masked, slip);       // Lagrange   bases of u_m
-  for (int axis = 0; axis < o.axes.count; ++axis) {
-    const mixture::Variables remap = walls::full_cell_remap(m, x, axis);
-    apart ? mixture::add_slip_flux(list, remap, masked, effect_flow, axis)
-          : mixture::add_remap_flux(list, remap, masked, effect_flow, axis);
-  }
-  walls::add_fluxes_of_cut_cells(list, m, x, o, effect_solids);  // E_mL      FV, FM, FE of each, U
-  apart ? mixture::add_slip_update(list, cells, o, effect_equilibration)  // fluxes  new state
-        : mixture::add_update(list, cells, o, effect_equilibration);      //         and rates
-  if (o.implicit)
-    pressure::add_end_of_mixture(list, m, moving, o, effect_pressure_solve);  // X, new state  R, Y
-  mixture::Variables sides = m;
-  sides.common.face_velocity = v.walls.flow;
-  walls::add_scalar_walls(list, v, o, effect_solids);  // M_m, theta  M, weights
-  const SchemeVariables carrying =
-      apart ? scalars::add_own_motion(list, sides, o, effect_scalars) : sides.common;
-  scalars::add_tasks(list, carrying, o, effect_scalars);  // w, fluxes   new scalars
-  add_accounts(list, sides.common, o, effects);
-  if (apart) mixture::add_relative_velocity_force_budget(list, m, o, effect_of_forces(o));
-  declare_step_outputs(list, v, o, mixture::materials_of_step(list, m, o));
-}
-
-// The same without solids, where each material has a velocity of its own: mixture/slip.hpp.
-void declare_multi_velocity(TaskList& list, const SchemeOptions& o, const EffectList& effects) {
-  mixture::Variables m = mixture::declare_variables(list, o);
-  scalars::declare_variables(list, o, m.common, {m.mass, m.mass_new, m.volume});
-  if (o.implicit) {
-    pressure::declare_variables(list, o, m.common);
-    m.slip.common.solve = m.common.solve;
-  }
-  const SchemeVariables &v = m.common, &volume = m.slip.common;
-  constexpr int slip = effect_momentum_exchange;
-  // task                            reads                              writes
-  mixture::add_primitives(list, m, o, effect_equilibration);  // state      who is where, u, p, c
-  mixture::add_surface(list, m, o, slip);                     // V_m        where gas slips
-  mixture::add_slip_motion(list, m, o, slip);                 // state      u_m, u, c of volume
-  add_face_states(list, volume, o);                           // u, p       slopes, u_f, p_f
-  add_shock_shear(list, v, o, effect_shock_shear);            // u, p, c    k along shocks
-  mixture::add_friction(list, m, o);                          // V_m, T_m, u  mu, t_f
-  mixture::add_slip_stress(list, m, o, effect_viscosity);     // u_m        t of each
-  mixture::add_slip_phase(list, m, o, slip);                  // p_f        w_mL, drift, work
-  mixture::add_heat_flux(list, m, o, effect_conduction);      // T_m        q_f, of each material
-  mixture::add_transported_heat(list, m, o, o.conducting ? effect_conduction : effect_viscosity);
-  mixture::add_lagrangian(list, m, o, effect_flow);            // u_f, p_f   E_mL, scales
-  mixture::add_slip_faces(list, m, o, slip);                   // drift      u_fm, outflow
-  mixture::add_remap_bases(list, m, o, effect_second_order);   // Lagrange   bases
-  mixture::add_slip_bases(list, m, o, slip);                   // Lagrange   bases of u_m
-  mixture::add_slip_fluxes(list, m, o, effect_flow);           // bases      FV, FM, FE, U of each
-  mixture::add_slip_update(list, m, o, effect_equilibration);  // fluxes     new state, rates
-  if (o.implicit)
-    pressure::add_end_of_mixture(list, m, volume, o, effect_pressure_solve);  // X, state  R, Y
-  scalars::add_tasks(list, scalars::add_own_motion(list, m, o, effect_scalars), o, effect_scalars);
-  add_accounts(list, v, o, effects);  // fluxes, m, dp   sums, face tables
-  mixture::add_relative_velocity_force_budget(list, m, o, effect_of_forces(o));
-  declare_step_outputs(list, v, o, mixture::materials_of_step(list, m, o));  // saved  outputs
+  masked.masked = true;  // weights of slopes take the place of the mask of a redone step
+  const Rows row{list, o}, masked_row{list, masked};
+  // when        task, variables, effect                             // reads -> writes
+  row(several, cut_cells::add_cut_cells, m, solids);       // theta -> which cells are cut
+  row(true, cut_cells::add_apertures, v, solids);          // theta, a -> where slopes count
+  row(one, add_primitives, v, flow);                       // state -> u, p, c
+  row(several, add_mixture_primitives, m, equilibrium);    // state -> who is where, u, p, c
+  row(apart, mixture::add_slip_motion, m, drag);           // state -> u_m; u, c of volume
+  add_face_states(list, s.fluid, o);                       // u, p, c -> slopes, u_f, p_f
+  cut_cells::add_open_faces(list, s.fluid, v, o, solids);  // u_f, p_f, A, C -> u_f, p_f, w
+  row(true, add_shock_shear, v, effect_shock_shear);       // u, p, c -> k along shocks
+  row(o.implicit, pressure::add_cut_cell_system, s.moving, effect_pressure_solve);  // w -> matrix
+  row(one, add_transport_models, v, friction);                      // rho, E, u -> mu, k of cells
+  row(one, add_viscous_stress, s.open.common, friction);            // u -> t_f
+  row(one, add_heat_flux, s.open.common, effect_conduction);        // rho, E -> T, q_f
+  row(several, add_mixture_friction, s.open, friction);             // V_m, T_m, u -> mu, t_f
+  if (apart) mixture::add_slip_stress(list, s.open, o, friction);   // u_m -> t of each
+  row(several, mixture::add_heat_flux, s.open, effect_conduction);  // T_m -> q_f of each
+  cut_cells::add_shares(list, s.open.common, v, o, solids);         // t_f, q_f, a -> of open faces
+  if (apart) cut_cells::add_stress_of_open_faces(list, s.open, m, o, solids);
+  if (several) cut_cells::add_heat_of_open_faces(list, m, x, o, solids);
+  row(several, mixture::add_transported_heat, m, heat);          // t_f, q_f -> heat of each
+  row(true, cut_cells::add_lagrangian, v, solids);               // faces -> Lagrange, donors
+  row(apart, mixture::add_slip_phase, m, drag);                  // p_f -> w_mL, drift, work
+  row(several, mixture::add_lagrangian_of_each, s.whole, flow);  // Lagrange -> E_mL, full cells
+  if (several) cut_cells::add_shares_of_each(list, m, x, o, solids);  // Lagrange -> E_mL, cut cells
+  row(apart, mixture::add_slip_faces, s.whole, drag);                 // drift -> u_fm, outflow
+  masked_row(one, add_remap_bases, s.bases.common, second_order);     // Lagrange -> bases
+  masked_row(several, mixture::add_remap_bases, s.bases, second_order);  // Lagrange -> bases
+  masked_row(apart, mixture::add_slip_bases, s.bases, drag);             // Lagrange -> bases of u_m
+  add_cut_remap_fluxes(list, m, x, masked);  // bases -> fluxes, full faces
+  if (several) cut_cells::add_fluxes_of_cut_cells(list, m, x, o, solids);  // E_mL -> fluxes
+  row(one, cut_cells::add_update, v, solids);                       // fluxes -> new state, rates
+  row(together, mixture::add_update, s.cells, equilibrium);         // fluxes -> new state, rates
+  row(apart, mixture::add_slip_update, s.cells, equilibrium);       // fluxes -> new state, rates
+  add_end_of_solve(list, m, s.moving, o);                           // X, new state -> R, new Y
+  row(true, cut_cells::add_scalar_walls, v, solids);                // theta, open -> M, weights
+  row(!apart, scalars::add_tasks, s.sides.common, effect_scalars);  // w, F, 1/J -> new scalars
+  if (apart) add_scalars_of_each(list, s.sides, o);                 // u_m, fluxes -> new scalars
+  add_budgets(list, s.sides.common, o, effects);                    // fluxes, m, dp -> sums
+  row(apart, mixture::add_relative_velocity_force_budget, m, effect_of_forces(o));
+  declare_step_outputs(
+      list, s.saved, o,
+      one ? material_alone(list, s.saved, o) : mixture::materials_of_step(list, m, o));
 }
 
 // The classic form. Each line is a task (one for each axis where it says "face" or "fluxes"), in
-// the file of its name under classic/ or, without "classic::", under one_material/.
-void declare_internal_energy_form(TaskList& list, const SchemeOptions& o,
-                                  const EffectList& effects) {
+// the file of its name under the folder of its namespace or, without one, under one_material/.
+void declare_step_of_internal_energy(TaskList& list, const SchemeOptions& o,
+                                     const EffectList& effects) {
   const internal_energy_form::Variables v = declare_classic_variables(list, o);
   const SchemeVariables& s = v.common;
   // task                             reads                        writes
@@ -281,7 +316,7 @@ void declare_internal_energy_form(TaskList& list, const SchemeOptions& o,
   internal_energy_form::add_fluxes(list, v, o, effect_flow);  // u_f, m_L, E_L, slopes F
   internal_energy_form::add_update(list, v, o,
                                    effect_flow);  // m_L, E*, F            new state, rates
-  add_accounts(list, s, o, effects);              // fluxes, m, dp   sums, face tables
+  add_budgets(list, s, o, effects);               // fluxes, m, dp   sums, face tables
   declare_step_outputs(list, s, o, material_alone(list, s, o));  // saved         outputs
 }
 

@@ -7,16 +7,14 @@
 namespace sluice::ice {
 
 // `options`: of the graph; `effects`: of the scene.
-void declare_one_material(TaskList& list, const SchemeOptions& options, const EffectList& effects);
-// Of blocks that solids meet; one fluid.
-void declare_cut_material(TaskList& list, const SchemeOptions& options, const EffectList& effects);
-// Likewise of several fluids.
-void declare_cut_mixture(TaskList& list, const SchemeOptions& options, const EffectList& effects);
-void declare_mixture(TaskList& list, const SchemeOptions& options, const EffectList& effects);
-// A mixture whose materials each have a velocity.
-void declare_multi_velocity(TaskList& list, const SchemeOptions& options,
-                            const EffectList& effects);
-void declare_internal_energy_form(TaskList& list, const SchemeOptions& options,
-                                  const EffectList& effects);
+// Of blocks that are full of fluid, of one material or several.
+void declare_step_of_full_cells(TaskList& list, const SchemeOptions& options,
+                                const EffectList& effects);
+// Of blocks with cells that solids cut.
+void declare_step_of_cut_cells(TaskList& list, const SchemeOptions& options,
+                               const EffectList& effects);
+// The classic form, of one material.
+void declare_step_of_internal_energy(TaskList& list, const SchemeOptions& options,
+                                     const EffectList& effects);
 
 }  // namespace sluice::ice

@@ -2,8 +2,8 @@
 
 #include "mpm/histories.hpp"
 #include "mpm/material/base/history_labels.hpp"
-#include "mpm/saved/mean_pressure.hpp"
-#include "mpm/saved/node_fields.hpp"
+#include "mpm/outputs/mean_pressure.hpp"
+#include "mpm/outputs/node_fields.hpp"
 #include "mpm/step/labels.hpp"
 
 namespace sluice::mpm {

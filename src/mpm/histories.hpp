@@ -1,7 +1,7 @@
 // Histories of solids: sums over all particles, a number a step.
 #pragma once
 #include "framework/run/component/component.hpp"
-#include "mpm/account/history_sums.hpp"
+#include "mpm/budgets/history_sums.hpp"
 
 namespace sluice::mpm {
 

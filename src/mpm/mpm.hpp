@@ -5,7 +5,7 @@
 #include "framework/run/component/component.hpp"
 #include "framework/run/component/no_transfer.hpp"
 #include "framework/run/simulation/energy_guard.hpp"
-#include "mpm/account/history_sums.hpp"
+#include "mpm/budgets/history_sums.hpp"
 #include "mpm/deck/mpm_scene.hpp"
 #include "mpm/solid_particles.hpp"
 #include "mpm/step/stable_step.hpp"

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Check that the files, pages and headings that comments name exist.
 
-A file is named by its name or the end of its path (slip.hpp, mixture/slip.hpp), a heading by
+A file is named by its name or the end of its path (surface.hpp, mixture/surface.hpp), a heading by
 its title behind the page (theory_ice.md, "References") or as in a link (theory_ice.md#references).
 Of Python files docstrings are read too.
 

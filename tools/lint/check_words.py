@@ -24,7 +24,7 @@ EXCEPTIONS = {
         "the program itself was built",
     ("src/framework/scene/make_piece.cpp", "the geometry piece <{}> cannot be built"):
         "a piece is built from its points",
-    ("src/ice/walls/materials.cpp", "cells that solids touch"):
+    ("src/ice/cut_cells/materials.cpp", "cells that solids touch"):
         "the name of a task, which tables of costs and graphs show",
 }
 

@@ -84,18 +84,20 @@ ROOMS = {
          "transport": "viscosity, conductivity, turbulence, wall laws",
          "tracers": "particles that move with the flow"},
         {"one_material": "the default scheme for one material, one step of the theory per file",
-         "classic": "the classic form (internal energy), one step of the theory per file"},
-        {"mixture": "the default scheme where several materials meet; `slip_*`: with a velocity "
-                    "for each"},
+         "internal_energy_form": "the classic form (internal energy), one step of the theory per "
+                                 "file"},
+        {"mixture": "the default scheme where several materials meet"},
+        {"multi_velocity": "the tasks that a step has in addition with one velocity per "
+                           "material"},
         {"pressure": "the semi-implicit pressure: faces from a solve, the system, passes, levels",
-         "walls": "cells and faces that solids cut: what replaces the rows of cells full of "
+         "cut_cells": "cells and faces that solids cut: what replaces the rows of cells full of "
                   "fluid there"},
         {"scalars": "what is carried with a material's mass, and the heat of a gas whose "
                     "properties follow from a scalar"},
         {"levels": "what passes between levels",
-         "account": "exact sums, totals, rates, limits of the time step"},
-        {"saved": "labels that users save, and criteria of refinement; `quantity_list` holds cell "
-                  "variables that are functions of a state alone"},
+         "budgets": "exact sums, totals, rates, limits of the time step"},
+        {"outputs": "labels that users save, and criteria of refinement; `quantity_list` holds "
+                    "cell variables that are functions of a state alone"},
         {".": "`step_tables`: the tasks of each sweep; `fluid_part`: the fluid as a part of a "
               "component; `ice`: the component; `effects`"},
     ],
@@ -113,8 +115,8 @@ ROOMS = {
         {"step": "the stages of a step on one level, what particles carry, bounds of the sums"},
         {"grains": "clusters of particles that touch, and their materials"},
         {"levels": "one basis over all levels",
-         "account": "sums over the sides of the domain"},
-        {"saved": "labels that are saved",
+         "budgets": "sums over the sides of the domain"},
+        {"outputs": "labels that are saved",
          "implicit": "implicit steps: all particles in one order, nodes, tangents, Newton's "
                      "method, heat, budgets"},
         {".": "`mpm`: the component, its step as a table of stages; `solid_particles`, `effects`, "

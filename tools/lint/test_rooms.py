@@ -44,7 +44,7 @@ class Layers(Tree):
 
     def test_rooms_of_one_floor_do_not_know_each_other(self):
         self.write("ice/levels/l.hpp", "// l\n")
-        self.write("ice/account/a.cpp", '// a\n#include "ice/levels/l.hpp"\n')
+        self.write("ice/budgets/a.cpp", '// a\n#include "ice/levels/l.hpp"\n')
         self.assertEqual(len(self.faults()), 1)
 
     def test_tests_may_use_their_house_and_test_support(self):

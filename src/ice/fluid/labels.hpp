@@ -24,7 +24,7 @@ struct Labels {
   // Where a finer level begins: means over its faces, in the cell above.
   Label finer_face_velocity[3], finer_face_pressure[3];
   Label work_pressure, interface_pressure;  // X-; its ghosts where a coarser level begins
-  // Where solids stand in the fluid: walls/variables.hpp.
+  // Where solids stand in the fluid: cut_cells/variables.hpp.
   Label solid_fraction, solid_fraction_next, wall_pressure;
   Label covered[3], mean_covered[3], swept[3], solid_face_velocity[3];
   // Where surfaces of solids burn: as saved; as kept while steps are taken.

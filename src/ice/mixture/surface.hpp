@@ -1,7 +1,7 @@
 // The surface of one material along which a rarefied gas slips (SlipExchange).
 //
 // Any material may stand for the solid: its surface is where its volume fraction V_s jumps, as
-// where materials lie side by side (slip_motion.cpp): not up to a quarter of a cell, fully from
+// where materials lie side by side (multi_velocity/motion.cpp): not up to a quarter of a cell, fully from
 // three quarters on. What is torn apart smoothly has no surface; it exchanges with the deck's
 // coefficients.
 // The area of the surface that a face between two cells holds is the jump of V_s there, as in

@@ -1,5 +1,5 @@
 // The end of the update in cells that solids touch, where fluids have one velocity:
-// walls/materials.hpp.
+// cut_cells/materials.hpp.
 #pragma once
 #include "ice/mixture/update_state.hpp"
 #include "ice/mixture/variables.hpp"
@@ -72,7 +72,7 @@ void bind_what_enters(const Row& row, const UpdateState& h, int i) {
   }
 }
 
-// Amounts of touched cells: walls/materials.hpp.
+// Amounts of touched cells: cut_cells/materials.hpp.
 template <int D, int C>
 void store_cut_cells(const Row& row, const UpdateState& h, const SchemeOptions& o) {
   const double *cells = row(h.cut.cells), *V_L = row(h.cut.volume_L);

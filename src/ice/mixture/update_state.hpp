@@ -1,5 +1,5 @@
 // What the updates of mixtures have in common, with one velocity (update.cpp) or several
-// (slip_update.cpp): what they read and write, cells of one material, the end of a row.
+// (multi_velocity/update.cpp): what they read and write, cells of one material, the end of a row.
 #pragma once
 #include <algorithm>
 

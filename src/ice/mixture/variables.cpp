@@ -5,7 +5,6 @@
 #include <string>
 
 #include "ice/fluid/labels.hpp"
-#include "ice/mixture/slip.hpp"
 #include "ice/mixture/surface.hpp"
 
 namespace sluice::ice::mixture {
@@ -108,7 +107,6 @@ Variables declare_variables(TaskList& list, const SchemeOptions& o) {
   if (o.viscous || o.conducting) v.heat = list.temporary("heat of each material", M);
   v.common.pure = v.pure;
   declare_remap(list, o, v);
-  if (o.multi_velocity) declare_slip_variables(list, o, v);
   v.common.material_flux = v.flux;
   v.end = list.temporary("density and modulus of the new mixture", 2);
   v.end_remap = o.mixed == nullptr ? v.end : list.temporary("density after the remap", 2);

@@ -12,7 +12,7 @@
 
 namespace sluice::ice::mixture {
 
-// Where each material has a velocity of its own (slip.hpp). Components of a material m, by
+// Where each material has a velocity of its own (multi_velocity/tasks.hpp). Components of a material m, by
 // component c of momentum: m * components + c; by axis: m * axes + axis.
 struct RelativeVelocityVariables {
   std::vector<VariableId> slip, slip_new;  // state: S_m = M_m (u_m - u), zero where alone
@@ -76,7 +76,8 @@ struct Variables {
   VariableId end;        // density, modulus of the new mixture
   VariableId end_remap;  // density after the remap
   RelativeVelocityVariables slip;
-  // Beside solids (walls/materials.hpp): which cells the rules of whole cells leave out, and how.
+  // Where solids cut cells (cut_cells/materials.hpp): which cells the rules of full cells leave
+  // out, and how.
   VariableId cut, cut_volume, cut_energy, old_momentum;
 };
 

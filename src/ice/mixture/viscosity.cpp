@@ -128,7 +128,7 @@ void add_own_viscosities(TaskList& list, const Variables& v, const SchemeOptions
 void add_friction(TaskList& list, const Variables& v, const SchemeOptions& o) {
   if (!o.viscous) return;
   add_viscosity(list, v, o, effect_viscosity, effect_turbulence);
-  // With velocities of their own slip follows later: slip_stress.cpp.
+  // With velocities of their own slip follows later: multi_velocity/stress.cpp.
   if (!o.multi_velocity_exchange || o.multi_velocity)
     return add_viscous_stress(list, v.common, o, effect_viscosity);
   SchemeVariables raw = v.common;

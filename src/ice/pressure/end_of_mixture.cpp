@@ -5,7 +5,7 @@
 // in what they disagree by. Where one material is alone it is that of its law; so is that of the
 // new state, which elsewhere is the one pressure at which the step ended.
 //
-// Cells that solids touch (walls/materials.hpp; V fluid's volume in the cell) hold M_m V and E_mL
+// Cells that solids cut (cut_cells/materials.hpp; V fluid's volume in the cell) hold M_m V and E_mL
 // in V_m V_L, or what they had where they give that (step/walled_donors.hpp); X - p of them follows
 // when their state does, behind the sweep.
 #include <cmath>

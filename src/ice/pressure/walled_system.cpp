@@ -1,5 +1,5 @@
 // The system beside solids, and the end of a step there. Of a cell the fluid has the share V, of a
-// face 1 - A is open in the mean of the step; walls/variables.hpp has the symbols.
+// face 1 - A is open in the mean of the step; cut_cells/variables.hpp has the symbols.
 //
 //   V R = V { (1 - g1)(p - X-) - al 2 sum_d h_d u_d sp_d - d }/(al K) - (V_L - V),   K = rho c^2
 //   V_L = V' + sum_d l_d (w_d+ - w_d-),   w = (1 - A) u_f - C dx/dt
@@ -14,7 +14,7 @@
 // below -K.
 //
 // Behind the sweep -(V_L - V) becomes V (p_L - p)/K, p_L by the law, where a cell gives what the
-// step makes of it; where it gives its old state (walls/lagrangian.cpp) it stays linear.
+// step makes of it; where it gives its old state (cut_cells/lagrangian.cpp) it stays linear.
 #include <algorithm>
 #include <cmath>
 

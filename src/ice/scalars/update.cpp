@@ -7,7 +7,7 @@
 // Then the sources over the step, each exactly: dq/dt = r0 + (r1 - c) q, and in regions
 // dq/dt = rate up to a highest value. A sink takes no more than there is.
 // Cells that solids touch keep the amount M' q' per volume of the cell, which whoever couples the
-// two divides by the mass that a cell ends with (walls/variables.hpp):
+// two divides by the mass that a cell ends with (cut_cells/variables.hpp):
 //   A = M q + sum_d [F- q_f- + G- - F+ q_f+ - G+]
 #include <algorithm>
 #include <cmath>

@@ -47,14 +47,14 @@ struct SchemeOptions {
   bool mixture = false;                   // the graph of blocks with several materials
   std::vector<Fluid> fluids;              // of all materials
   PairCoefficients heat_exchange;
-  bool multi_velocity = false;  // several materials that move apart: mixture/slip.hpp
+  bool multi_velocity = false;  // several materials that move apart: multi_velocity/tasks.hpp
   PairCoefficients drag;        // K, kg/(m^3 s)
   std::optional<MultiVelocityExchange> multi_velocity_exchange;  // at the surface of one material
   std::optional<ConvectiveExchange> convective;
   int sums = 8;                       // exact sums before those of further materials: see StepSlots
-  bool internal_energy_form = false;  // the classic form, see classic/
+  bool internal_energy_form = false;  // the classic form, see internal_energy_form/
   bool implicit = false;              // one pressure is solved for, see pressure/
-  bool has_cut_cells = false;         // the graph of blocks that solids meet: walls/
+  bool has_cut_cells = false;         // the graph of blocks that solids meet: cut_cells/
   bool solids = false;                // some blocks may meet solids
   bool second_order = true;
   bool shears_shocks = false;     // along strong shocks: shock_shear.hpp
@@ -138,8 +138,8 @@ struct ScalarVariables {
   VariableId base, half;
   // By axis: mass that passes; value of each scalar on the face, and what of it spreads.
   std::array<VariableId, 3> carrier, face, spread;
-  // Beside solids (walls/scalars.cpp): 1 in cells that they touch; weight of slopes there, of all
-  // axes and of each; the open share of faces.
+  // Where solids cut cells (cut_cells/scalars.cpp): 1 in those; weight of slopes there, of all axes
+  // and of each; the open share of faces.
   bool has_cut_cells = false;
   VariableId cut, slopes;
   std::array<VariableId, 3> axis_slopes, open_share;
@@ -157,7 +157,7 @@ struct PressureVariables {
   std::array<VariableId, 3> finer_velocity, finer_pressure;  // by axis: finer_faces.hpp
 };
 
-// Where solids stand in the fluid: walls/variables.hpp.
+// Where solids stand in the fluid: cut_cells/variables.hpp.
 struct WallVariables {
   VariableId fraction, fraction_new;  // state: theta
   // Given, of this step: theta' at its end, p_w, and by axis a, its mean A, the swept volume C (of

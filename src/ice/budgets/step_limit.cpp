@@ -1,0 +1,41 @@
+#include "ice/budgets/step_limit.hpp"
+
+#include "ice/internal_energy_form/limits.hpp"
+#include "ice/step/step_bounds.hpp"
+
+namespace sluice::ice {
+
+StepLimit step_limit(const SchemeOptions& o, const std::vector<double>& maxima) {
+  constexpr double flow_share = 0.9;
+  // Friction along its own direction acts with 4/3 mu: 0.75 is what explicit steps can bear.
+  // Parabolas at walls (viscous_stress.cpp) are stiffer by a half: in corners .8 is too much.
+  const double diffusion_share = o.implicit ? 0.6 : 0.7;
+  // Of a semi-implicit step: beyond, the pressure of a closed box is hardly determined.
+  constexpr double most_cells_of_sound = 2e4;
+  const double sound_share = o.internal_energy_form
+                                 ? internal_energy_form::sound_share(o.axes.count)
+                                 : max_in_one_direction;
+  StepLimit limit{o.cfl / maxima[StepSlots::deck_rate], o.conservative_time_step
+                                                            ? "deck: conservative rule"
+                                                            : "deck: cfl dx/(|u| + knob c)"};
+  auto at_most = [&](double dt, const char* reason) {
+    if (dt < limit.dt) limit = {dt, reason};
+  };
+  at_most(flow_share / maxima[StepSlots::flow_rate], "scheme: 0.9/sum |u|/dx");
+  if (o.implicit) {
+    at_most(most_cells_of_sound / maxima[StepSlots::sound_rate],
+            "scheme: sound crosses 20,000 cells");
+    if (maxima[StepSlots::flow_rate] == 0)
+      at_most(o.cfl / maxima[StepSlots::sound_rate], "start from rest: cfl dx/c");
+  } else
+    at_most(sound_share / maxima[StepSlots::sound_rate],
+            o.internal_energy_form ? "scheme: 0.98/sqrt(2 axes) dx/(|u| + c)"
+                                   : "scheme: 0.8 dx/(|u| + c), 1/sum (|u| + c)/dx");
+  const double diffusion = maxima[StepSlots::diffusion_rate];
+  at_most(o.cfl / (o.diffusion_factor * diffusion), "deck: cfl/(2 knob D sum 1/dx^2)");
+  at_most(diffusion_share / diffusion,
+          o.implicit ? "scheme: 0.6/(2 D sum 1/dx^2)" : "scheme: 0.7/(2 D sum 1/dx^2)");
+  return limit;
+}
+
+}  // namespace sluice::ice

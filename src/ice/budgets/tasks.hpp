@@ -1,0 +1,21 @@
+// The tasks that sum or record what a step does; each is in the file of its name.
+#pragma once
+#include "ice/multi_velocity/tasks.hpp"
+#include "ice/step/variables.hpp"
+
+namespace sluice::ice {
+
+void add_boundary_budget(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+void add_gravity_budget(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+void add_volume_budget(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+void add_flux_record(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+
+}  // namespace sluice::ice
+
+namespace sluice::ice::mixture {
+
+// What a driving force works on the slip, summed; absent without one. In relative_velocity_budget.cpp.
+void add_relative_velocity_force_budget(TaskList&, const Variables&, const SchemeOptions&,
+                                        int effect);
+
+}  // namespace sluice::ice::mixture

@@ -1,0 +1,399 @@
+#include "ice/cut_cells/materials.hpp"
+
+#include <cmath>
+#include <string>
+
+#include "ice/step/material_runs.hpp"
+
+namespace sluice::ice::cut_cells {
+
+MaterialVariables declare_materials(TaskList& list, const SchemeOptions& o, mixture::Variables& v) {
+  const int M = static_cast<int>(o.fluids.size());
+  MaterialVariables x;
+  x.energy_L = list.temporary("Lagrangian energy of each material beside solids", M);
+  x.volume_L = list.temporary("Lagrangian volume beside solids");
+  x.passed_on = list.temporary("what cells without fluid pass on", 3 * M);
+  v.cut = list.temporary("cells that solids touch");
+  v.cut_volume = x.volume_L;
+  v.cut_energy = x.energy_L;
+  v.old_momentum = v.common.momentum;
+  for (int a = 0; a < o.axes.count; ++a) {
+    const std::string axis = " of whole cells, axis " + std::to_string(a);
+    const int d = o.axes.direction[a];
+    x.whole_flux[a] = list.temporary("flux" + axis, 2 + o.components, d);
+    x.whole_flux_of_each[a] = list.temporary("flux of each material" + axis, 3 * M, d);
+    if (o.conducting)
+      x.whole_heat_of_each[a] = list.temporary("heat through contacts" + axis, 2 * M, d);
+    if (!o.multi_velocity) continue;
+    x.whole_velocity[a] = list.temporary("velocity of each material" + axis, M * o.components, d);
+    if (o.viscous)
+      v.slip.stress[a] =
+          list.temporary("friction of each material on open faces, axis " + std::to_string(a),
+                         M * o.components, d);
+  }
+  return x;
+}
+
+mixture::Variables full_cell_remap(const mixture::Variables& v, const MaterialVariables& x,
+                                   int axis) {
+  mixture::Variables remap = v;
+  remap.common = remap_variables(v.common, axis);
+  remap.common.flux = x.whole_flux;
+  remap.flux = x.whole_flux_of_each;
+  if (v.common.material_velocity[0].index >= 0) remap.common.material_velocity = x.whole_velocity;
+  return remap;
+}
+
+SchemeVariables volume_variables(const mixture::Variables& v) {
+  SchemeVariables volume = v.common;
+  volume.rho = v.slip.common.rho;
+  volume.inverse_rho = v.slip.common.inverse_rho;
+  volume.velocity = v.slip.common.velocity;
+  volume.sound = v.slip.common.sound;
+  return volume;
+}
+
+void add_cut_cells(TaskList& list, const mixture::Variables& v, const SchemeOptions&, int effect) {
+  TaskBuilder task = list.task("cells that solids touch", effect);
+  const In theta = task.read(v.common.walls.fraction), after = task.read(v.common.walls.next);
+  const Out cut = task.write(v.cut);
+  task.kernel([=](const Row& row) {
+    const double *before = row(theta), *next = row(after);
+    double* here = row(cut);
+    for (int i = 0; i < row.count(); ++i) here[i] = before[i] > 0 || next[i] > 0;
+  });
+}
+
+void add_stress_of_open_faces(TaskList& list, const mixture::Variables& whole,
+                              const mixture::Variables& v, const SchemeOptions& o, int effect) {
+  for (int axis = 0; axis < o.axes.count && o.viscous; ++axis) {
+    add_open_share(list, v.common, o, axis,
+                   {whole.slip.stress[axis], v.slip.stress[axis],
+                    static_cast<int>(o.fluids.size()) * o.components},
+                   "friction of each material on open faces " + std::to_string(axis), effect);
+  }
+}
+
+void add_heat_of_open_faces(TaskList& list, const mixture::Variables& v, const MaterialVariables& x,
+                            const SchemeOptions& o, int effect) {
+  for (int axis = 0; axis < o.axes.count && o.conducting; ++axis) {
+    add_open_share(
+        list, v.common, o, axis,
+        {x.whole_heat_of_each[axis], v.heat_flux[axis], 2 * static_cast<int>(o.fluids.size())},
+        "heat through contacts of open faces " + std::to_string(axis), effect);
+  }
+}
+
+namespace {
+
+// Kinetic energy of what moves against the mixture, sum |S_m|^2/(2 M_m).
+double energy_of_slip(const Row& row, const mixture::StateReads& state, const std::vector<In>& slip,
+                      const SchemeOptions& o, int i) {
+  double sum = 0;
+  for (std::size_t m = 0; m < slip.size(); ++m) {
+    const double M = row(state.mass[m])[i];
+    double squares[3] = {0, 0, 0};
+    for (int c = 0; c < o.components; ++c) squares[c] = row(slip[m], c)[i] * row(slip[m], c)[i];
+    if (M > 0) sum += 0.5 / M * ((squares[0] + squares[1]) + squares[2]);
+  }
+  return sum;
+}
+
+}  // namespace
+
+void add_shares_of_each(TaskList& list, const mixture::Variables& v, const MaterialVariables& x,
+                        const SchemeOptions& o, int effect) {
+  TaskBuilder task = list.task("Lagrangian phase of each material beside solids", effect);
+  const WallVariables& w = v.common.walls;
+  const mixture::StateReads state = mixture::read_state(task, v);
+  const In theta = task.read(w.fraction), after = task.read(w.next);
+  const In p_in = task.read(v.common.pressure), w_in = task.read(v.common.inverse_rho);
+  const In star = task.read(v.common.energy_star), energy = task.read(v.common.energy);
+  std::array<In, 3> flow;
+  for (int a = 0; a < o.axes.count; ++a)
+    flow[a] = task.read(w.flow[a], Stencil::along(o.axes.direction[a], 0, 1));
+  const Out volume = task.write(x.volume_L), E_L = task.write(x.energy_L);
+  const int materials = static_cast<int>(o.fluids.size());
+  std::vector<In> slip;
+  for (int m = 0; m < materials && o.multi_velocity; ++m) slip.push_back(task.read(v.slip.slip[m]));
+  task.kernel([=](const Row& row) {
+    const int n = row.count();
+    const double *before = row(theta), *next = row(after), *p = row(p_in), *inverse = row(w_in);
+    const double *Es = row(star), *E = row(energy);
+    double* V_L = row(volume);
+    for (int i = 0; i < n; ++i) V_L[i] = 1.0 - next[i];
+    for (int a = 0; a < o.axes.count; ++a) {
+      const double l = row.step().dt / row.step().spacing[o.axes.direction[a]];
+      const In f = flow[a];
+      const double *low = row(f), *high = row(f, 0, a, 1);
+      for (int i = 0; i < n; ++i) V_L[i] += l * (high[i] - low[i]);
+    }
+    for (int m = 0; m < materials; ++m) {
+      const double *M_m = row(state.mass[m]), *V_m = row(state.volume[m]),
+                   *E_m = row(state.energy[m]);
+      double* to = row(E_L, m);
+      for (int i = 0; i < n; ++i) {
+        const double V = 1.0 - before[i];
+        const double pdV = p[i] * (V_L[i] - V), W = V * E[i] - Es[i];
+        to[i] = V * E_m[i] - (V_m[i] * pdV + (W - pdV) * (M_m[i] * inverse[i]));
+      }
+    }
+    if (slip.empty()) return;
+    for (int i = 0; i < n; ++i) {
+      const double heat = (1.0 - before[i]) * inverse[i] * energy_of_slip(row, state, slip, o, i);
+      if (heat == 0) continue;
+      for (int m = 0; m < materials; ++m) row(E_L, m)[i] += heat * row(state.mass[m])[i];
+    }
+  });
+}
+
+namespace {
+
+struct FluxHandles {
+  mixture::StateReads state;
+  In cut, theta, volume_L, inverse_J, flow, pure, whole, whole_each, velocity_L, energy_L;
+  In gives_old, passed_on;
+  Out flux, each;
+  In whole_velocity;  // of each fluid, where they move apart
+  Out velocity;
+};
+
+// Volume, mass and energy of one fluid.
+struct Carried {
+  double volume = 0, mass = 0, energy = 0;
+};
+
+// Low faces of cells `shift` further along the axis, between cells a (low) and b.
+class TouchedFaces {
+ public:
+  TouchedFaces(const Row& row, const FluxHandles& h, const SchemeOptions& o, int axis,
+               int shift = 0)
+      : row_(row),
+        h_(h),
+        axis_(axis),
+        shift_(shift),
+        materials_(static_cast<int>(o.fluids.size())),
+        l_(row.step().dt / row.step().spacing[o.axes.direction[axis]]) {}
+
+  // The volume that passes, and whether b gives it.
+  double volume(int i) const { return l_ * face(h_.flow)[i]; }
+  bool left(int i) const { return face(h_.flow)[i] < 0; }
+  bool meets_touched(int i) const {
+    return cell(h_.cut, 0, true)[i] != 0 || cell(h_.cut, 0, false)[i] != 0;
+  }
+  bool donor_is_touched(int i) const { return cell(h_.cut, 0, left(i))[i] != 0; }
+  bool donor_is_dry(int i) const { return !(cell(h_.theta, 0, left(i))[i] < 1); }
+  double donor_velocity(int c, int i) const { return cell(h_.velocity_L, c, left(i))[i]; }
+
+  // What a touched donor with fluid gives of each.
+  template <class F>
+  void give(int i, F&& take) const {
+    const bool b = left(i);
+    const double H = volume(i);
+    const double V = 1.0 - cell(h_.theta, 0, b)[i];
+    const double V_L = 1.0 / cell(h_.inverse_J, 0, b)[i];
+    const bool old = cell(h_.gives_old, 0, b)[i] != 0;
+    for (int m = 0; m < materials_; ++m) {
+      const double share = cell(h_.state.volume[m], 0, b)[i];
+      const double M = cell(h_.state.mass[m], 0, b)[i];
+      const double E = old ? cell(h_.state.energy[m], 0, b)[i] : cell(h_.energy_L, m, b)[i] / V_L;
+      const double density = old ? M : M * V / V_L;
+      take(m, share > 0 ? Carried{H * share, H * density, H * E} : Carried{});
+    }
+  }
+  // One without fluid: what it takes in.
+  template <class F>
+  void pass_on(int i, F&& take) const {
+    const double H = volume(i);
+    const auto per_volume = [&](int m, mixture::Carried q) {
+      return cell(h_.passed_on, mixture::component(m, q), left(i))[i];
+    };
+    for (int m = 0; m < materials_; ++m)
+      take(m, {H * per_volume(m, mixture::volume_variables), H * per_volume(m, mixture::of_mass),
+               H * per_volume(m, mixture::of_energy)});
+  }
+  // One that no solid touches: by the rules of whole cells, which do not tell fluids apart where
+  // both cells hold the same one alone.
+  bool tells_apart(int i) const {
+    const double a = cell(h_.pure, 0, false)[i];
+    return !(a >= 0 && a == cell(h_.pure, 0, true)[i]);
+  }
+  template <class F>
+  void give_whole(int i, F&& take) const {
+    const int pure = static_cast<int>(cell(h_.pure, 0, true)[i]);
+    const bool apart = tells_apart(i);
+    for (int m = 0; m < materials_; ++m) {
+      const auto each = [&](mixture::Carried q) {
+        return face(h_.whole_each, mixture::component(m, q))[i];
+      };
+      if (apart)
+        take(m,
+             {each(mixture::volume_variables), each(mixture::of_mass), each(mixture::of_energy)});
+      else
+        take(m, m == pure ? Carried{volume(i), face(h_.whole, 0)[i], face(h_.whole, 1)[i]}
+                          : Carried{});
+    }
+  }
+
+ private:
+  const double* face(In in, int c = 0) const { return row_(in, c, axis_, shift_); }
+  const double* cell(In in, int c, bool b) const {
+    return row_(in, c, axis_, b ? shift_ : shift_ - 1);
+  }
+
+  const Row& row_;
+  const FluxHandles& h_;
+  int axis_, shift_, materials_;
+  double l_;
+};
+
+// `cells`, `faces`: around those of a row.
+FluxHandles read_fluxes(TaskBuilder& task, const mixture::Variables& v, const MaterialVariables& x,
+                        std::size_t axis, const Stencil& cells, const Stencil& faces) {
+  FluxHandles h;
+  for (std::size_t m = 0; m < v.mass.size(); ++m) {
+    h.state.mass.push_back(task.read(v.mass[m], cells));
+    h.state.volume.push_back(task.read(v.volume[m], cells));
+    h.state.energy.push_back(task.read(v.energy[m], cells));
+  }
+  h.cut = task.read(v.cut, cells);
+  h.theta = task.read(v.common.walls.fraction, cells);
+  h.inverse_J = task.read(v.common.inverse_J, cells);
+  h.flow = task.read(v.common.walls.flow[axis], faces);
+  h.pure = task.read(v.pure, cells);
+  h.whole = task.read(x.whole_flux[axis], faces);
+  h.whole_each = task.read(x.whole_flux_of_each[axis], faces);
+  h.velocity_L = task.read(v.common.walls.donor_velocity, cells);
+  h.energy_L = task.read(x.energy_L, cells);
+  h.gives_old = task.read(v.common.walls.gives_old, cells);
+  return h;
+}
+
+// What cells without fluid take in of each fluid, per volume. Had they another mixture to give than
+// that, of some fluid they would give what they do not have.
+void add_passed_on(TaskList& list, const mixture::Variables& v, const MaterialVariables& x,
+                   const SchemeOptions& o, int effect) {
+  TaskBuilder task = list.task("what cells without fluid pass on", effect);
+  std::vector<FluxHandles> of_axis;
+  for (int axis = 0; axis < o.axes.count; ++axis) {
+    const int d = o.axes.direction[axis];
+    of_axis.push_back(
+        read_fluxes(task, v, x, axis, Stencil::along(d, 1, 1), Stencil::along(d, 0, 1)));
+  }
+  const Out out = task.write(x.passed_on);
+  const int materials = static_cast<int>(o.fluids.size());
+  task.kernel([=](const Row& row) {
+    const double* theta = row(of_axis.front().theta);
+    for (int c = 0; c < 3 * materials; ++c) std::fill_n(row(out, c), row.count(), 0.0);
+    const auto to = [&](int m, mixture::Carried q, int i) -> double& {
+      return row(out, mixture::component(m, q))[i];
+    };
+    for (int i = 0; i < row.count(); ++i) {
+      if (theta[i] < 1) continue;
+      double all = 0;
+      const auto take_in = [&](const TouchedFaces& face, double into) {
+        const bool enters = into * face.volume(i) > 0;
+        if (!enters || face.donor_is_dry(i)) return;
+        all += std::fabs(face.volume(i));
+        const auto take = [&](int m, const Carried& q) {
+          to(m, mixture::volume_variables, i) += into * q.volume;
+          to(m, mixture::of_mass, i) += into * q.mass;
+          to(m, mixture::of_energy, i) += into * q.energy;
+        };
+        face.donor_is_touched(i) ? face.give(i, take) : face.give_whole(i, take);
+      };
+      for (int axis = 0; axis < o.axes.count; ++axis) {
+        const FluxHandles& h = of_axis[axis];
+        take_in(TouchedFaces(row, h, o, axis, 0), 1);
+        take_in(TouchedFaces(row, h, o, axis, 1), -1);
+      }
+      // From others without fluid alone: the mean of the states around, which is what they hold.
+      const mixture::StateReads& state = of_axis.front().state;
+      for (int m = 0; m < materials; ++m) {
+        const In own[] = {state.volume[m], state.mass[m], state.energy[m]};
+        for (const mixture::Carried q :
+             {mixture::volume_variables, mixture::of_mass, mixture::of_energy})
+          to(m, q, i) = all > 0 ? to(m, q, i) / all : row(own[q])[i];
+      }
+    }
+  });
+}
+
+// Fluids that move apart in whole cells.
+void copy_velocities(const Row& row, const FluxHandles& h, const SchemeOptions& o) {
+  const int count = static_cast<int>(o.fluids.size()) * o.components;
+  for (int c = 0; c < count; ++c)
+    std::copy_n(row(h.whole_velocity, c), row.count(), row(h.velocity, c));
+}
+// All that passes face i has one velocity.
+void one_velocity(const Row& row, const FluxHandles& h, const SchemeOptions& o, int i) {
+  for (int m = 0; m < static_cast<int>(o.fluids.size()); ++m)
+    for (int c = 0; c < o.components; ++c)
+      row(h.velocity, m * o.components + c)[i] = row(h.flux, 2 + c)[i];
+}
+// That of all, where each fluid has its own.
+void mean_velocity(const Row& row, const FluxHandles& h, const SchemeOptions& o, int i) {
+  const double F = row(h.flux, 0)[i];
+  if (F == 0) return;
+  for (int c = 0; c < o.components; ++c) {
+    double sum = 0;
+    for (int m = 0; m < static_cast<int>(o.fluids.size()); ++m)
+      sum += row(h.each, mixture::component(m, mixture::of_mass))[i] *
+             row(h.velocity, m * o.components + c)[i];
+    row(h.flux, 2 + c)[i] = sum / F;
+  }
+}
+
+}  // namespace
+
+void add_fluxes_of_cut_cells(TaskList& list, const mixture::Variables& v,
+                             const MaterialVariables& x, const SchemeOptions& o, int effect) {
+  add_passed_on(list, v, x, o, effect);
+  for (int axis = 0; axis < o.axes.count; ++axis) {
+    const Stencil both = Stencil::along(o.axes.direction[axis], 1, 0);
+    TaskBuilder task = list.task("fluxes beside solids " + std::to_string(axis), effect);
+    FluxHandles h = read_fluxes(task, v, x, axis, both, Stencil::point());
+    h.passed_on = task.read(x.passed_on, both);
+    h.flux = task.write(v.common.flux[axis]);
+    h.each = task.write(v.flux[axis]);
+    if (o.multi_velocity) {
+      h.whole_velocity = task.read(x.whole_velocity[axis]);
+      h.velocity = task.write(v.common.material_velocity[axis]);
+    }
+    task.kernel([=](const Row& row) {
+      const int n = row.count();
+      for (int c = 0; c < 2 + o.components; ++c) std::copy_n(row(h.whole, c), n, row(h.flux, c));
+      for (int c = 0; c < 3 * static_cast<int>(o.fluids.size()); ++c)
+        std::copy_n(row(h.whole_each, c), n, row(h.each, c));
+      if (o.multi_velocity) copy_velocities(row, h, o);
+      const TouchedFaces face(row, h, o, axis);
+      for (int i = 0; i < n; ++i) {
+        if (!face.meets_touched(i)) continue;
+        double F = 0, G = 0;
+        const auto take = [&](int m, const Carried& q) {
+          row(h.each, mixture::component(m, mixture::volume_variables))[i] = q.volume;
+          row(h.each, mixture::component(m, mixture::of_mass))[i] = q.mass;
+          row(h.each, mixture::component(m, mixture::of_energy))[i] = q.energy;
+          F += q.mass;
+          G += q.energy;
+        };
+        if (!face.donor_is_touched(i)) {
+          if (!face.tells_apart(i)) {
+            face.give_whole(i, take);
+            if (o.multi_velocity) one_velocity(row, h, o, i);
+          } else if (o.multi_velocity) {
+            mean_velocity(row, h, o, i);
+          }
+          continue;
+        }
+        face.donor_is_dry(i) ? face.pass_on(i, take) : face.give(i, take);
+        row(h.flux, 0)[i] = F;
+        row(h.flux, 1)[i] = G;
+        for (int c = 0; c < o.components; ++c) row(h.flux, 2 + c)[i] = face.donor_velocity(c, i);
+        if (o.multi_velocity) one_velocity(row, h, o, i);
+      }
+    });
+  }
+}
+
+}  // namespace sluice::ice::cut_cells

@@ -1,0 +1,59 @@
+// Several fluids in cells that solids cut. What is done to the mixture is done in the files of
+// cut_cells/ as for one fluid; the fluids share it so (V fluid's volume in the cell, V_m shares of
+// it, sum 1; W the pressures' work on the mixture, V_L its volume after the Lagrangian
+// phase):
+//
+//   E_mL = V E_m - V_m p (V_L - V) - (W - p (V_L - V)) M_m/rho
+//   a touched donor gives volume by its shares, each fluid at its mean density and energy:
+//   FV_m = H V_m,  FM_m = FV_m M_m V/(V_m V_L),  FE_m = FV_m E_mL/(V_m V_L),  U = its velocity
+//   M_m' = V M_m + sum FM,  V_m' = V_m V_L + sum FV,  E_m' = E_mL + sum FE     per cell volume
+//
+// A cell without fluid gives the mixture that it takes in: of any other it would give what it does
+// not have. One that gives its old state (step/walled_donors.hpp) keeps V_m V in place of V_m V_L,
+// which may be anything then. What the kinetic energy leaves is told apart, until the cell is
+// settled. All other cells take the rules of mixture/, to the bit.
+//
+// Fluids with one velocity each share one in cut cells (multi_velocity/tasks.hpp). What was their
+// slip before a solid touched the cell is heat of E_mL, by mass. Donors that none touches give each
+// fluid with its own velocity U_m; their neighbour takes what they pass with U = sum FM U_m/sum FM,
+// and FM |U_m - U|^2/2 of each as heat.
+#pragma once
+#include "ice/cut_cells/variables.hpp"
+#include "ice/mixture/variables.hpp"
+
+namespace sluice::ice::cut_cells {
+
+struct MaterialVariables {
+  VariableId energy_L;   // E_mL of touched cells, by material
+  VariableId volume_L;   // V_L
+  VariableId passed_on;  // of cells without fluid, by material: what they give per volume
+  std::array<VariableId, 3> whole_flux;  // of the mixture and of each material, as the rules of
+  std::array<VariableId, 3> whole_flux_of_each;  // whole cells have them
+  // Of what conducts: heat through contacts of whole faces.
+  std::array<VariableId, 3> whole_heat_of_each;
+  // Of what moves apart: the velocity of each that passes whole faces.
+  std::array<VariableId, 3> whole_velocity;
+};
+
+MaterialVariables declare_materials(TaskList&, const SchemeOptions&, mixture::Variables&);
+// Which cells solids touch.
+void add_cut_cells(TaskList&, const mixture::Variables&, const SchemeOptions&, int effect);
+// Of what moves apart: friction of each, on the open share of faces.
+void add_stress_of_open_faces(TaskList&, const mixture::Variables& whole, const mixture::Variables&,
+                              const SchemeOptions&, int effect);
+// Of what conducts: heat through contacts, on the open share of faces.
+void add_heat_of_open_faces(TaskList&, const mixture::Variables&, const MaterialVariables&,
+                            const SchemeOptions&, int effect);
+// E_mL, V_L of touched cells.
+void add_shares_of_each(TaskList&, const mixture::Variables&, const MaterialVariables&,
+                        const SchemeOptions&, int effect);
+// Fluxes of faces at touched cells.
+void add_fluxes_of_cut_cells(TaskList&, const mixture::Variables&, const MaterialVariables&,
+                             const SchemeOptions&, int effect);
+
+// Variables of the volume, which moves and is inert as its materials are together.
+SchemeVariables volume_variables(const mixture::Variables&);
+// As mixture/ has them, of the remap along an axis.
+mixture::Variables full_cell_remap(const mixture::Variables&, const MaterialVariables&, int axis);
+
+}  // namespace sluice::ice::cut_cells
