@@ -14,7 +14,7 @@ void add_flux_record(TaskList&, const SchemeVariables&, const SchemeOptions&, in
 
 namespace sluice::ice::mixture {
 
-// What a driving force works on the slip, summed; absent without one. In relative_velocity_budget.cpp.
+// The work of a driving force on relative velocities, summed; absent without one.
 void add_relative_velocity_force_budget(TaskList&, const Variables&, const SchemeOptions&,
                                         int effect);
 

@@ -3,8 +3,8 @@
 // max of 2 D sum 1/dx^2, D = mu/rho with mu = sum V_m mu_m, and k_m/(rho_m cv_m), with velocities
 // of their own mu_m/rho_m, of each material that fills more than a hundredth of the cell and weighs
 // more than a billionth: those with less take the heat (contacts.hpp) and the push
-// (multi_velocity/stress.cpp) that they can bear. A function of the state of a cell alone, with coefficients
-// that vary beside it.
+// (multi_velocity/stress.cpp) that they can bear. A function of the state of a cell alone, with
+// coefficients that vary beside it.
 #pragma once
 #include <vector>
 

@@ -1,8 +1,8 @@
-// The surface of one material along which a rarefied gas slips (SlipExchange).
+// The surface of one material along which a rarefied gas slips (MultiVelocityExchange).
 //
 // Any material may stand for the solid: its surface is where its volume fraction V_s jumps, as
-// where materials lie side by side (multi_velocity/motion.cpp): not up to a quarter of a cell, fully from
-// three quarters on. What is torn apart smoothly has no surface; it exchanges with the deck's
+// where materials lie side by side (multi_velocity/motion.cpp): not up to a quarter of a cell,
+// fully from three quarters on. What is torn apart smoothly has no surface; it exchanges with the deck's
 // coefficients.
 // The area of the surface that a face between two cells holds is the jump of V_s there, as in
 // contacts.hpp. Cells that gas and solid share take the part s = 4 V_g V_s of it (of two that

@@ -12,7 +12,7 @@
 
 namespace sluice::ice::mixture {
 
-// Where each material has a velocity of its own (multi_velocity/tasks.hpp). Components of a material m, by
+// With one velocity per material (multi_velocity/tasks.hpp). Components of a material m, by
 // component c of momentum: m * components + c; by axis: m * axes + axis.
 struct RelativeVelocityVariables {
   std::vector<VariableId> slip, slip_new;  // state: S_m = M_m (u_m - u), zero where alone
