@@ -2,8 +2,8 @@
 //
 // Any material may stand for the solid: its surface is where its volume fraction V_s jumps, as
 // where materials lie side by side (multi_velocity/motion.cpp): not up to a quarter of a cell,
-// fully from three quarters on. What is torn apart smoothly has no surface; it exchanges with the deck's
-// coefficients.
+// fully from three quarters on. What is torn apart smoothly has no surface; it exchanges with the
+// deck's coefficients.
 // The area of the surface that a face between two cells holds is the jump of V_s there, as in
 // contacts.hpp. Cells that gas and solid share take the part s = 4 V_g V_s of it (of two that
 // share, each in proportion), so that an interface counts once, wherever it lies; what is left
