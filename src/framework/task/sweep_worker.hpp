@@ -5,11 +5,11 @@
 namespace sluice {
 
 // What was counted and timed of one kind.
-struct SweepExecutor::Tally {
+struct SweepExecutor::SweepCounts {
   std::int64_t run = 0, sampled = 0;
   TaskTimes times;
 
-  void add(const Tally& other) {
+  void add(const SweepCounts& other) {
     run += other.run;
     sampled += other.sampled;
     if (times.size() < other.times.size()) times.resize(other.times.size(), 0);
@@ -33,19 +33,19 @@ struct SweepExecutor::Graph {
   StateBinding binding;
   std::vector<int> written;       // slots of the new state
   std::vector<int> absent_slots;  // of `absent`, in the new state or among the outputs
-  Tally kept;                     // before the workers were made anew
+  SweepCounts kept;               // before the workers were made anew
 };
 
 struct SweepExecutor::Worker {
   Worker(int kinds, const SweepOptions& o)
-      : sweeps(kinds), tracked_totals(kinds), reductions(o.maxima, o.sums) {}
+      : sweeps(kinds), counts(kinds), reductions(o.maxima, o.sums) {}
   std::shared_ptr<AlignedArray> scratch = std::make_shared<AlignedArray>();
   std::vector<std::unique_ptr<BlockSweep>> sweeps;  // by kind
-  std::vector<Tally> tracked_totals;                // by kind
+  std::vector<SweepCounts> counts;                  // by kind
   Reductions reductions;
   TaskTimes boxes;                 // by local box
   std::vector<SweepPiece> pieces;  // awake, of one kind, to be swept as one
-  Skipped asleep;
+  Skipped skipped;
 };
 
 }  // namespace sluice

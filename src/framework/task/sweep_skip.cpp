@@ -17,7 +17,7 @@ bool SweepExecutor::is_skippable(const Graph& graph, const Block& block) const {
   return true;
 }
 
-void SweepExecutor::sleep(Worker& worker, const StepConstants& step, const Block& block) {
+void SweepExecutor::skip(Worker& worker, const StepConstants& step, const Block& block) {
   const Graph& graph = *graphs_[block.kind];
   BlockSweep& sweep = *worker.sweeps[block.kind];
   if (RowMarks* marks = new_state_->marks(block.box)) marks->clear(block.cells);
@@ -41,7 +41,7 @@ void SweepExecutor::sleep(Worker& worker, const StepConstants& step, const Block
   }
   if (rest.empty()) return;
   sweep.run(step, block.box, {rest.lower, rest.lower + IntVec3{1, 1, 1}}, worker.reductions);
-  worker.asleep.cells += rest.volume() - 1;
+  worker.skipped.cells += rest.volume() - 1;
   for (std::size_t v = 0; v < graph.list->variables().size(); ++v) {
     const Variable& variable = graph.list->variables()[v];
     if (variable.storage != Storage::new_state || !graph.plan.used[v]) continue;
