@@ -289,18 +289,23 @@ void check_ice_labels(const DeckNode& root, std::vector<Fault>& faults) {
 
 namespace {
 
-// The kinds of conditions that fluids have beside the framework's, and the blocks that they need.
-void add_face_conditions(Schema& schema) {
-  TagSpec& conditions = *schema.at("Grid/BoundaryConditions");
-  AttributeSpec& kind = *schema.at("Grid/BoundaryConditions/Face/BCType")->attribute_of("var");
+// The kinds of conditions that fluids have in addition to those of the framework.
+void add_kinds(AttributeSpec& kind) {
   std::vector<std::string> words;
   for (const ice::FaceCondition& c : ice::face_conditions()) {
     const auto& known = kind.value.words;
     if (std::find(known.begin(), known.end(), c.word) == known.end()) words.emplace_back(c.word);
-    if (c.block && schema.child(conditions, c.block->name) == nullptr)
-      conditions.children.push_back(*c.block);
   }
   kind = kind.more_words(words);
+}
+
+// These kinds, then the blocks that they need: a block that is added moves its neighbours.
+void add_face_conditions(Schema& schema) {
+  add_kinds(*schema.at("Grid/BoundaryConditions/Face/BCType")->attribute_of("var"));
+  TagSpec& conditions = *schema.at("Grid/BoundaryConditions");
+  for (const ice::FaceCondition& c : ice::face_conditions())
+    if (c.block && schema.child(conditions, c.block->name) == nullptr)
+      conditions.children.push_back(*c.block);
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ struct Sample {
 
   Deck load() const {
     Schema schema;
-    add_framework_tags(schema);
+    add_framework_tags(schema, {{"ice", {"ICE"}}});
     add_ice_tags(schema);
     return load_deck_text(text(), "gas.ups", {}, schema);
   }
@@ -165,7 +165,7 @@ TEST(IceSchema, SaysNothingOfThePressureOfAGasThatCannotBe) {
     std::string text = Sample{}.text();
     text.replace(text.find(edit.substr(0, bar)), bar, edit.substr(bar + 1));
     Schema schema;
-    add_framework_tags(schema);
+    add_framework_tags(schema, {{"ice", {"ICE"}}});
     add_ice_tags(schema);
     const Deck deck = load_deck_text(text, "gas.ups", {}, schema);
     EXPECT_FALSE(deck.good()) << edit;
@@ -203,7 +203,7 @@ TEST(IceSchema, LetsModelsAndOtherComponentsHaveTheirOwnLabels) {
 std::string said_of_save(std::string text, const std::string& label) {
   text.insert(text.find("</DataArchiver>"), "<save label='" + label + "'/>");
   Schema schema;
-  add_framework_tags(schema);
+  add_framework_tags(schema, {{"ice", {"ICE"}}});
   add_ice_tags(schema);
   return messages(load_deck_text(text, "one.ups", {}, schema));
 }
@@ -237,7 +237,7 @@ Deck with_a_second_material(const std::string& exchange, const std::string& grav
                    exchange);
   text.replace(text.find("<gravity>[0,0,0]"), 16, "<gravity>" + gravity);
   Schema schema;
-  add_framework_tags(schema);
+  add_framework_tags(schema, {{"ice", {"ICE"}}});
   add_ice_tags(schema);
   return load_deck_text(text, "two.ups", {}, schema);
 }
