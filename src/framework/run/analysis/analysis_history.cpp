@@ -52,7 +52,7 @@ void Statistics::LevelStore::commit(const LevelStore* earlier, LevelStore* coars
   }
   if (coarser == nullptr) return;
   HaloExchange(coarser->level_, ghosts, rank_).run(coarser->kept_, coarser->slots_);
-  Interpolation::of_new_cells(coarser->level_, ghosts, level_, before, rank_)
+  Interpolation::for_new_cells(coarser->level_, ghosts, level_, before, rank_)
       .run(nullptr, &coarser->kept_, 1.0, kept_, slots_, SameHistory(), 0);
 }
 

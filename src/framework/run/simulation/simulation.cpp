@@ -332,7 +332,7 @@ void Simulation::step() {
   plan = advance(plan, result);
   record(plan, result.sums);
   record_energies(plan, result.sums);
-  analysis_->budget(plan.dt, result.sums);
+  analysis_->record(plan.dt, result.sums);
   limit_ = hierarchy_->step_limit();
   stepping_seconds_ +=
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
