@@ -17,7 +17,7 @@ namespace {
 void check_cracks(const std::vector<models::SolidBurn>& burns, const MpmIce& component,
                   std::vector<Fault>& faults) {
   for (const models::SolidBurn& burn : burns) {
-    const auto solid = static_cast<std::size_t>(burn.solid);
+    const std::size_t solid = burn.solid;
     if (!burn.law->burns_cracks() ||
         mpm::column_of(component.solids().carried()[solid], "p.crackRad") >= 0)
       continue;

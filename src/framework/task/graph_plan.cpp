@@ -60,7 +60,7 @@ void plan_storage(const TaskList& list, const std::vector<Need>& need, int swept
       int lead = 0;  // of the writer
       Growth window;
       for (const PlannedTask& p : plan.tasks)
-        for (VariableId w : list.tasks()[static_cast<std::size_t>(p.task)].writes)
+        for (VariableId w : list.tasks()[p.task].writes)
           if (w == id) {
             lead = p.lead;
             window = p.window;
@@ -85,12 +85,12 @@ SweepPlan plan_sweep(const TaskList& list, const std::vector<int>& ordered, cons
 
   // Backwards: a task's window and lead are the largest that its consumers ask for.
   for (std::size_t n = ordered.size(); n-- > 0;) {
-    const Task& t = list.tasks()[static_cast<std::size_t>(ordered[n])];
+    const Task& t = list.tasks()[ordered[n]];
     Growth window;  // the block itself, for state, outputs and reductions
     int lead = 0;
     for (VariableId v : t.writes) {
-      plan.used[static_cast<std::size_t>(v.index)] = true;
-      const Need& wanted = need[static_cast<std::size_t>(v.index)];
+      plan.used[v.index] = true;
+      const Need& wanted = need[v.index];
       if (wanted.used) {
         window.low = max(window.low, wanted.window.low);
         window.high = max(window.high, wanted.window.high);
@@ -108,8 +108,8 @@ SweepPlan plan_sweep(const TaskList& list, const std::vector<int>& ordered, cons
                window.high + only_active(a.stencil.high, axes)};
       const int ahead = swept >= 0 ? lead + a.stencil.high[swept] : 0;
       const int behind = swept >= 0 ? lead - a.stencil.low[swept] : 0;
-      need[static_cast<std::size_t>(a.variable.index)].include(g, ahead, behind);
-      plan.used[static_cast<std::size_t>(a.variable.index)] = true;
+      need[a.variable.index].include(g, ahead, behind);
+      plan.used[a.variable.index] = true;
     }
   }
   plan_storage(list, need, swept, plan);
@@ -125,7 +125,7 @@ SweepPlan compile(const TaskList& list, const EffectList& effects,
 std::string to_dot(const TaskList& list, const EffectList& effects, const SweepPlan& plan) {
   std::string dot = "digraph step {\n  rankdir=LR;\n  node [fontname=\"sans-serif\"];\n";
   for (const PlannedTask& p : plan.tasks) {
-    const Task& t = list.tasks()[static_cast<std::size_t>(p.task)];
+    const Task& t = list.tasks()[p.task];
     const std::string node = "  \"" + t.name + "\"";
     dot += node + " [shape=box, tooltip=\"" + effects[t.effect].name + "\"];\n";
     for (const Access& a : t.reads)

@@ -96,7 +96,7 @@ AnalysisRecorder::AnalysisRecorder(const Scene& scene, Hierarchy& hierarchy,
 void AnalysisRecorder::add_particles(const AnalysisModule& m) {
   Module module;
   module.settings = &m;
-  module.levels.resize(static_cast<std::size_t>(hierarchy_->possible_levels()));
+  module.levels.resize(hierarchy_->possible_levels());
   module.particles = std::make_unique<ParticleHistories>(m, hierarchy_->component().particles());
   for (const Module& other : modules_)
     if (other.particles != nullptr && other.settings->material == m.material)
@@ -202,7 +202,7 @@ void AnalysisRecorder::add_planes_of_heat(const AnalysisModule& m, int first, co
   const Level& level = hierarchy_->level(0).level();
   for (std::size_t n = 0; n < m.volumes.size(); ++n) {
     const ControlVolume& plane = m.volumes[n];
-    if (!level.active[static_cast<std::size_t>(plane.flat)])
+    if (!level.active[plane.flat])
       throw DeckError(
           plane.where,
           fmt::format(
@@ -265,7 +265,7 @@ std::vector<Label> AnalysisRecorder::step_labels(double end) const {
 void AnalysisRecorder::visit(const std::vector<Module*>& modules, const Visit& work) const {
   for (const Module* m : modules)
     for (int l = 0; l < hierarchy_->level_count(); ++l)
-      if (LevelSampler* sampler = m->levels[static_cast<std::size_t>(l)].get()) work(l, *sampler);
+      if (LevelSampler* sampler = m->levels[l].get()) work(l, *sampler);
 }
 
 // Where the cells of lines lie now.
@@ -284,11 +284,11 @@ void AnalysisRecorder::lay_out() {
 
 // Labels that are functions of the state, on the levels that are asked for them.
 bool AnalysisRecorder::compute_labels(const std::vector<Module*>& due, double time) {
-  std::vector<std::vector<Label>> labels(static_cast<std::size_t>(hierarchy_->level_count()));
+  std::vector<std::vector<Label>> labels(hierarchy_->level_count());
   visit(due, [&](int l, LevelSampler& sampler) {
     for (const AnalysedQuantity& q : sampler.quantities())
       if (!hierarchy_->level(l).is_step_label(q.label) && !is_of_nodes(*hierarchy_, q.label))
-        labels[static_cast<std::size_t>(l)].push_back(q.label);
+        labels[l].push_back(q.label);
   });
   for (const Module* m : due)
     if (m->statistics != nullptr)

@@ -6,7 +6,7 @@ namespace sluice {
 
 std::size_t ParticleKind::columns() const {
   std::size_t n = 0;
-  for (const ParticleAttribute& a : attributes) n += static_cast<std::size_t>(a.columns());
+  for (const ParticleAttribute& a : attributes) n += a.columns();
   return n;
 }
 

@@ -255,8 +255,7 @@ class Metal final : public Material {
   MaxwellElements::Trial trial_of(const Batch& b, int i, double mu, const Symmetric& before,
                                   const Symmetric& strain) const {
     if (elements_at_ < 0) return {combined(1, before, 2 * mu, strain), mu};
-    return c_.elements.trial(b.old_history.subspan(static_cast<std::size_t>(elements_at_)), i, mu,
-                             b.dt, strain);
+    return c_.elements.trial(b.old_history.subspan(elements_at_), i, mu, b.dt, strain);
   }
 
   // Heating by plastic work, and by compression along an isentrope; C: J/(kg K).
