@@ -209,7 +209,7 @@ class TouchedFaces {
       return cell(h_.passed_on, mixture::component(m, q), left(i))[i];
     };
     for (int m = 0; m < materials_; ++m)
-      take(m, {H * per_volume(m, mixture::volume_variables), H * per_volume(m, mixture::of_mass),
+      take(m, {H * per_volume(m, mixture::of_volume), H * per_volume(m, mixture::of_mass),
                H * per_volume(m, mixture::of_energy)});
   }
   // One that no solid touches: by the rules of whole cells, which do not tell fluids apart where
@@ -228,7 +228,7 @@ class TouchedFaces {
       };
       if (apart)
         take(m,
-             {each(mixture::volume_variables), each(mixture::of_mass), each(mixture::of_energy)});
+             {each(mixture::of_volume), each(mixture::of_mass), each(mixture::of_energy)});
       else
         take(m, m == pure ? Carried{volume(i), face(h_.whole, 0)[i], face(h_.whole, 1)[i]}
                           : Carried{});
@@ -296,7 +296,7 @@ void add_passed_on(TaskList& list, const mixture::Variables& v, const MaterialVa
         if (!enters || face.donor_is_dry(i)) return;
         all += std::fabs(face.volume(i));
         const auto take = [&](int m, const Carried& q) {
-          to(m, mixture::volume_variables, i) += into * q.volume;
+          to(m, mixture::of_volume, i) += into * q.volume;
           to(m, mixture::of_mass, i) += into * q.mass;
           to(m, mixture::of_energy, i) += into * q.energy;
         };
@@ -312,7 +312,7 @@ void add_passed_on(TaskList& list, const mixture::Variables& v, const MaterialVa
       for (int m = 0; m < materials; ++m) {
         const In own[] = {state.volume[m], state.mass[m], state.energy[m]};
         for (const mixture::Carried q :
-             {mixture::volume_variables, mixture::of_mass, mixture::of_energy})
+             {mixture::of_volume, mixture::of_mass, mixture::of_energy})
           to(m, q, i) = all > 0 ? to(m, q, i) / all : row(own[q])[i];
       }
     }
@@ -371,7 +371,7 @@ void add_fluxes_of_cut_cells(TaskList& list, const mixture::Variables& v,
         if (!face.meets_touched(i)) continue;
         double F = 0, G = 0;
         const auto take = [&](int m, const Carried& q) {
-          row(h.each, mixture::component(m, mixture::volume_variables))[i] = q.volume;
+          row(h.each, mixture::component(m, mixture::of_volume))[i] = q.volume;
           row(h.each, mixture::component(m, mixture::of_mass))[i] = q.mass;
           row(h.each, mixture::component(m, mixture::of_energy))[i] = q.energy;
           F += q.mass;
