@@ -150,10 +150,10 @@ TEST(TableOfBases, ColumnsAreWhatDecksMayAsk) {
   };
   const Question questions[] = {
       {"<axisymmetric>true</axisymmetric>", &mpm::BasisRow::axisymmetric,
-       "<axisymmetric> has no form"},
+       "<axisymmetric> is not supported with"},
       {"<total_lagrangian>true</total_lagrangian>", &mpm::BasisRow::total_lagrangian,
-       "shape functions stay those of the start"},
-      {"<transfer>apic</transfer>", &mpm::BasisRow::one_second_moment, "one second moment"},
+       "shape functions are those of the initial positions"},
+      {"<transfer>apic</transfer>", &mpm::BasisRow::one_second_moment, "a constant second moment"},
   };
   for (const mpm::BasisRow& row : mpm::basis_rows())
     for (const Question& q : questions) {

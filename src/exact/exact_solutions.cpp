@@ -227,8 +227,8 @@ std::vector<ParameterHelp> sides_help(std::vector<ParameterHelp> more) {
       {"eos_left",
        "law and parameters, as in ideal_gas gamma=1.4 specific_heat=717.5; laws: " + known_laws()},
       {"eos_right", "law and parameters of the right material"},
-      {"temperature_left", "K, for laws whose pressure depends on density alone"},
-      {"temperature_right", "K, for laws whose pressure depends on density alone"},
+      {"temperature_left", "K, for laws whose pressure depends on density only"},
+      {"temperature_right", "K, for laws whose pressure depends on density only"},
       {"position", "of the interface at t = 0"},
       {"direction", "normal of the interface ([1,0,0])"},
       {"materials", "numbers in the deck of the left and the right material ([0, 1])"}};

@@ -212,7 +212,7 @@ TEST(SpinOfPoints, IsToldWithWhatToTake) {
   const auto run = SpinningDisk({"linear", 2, 0.5}).body.run("points");
   EXPECT_THAT(run->report().solids_text,
               testing::AllOf(testing::HasSubstr("has gained energy by numerical error"),
-                             testing::HasSubstr("Take <interpolator> gimp or cpdi")));
+                             testing::HasSubstr("Use <interpolator> gimp or cpdi")));
 }
 
 class Midpoint : public testing::TestWithParam<Case> {};

@@ -62,7 +62,7 @@ TEST_F(RegressCommand, OneChangedValueOrStepFails) {
   changed.tables[0].rows[7].values[0] *= 1 + 1e-8;
   write_golden(changed, golden());
   EXPECT_EQ(regress(), 1);
-  EXPECT_THAT(said_, HasSubstr("rho_CC, material 0, level 0: value differs in 1 of 20 places, most "
+  EXPECT_THAT(said_, HasSubstr("rho_CC, material 0, level 0: value differs in 1 of 20 values, most "
                                "in [7,0,0]"));
   changed = good;
   changed.tables[0].rows[7].values[0] *= 1 + 1e-11;  // round-off of another processor

@@ -34,7 +34,7 @@ FluidState state_of(const SolutionParameters& from, const eos::EquationOfState& 
   if (std::abs(state.pressure - values[2]) <= 1e-6 * std::abs(values[2])) return state;
   throw InputError(fmt::format(
       "exact solution '{}': <{}> says pressure {}, but {} has {:.12g} at density {}; its pressure "
-      "depends on density alone",
+      "depends on density only",
       from.type(), name, values[2], eos::name_of(law), state.pressure, values[0]));
 }
 

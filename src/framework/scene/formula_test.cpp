@@ -51,7 +51,7 @@ TEST(Formula, CanBeMoved) {
 
 TEST(Formula, FaultsNameTheirPlace) {
   EXPECT_THAT([] { Formula("1 + foo*x"); },
-              ThrowsMessage<InputError>(AllOf(HasSubstr("'foo' is no variable"),
+              ThrowsMessage<InputError>(AllOf(HasSubstr("'foo' is not a variable"),
                                               HasSubstr("character 5\n  1 + foo*x\n      ^"))));
   EXPECT_THAT([] { Formula("sin(x"); }, ThrowsMessage<InputError>(HasSubstr("sin(x")));
   EXPECT_THAT([] { Formula("x +"); }, ThrowsMessage<InputError>(HasSubstr("ends too early")));

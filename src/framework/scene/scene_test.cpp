@@ -123,7 +123,7 @@ TEST(Scene, ReportsAllFaultsOfAllBlocks) {
   read_scene(deck_of(bad), {}, faults);
   const std::string text = all_faults(faults);
   EXPECT_EQ(faults.size(), 5u) << text;
-  EXPECT_THAT(text, HasSubstr("formula: 'densty' is no variable"));
+  EXPECT_THAT(text, HasSubstr("formula: 'densty' is not a variable"));
   EXPECT_THAT(text, HasSubstr("maxTime -1"));
   EXPECT_THAT(text, HasSubstr("side z+: no boundary condition"));
   EXPECT_THAT(text, HasSubstr("index set '?'"));

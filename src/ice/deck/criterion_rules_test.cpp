@@ -49,7 +49,7 @@ TEST(CriterionRules, OthersAreRefusedByName) {
        {threshold, +[](const std::string& n, const std::string&) { return error(n); }}) {
     EXPECT_THAT(told("rho_C", "0"), HasSubstr("there is no variable 'rho_C'"));
     EXPECT_THAT(told("rho_C", "0"), HasSubstr("did you mean 'rho_CC'"));
-    EXPECT_THAT(told("uvel_FC", "0"), HasSubstr("uvel_FC lies on faces"));
+    EXPECT_THAT(told("uvel_FC", "0"), HasSubstr("uvel_FC is on faces"));
     EXPECT_THAT(told("TotalMass", "0"), HasSubstr("TotalMass is one number per step"));
     EXPECT_THAT(told("refineFlag", "0"), HasSubstr("is the result of the refinement criteria"));
     EXPECT_THAT(told("delP_Dilatate", "0"), HasSubstr("exists only within a step"));

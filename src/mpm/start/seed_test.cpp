@@ -378,7 +378,7 @@ TEST(SeedFaults, BodiesOutsideOrTooThinAreTold) {
   EXPECT_THAT(seed_faults(deck_of(object(ball) + object(thin))),
               HasSubstr("no particle position is inside"));
   EXPECT_THAT(seed_faults(deck_of(object(outside))),
-              HasSubstr("error: no <geom_object> gives a particle"));
+              HasSubstr("error: no <geom_object> has a particle"));
 }
 
 std::string load_deck_faults(const std::string& lower, const std::string& upper) {

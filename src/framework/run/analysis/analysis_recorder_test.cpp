@@ -187,7 +187,7 @@ TEST_F(Recorded, AFieldOfAnotherMaterialIsRefused) {
     recorder();
     FAIL() << "accepted";
   } catch (const InputError& e) {
-    EXPECT_THAT(e.what(), HasSubstr("there is none of material 1, but of 0"));
+    EXPECT_THAT(e.what(), HasSubstr("it does not exist for material 1, but for 0"));
   }
 }
 
