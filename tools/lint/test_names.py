@@ -63,7 +63,8 @@ class Pages(Tree):
             self.assertEqual(self.faults(f"one\n`{span}`\n"), [f"README.md:2: {fault}"])
 
     def test_files_that_a_reader_makes(self):
-        self.assertEqual(self.faults("**New file `src/ice/b.hpp`**\n\nIn `src/ice/b.hpp` ...\n"), [])
+        text = "**New file `src/ice/b.hpp`**\n\nIn `src/ice/b.hpp` ...\n"
+        self.assertEqual(self.faults(text), [])
         self.assertEqual(self.faults("**New file `src/ice/a.hpp`**\n"),
                          ["README.md:1: 'src/ice/a.hpp' is to be a new file, and exists"])
 
