@@ -32,6 +32,7 @@ PATTERN = re.compile(r"\b[A-Z]{4,}\b")  # sluice::ROOM::FILE
 OTHER_TIMES = {"CHANGELOG.md", "docs/your_own_component.md"}
 # Namespaces of others.
 FOREIGN = {"std", "fmt", "gnu", "testing", "nlohmann", "Eigen", "MPI"}
+NEW_FILE = re.compile(r"^\*\*New file `([^`]+)`\*\*$", re.MULTILINE)
 
 
 def check_rooms(root):
@@ -68,8 +69,13 @@ def check_names(root):
             continue
         text = BLOCK.sub(lambda block: re.sub(r"[^\n]", " ", block[0]),
                          page.read_text(encoding="utf-8"))
+        made = set(NEW_FILE.findall(text))
         for span in SPAN.finditer(text):
             where = f"{path}:{text.count(chr(10), 0, span.start()) + 1}"
+            if span[1] in made:
+                if names.has(span[1]):
+                    yield f"{where}: '{span[1]}' is to be a new file, and exists"
+                continue
             for _, fault in names.faults(span[1]):
                 yield f"{where}: {fault}"
             for folder in FOLDER.finditer(span[1]):

@@ -62,6 +62,12 @@ class Pages(Tree):
                 ("stop()", "there is no 'stop' in src/")]:
             self.assertEqual(self.faults(f"one\n`{span}`\n"), [f"README.md:2: {fault}"])
 
+    def test_files_that_a_reader_makes(self):
+        text = "**New file `src/ice/b.hpp`**\n\nIn `src/ice/b.hpp` ...\n"
+        self.assertEqual(self.faults(text), [])
+        self.assertEqual(self.faults("**New file `src/ice/a.hpp`**\n"),
+                         ["README.md:1: 'src/ice/a.hpp' is to be a new file, and exists"])
+
     def test_tables_of_rooms(self):
         guide = pathlib.Path(check_pages.__file__).resolve().parents[2] / check_pages.GUIDE
         self.write(check_pages.GUIDE, guide.read_text(encoding="utf-8"))
