@@ -250,9 +250,9 @@ void FluidPart::declare_passes(StepShape& shape,
   }
   if (several) shape.link_levels(pressure::take_finer_faces);
   // On several levels passes also correct the matrix where they meet.
-  constexpr int most_corrections = 8;
+  constexpr int max_corrections = 8;
   const int most =
-      several ? std::max(ice_.implicit->max_passes, most_corrections) : ice_.implicit->max_passes;
+      several ? std::max(ice_.implicit->max_passes, max_corrections) : ice_.implicit->max_passes;
   shape.solve("start", [pressure](const StageScope& scope) { return pressure->start(scope); });
   if (several) {
     shape.prepare("work pressure", {l.work_pressure});

@@ -95,7 +95,7 @@ TEST_F(PlanLevels, AreToldWithWhatDecidesThem) {
   EXPECT_THAT(sluice("plan", "shock_tube"), Not(HasSubstr("W-cycle")));
   const std::string drop = sluice("plan", "amr_followed_drop");
   for (const char* part : {"interfaces of material 0", "within 0.06, up to level 1",
-                           "within 0.02, up to level 2", "amr_followed_drop.ups:43"})
+                           "within 0.02, up to level 2", "amr_followed_drop.ups:44"})
     EXPECT_THAT(drop, HasSubstr(part));
 }
 

@@ -10,7 +10,17 @@
 namespace sluice::ice {
 namespace {
 
-constexpr double trace = 1e-9;  // of the largest density
+// threshold: share of the largest density that a side gives to a material at least; less of it is
+//   none; unit: 1; test: MixtureGhosts.ATraceOfDensityIsNone
+constexpr double least_given_density = 1e-9;
+// coefficient: the pressures between which the one is sought at which densities and temperatures
+//   fill a cell; unit: Pa
+constexpr double lowest_sought = 1e-12;
+// coefficient: the same, upwards; unit: Pa
+constexpr double highest_sought = 1e15;
+// threshold: relative width of a bracket at which the bisection ends; unit: 1; test:
+//   MixtureGhosts.AnOutletPressureIsThatOfAllMaterials
+constexpr double bracket_ends = 1e-15;
 constexpr int max_bisections = 200;
 
 using Part = MixtureRule::Part;
@@ -37,7 +47,7 @@ class MixtureRuleMaker {
       rule_.parts.push_back(part);
     }
     for (Part& part : rule_.parts)
-      part.absent = part.rule.fixed_density && part.rule.density <= trace * densest;
+      part.absent = part.rule.fixed_density && part.rule.density <= least_given_density * densest;
     check_waves();
     find_volumes();
     find_common();
@@ -147,10 +157,10 @@ class MixtureRuleMaker {
       for (const std::size_t m : present) sum += volume_at(m, p);
       return sum;
     };
-    double low = 1e-12, high = 1e15;
+    double low = lowest_sought, high = highest_sought;
     if (!(excess(low) > 0) || !(excess(high) < 0))
       refuse("these densities and temperatures fill a cell at no pressure");
-    for (int n = 0; n < max_bisections && high > low * (1 + 1e-15); ++n) {
+    for (int n = 0; n < max_bisections && high > low * (1 + bracket_ends); ++n) {
       const double middle = std::sqrt(low * high);
       (excess(middle) > 0 ? low : high) = middle;
     }

@@ -11,7 +11,9 @@
 
 namespace sluice::ice {
 
-constexpr double unfilled = 1e-6;  // of a cell: volumes are given with as many digits
+// threshold: part of a cell that the volumes of a side may leave empty: decks write as many
+//   digits; unit: 1; test: MixtureGhosts.VolumesThatDoNotFillACellAreRefused
+constexpr double unfilled = 1e-6;
 
 // Throws InputError with the deck's line of a condition that is not supported, or whose block is
 // missing. `normal`: the direction of the side.

@@ -10,8 +10,6 @@
 namespace sluice::ice {
 namespace {
 
-constexpr double max_change = 0.5;  // of density, as waves press a mixture
-
 // The tangents of a face, in rising order.
 constexpr int tangents[3][2] = {{1, 2}, {0, 2}, {0, 1}};
 
@@ -146,7 +144,7 @@ void GhostStates::mixture_waves(const MixtureRule& rule, const WaveState& out, I
     if (M == 0.0) continue;
     const Fluid& fluid = laws_.at(source, m, room);
     const double rho = M / V, change = (p - p_source) / fluid.bulk_modulus(rho, p_source);
-    part.rho = rho * (1.0 + std::clamp(change, -max_change, max_change));
+    part.rho = rho * (1.0 + std::clamp(change, -most_change_by_waves, most_change_by_waves));
     part.T = fluid.temperature(rho, v_.energy[m](source) / V);
     part.V = V * (rho / part.rho);
     filled += part.V;

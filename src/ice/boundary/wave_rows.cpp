@@ -8,20 +8,20 @@
 #include <type_traits>
 #include <utility>
 
+#include "ice/boundary/waves.hpp"
 #include "ice/fluid/closure_rows.hpp"
 
 namespace sluice::ice {
 namespace {
 
-constexpr double max_change = 0.5;  // of density, and of pressure above the lowest of the law
-constexpr int short_row = 8;        // not worth unit stride
+constexpr int short_row = 8;  // not worth unit stride
 
 bool too_far(double value, double change) {
-  return std::fabs(change) > max_change * value;
+  return std::fabs(change) > most_change_by_waves * value;
 }
 
 double largest_share(double value, double change) {
-  const double share = std::max(max_change * value, 0.0) / std::fabs(change);
+  const double share = std::max(most_change_by_waves * value, 0.0) / std::fabs(change);
   return too_far(value, change) ? share : 1.0;
 }
 

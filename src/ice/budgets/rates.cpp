@@ -197,6 +197,7 @@ class Diffusion {
     return (m(above) / density(above) - m(below) / density(below)) / (2 * spacing_[d]);
   }
   double eddy_viscosity(IntVec3 cell) const {
+    // coefficient: Smagorinsky's constant of isotropic turbulence (Lilly 1967); unit: 1
     constexpr double isotropic = 0.17;
     double squared = 0;  // 2 S:S
     for (int a = 0; a < o_.components; ++a)

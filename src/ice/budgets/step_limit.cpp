@@ -5,13 +5,26 @@
 
 namespace sluice::ice {
 
+namespace {
+
+// threshold: share of sum |u| dt/dx, what flows out of a cell in a step, of its volume; unit: 1;
+//   test: none
+constexpr double flow_share = 0.9;
+// threshold: dt 2 D sum 1/dx^2 of explicit steps: friction along its own direction acts with 4/3
+//   mu, and steps bear 0.75; unit: 1; test: none
+constexpr double explicit_diffusion_share = 0.7;
+// threshold: the same of semi-implicit steps: parabolas at walls (viscous_stress.cpp) are stiffer
+//   by a half, and in corners 0.8 is too much; unit: 1; test:
+//   ImplicitManufacturedFlow.VorticesPassOpenSidesAtSecondOrder
+constexpr double implicit_diffusion_share = 0.6;
+// threshold: cells that sound crosses in a semi-implicit step: beyond, the pressure of a closed
+//   box is hardly determined; unit: 1; test: ImplicitLimits.NearlySingularBoxGoesOn
+constexpr double most_cells_of_sound = 2e4;
+
+}  // namespace
+
 StepLimit step_limit(const SchemeOptions& o, const std::vector<double>& maxima) {
-  constexpr double flow_share = 0.9;
-  // Friction along its own direction acts with 4/3 mu: 0.75 is what explicit steps can bear.
-  // Parabolas at walls (viscous_stress.cpp) are stiffer by a half: in corners .8 is too much.
-  const double diffusion_share = o.implicit ? 0.6 : 0.7;
-  // Of a semi-implicit step: beyond, the pressure of a closed box is hardly determined.
-  constexpr double most_cells_of_sound = 2e4;
+  const double diffusion_share = o.implicit ? implicit_diffusion_share : explicit_diffusion_share;
   const double sound_share = o.internal_energy_form
                                  ? internal_energy_form::sound_share(o.axes.count)
                                  : max_in_one_direction;

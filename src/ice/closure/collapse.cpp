@@ -4,8 +4,13 @@
 namespace sluice::ice::mixture {
 namespace {
 
-constexpr double trace_of_mass = 1e-6;  // of the cell: air of 1 bar in 1e-3 of a cell of water
-constexpr double closing = 4.0;         // times the pressure it had
+// threshold: share of the cell's mass below which a gas is a bubble that takes the temperature of
+//   the liquid that closes on it: air of 1 bar in 1e-3 of a cell of water; unit: 1; test:
+//   Cavitation.OpensAndCollapses
+constexpr double trace_of_mass = 1e-6;
+// threshold: factor of its pressure in one step from which on a bubble is one that closes; unit:
+//   1; test: Cavitation.OpensAndCollapses
+constexpr double closing = 4.0;
 
 // gamma - 1; of what is no gas 0.
 double gas_ratio(const Fluid& fluid) {

@@ -19,10 +19,14 @@
 
 namespace sluice::ice::mixture {
 
-// Below this share of the cell a material neither gives nor takes heat.
+// threshold: share of the cell below which a material neither gives nor takes heat through faces;
+//   unit: 1; test: HeatContacts.TracesStayBetweenTheirNeighbours
 constexpr double min_conducting_share = 1e-8;
-// Below this one, or this share of the mass, it does not limit the time step.
-constexpr double min_limiting_share = 0.01, min_limiting_mass = 1e-9;
+// threshold: share of the cell below which the conduction and friction of a material do not limit
+//   the time step; unit: 1; test: none
+constexpr double min_limiting_share = 0.01;
+// threshold: share of the cell's mass below which they do not either; unit: 1; test: none
+constexpr double min_limiting_mass = 1e-9;
 
 // One side of a face, by material.
 struct ContactSide {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ice/closure/interface_band.hpp"
 #include "ice/closure/pair_relaxation.hpp"
 #include "ice/closure/surface_law.hpp"
 #include "ice/fluid/limiters.hpp"
@@ -11,17 +12,28 @@
 namespace sluice::ice::mixture {
 namespace {
 
-// Volume fractions: up to `bound` a material moves with the mixture, from `unbound` on it need not.
-constexpr double bound = 1e-8, unbound = 1e-6;
-// A material of less than `little` of the volume (not at all from `some` on) that is no denser than
-// the mixture (twice as dense) feels at least the drag of fragments of the size of a cell.
-constexpr double little = 1e-2, some = 2e-2, light = 1.0, heavy = 2.0;
-constexpr double strongest = 1e12;
+// threshold: volume fraction up to which a material moves with the mixture; unit: 1; test:
+//   Drag.BindsLightTracesOnly
+constexpr double bound = 1e-8;
+// threshold: volume fraction from which on nothing binds it to the mixture for that; unit: 1;
+//   test: Drag.BindsLightTracesOnly
+constexpr double unbound = 1e-6;
+// threshold: volume fraction up to which a light material feels at least the drag of fragments of
+//   the size of a cell; unit: 1; test: Drag.BindsLightTracesOnly
+constexpr double little = 1e-2;
+// threshold: volume fraction from which on it does not; unit: 1; test: Drag.BindsLightTracesOnly
+constexpr double some = 2e-2;
+// threshold: density, of that of the mixture, up to which a material is light for that; unit: 1;
+//   test: Drag.BindsLightTracesOnly
+constexpr double light = 1.0;
+// threshold: density, of that of the mixture, from which on it is not; unit: 1; test:
+//   Drag.BindsLightTracesOnly
+constexpr double heavy = 2.0;
 
 // s/(1 - s) of a share s between 0 and 1.
 double strength(double share) {
   if (share <= 0.0) return 0.0;
-  return share < 1.0 ? std::fmin(share / (1.0 - share), strongest) : strongest;
+  return share < 1.0 ? std::fmin(share / (1.0 - share), strongest_bond) : strongest_bond;
 }
 // Half of the mass that the one of smaller volume pushes aside.
 double virtual_mass(const DragCell& cell, int i, int j) {

@@ -9,8 +9,13 @@
 namespace sluice::ice::mixture {
 namespace {
 
-constexpr double trace = 1e-8;                 // volume fraction
-constexpr double min_cavity_pressure = 1e-12;  // of the stiffest pi
+// threshold: volume fraction below which a material keeps its density where no pressure suits
+//   all; unit: 1; test: none
+constexpr double least_relaxed = 1e-8;
+// threshold: pressure in a cavity, of the largest constant pi of the stiffened laws, at least:
+//   below it the energy of the gas is round-off; unit: 1; test:
+//   Equilibration.TheWeakerLiquidOpensUnderTension
+constexpr double min_cavity_pressure = 1e-12;
 
 }  // namespace
 
@@ -80,12 +85,12 @@ bool Equilibration::leave_traces_out(const Cell& cell, Present& in) const {
   in.count = 0;
   for (int n = 0; n < all; ++n) {
     const int m = in.index[n];
-    if (cell.V[m] < trace)
+    if (cell.V[m] < least_relaxed)
       in.volume -= cell.V[m];
     else
       in.index[in.count++] = m;
   }
-  if (cell.V[in.weakest] < trace) in.weakest = -1;
+  if (cell.V[in.weakest] < least_relaxed) in.weakest = -1;
   return in.count > 0 && in.count < all;
 }
 

@@ -21,8 +21,9 @@
 
 namespace sluice::ice::mixture {
 
-// Materials are at one pressure where they differ by less of the modulus: round-off of
-// p = G (rho e) + F.
+// threshold: difference of pressures, of the modulus, up to which materials are at one pressure:
+//   the round-off of p = G (rho e) + F; unit: 1; test:
+//   IdealRelaxation.KeepsVolumeEnergyAndWhatIsInEquilibrium
 constexpr double same_pressure = 4e-15;
 
 // The laws of a scene, sorted for speed when made.

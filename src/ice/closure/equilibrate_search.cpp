@@ -18,10 +18,28 @@ namespace sluice::ice::mixture {
 namespace {
 
 constexpr int max_iterations = 100, max_together = 12;
-constexpr double thin = 0x1p-80;  // of the pressure sought: halves would take too many iterations
-constexpr double newton_ends = 1e-9;  // a step: what is left of it is round-off
-constexpr double volume_tolerance = 4e-16, pressure_tolerance = 1e-15;
-constexpr double largest_gap = 1e-10;  // of the modulus, of the volume: more is no solution
+// threshold: pressure, of the one sought, below which a step takes half of the decades in place
+//   of half of the volume; unit: 1; test: EquilibrationOfVapour.GoesWhereTheLiquidClosesItsCavity
+constexpr double thin = 0x1p-80;
+// threshold: relative step of Newton after which the search ends: what is left is the square of
+//   it, round-off; unit: 1; test: Equilibration.FindsOnePressureForAnyPair
+constexpr double newton_ends = 1e-9;
+// threshold: relative step of bisection after which the search ends: the round-off of a volume;
+//   unit: 1; test: EquilibrationOfWater.EndsWhereAVolumeIsWithinAnUlp
+constexpr double bisection_ends = 2e-16;
+// threshold: gap between the volumes and the cell, of the cell, at which the search ends:
+//   round-off; unit: 1; test: Equilibration.LiquidsThatAreAboutToOpenFindTheirPressure
+constexpr double volume_tolerance = 4e-16;
+// threshold: relative step of the pressure at which the search ends: round-off; unit: 1; test:
+//   none
+constexpr double pressure_tolerance = 1e-15;
+// threshold: gap, of the modulus or of the volume of the cell, from which on what was found is no
+//   solution; unit: 1; test: none
+constexpr double largest_gap = 1e-10;
+// coefficient: where the search for a pressure begins, of the pressures at hand; unit: 1
+constexpr double first_share = 1e-3;
+// coefficient: where it begins if these are 0; unit: Pa
+constexpr double lowest_start = 1e-300;
 
 using Cell = Equilibration::Cell;
 
@@ -70,7 +88,7 @@ Response solve(const Fluid& fluid, int m, const Cell& cell, double q, double sta
                                    : 2.0 * v;
           const double step = std::fabs(next - v);
           if (r.excess != 0.0) v = next;
-          if (r.excess == 0.0 || step <= (newton ? newton_ends : 2e-16) * v) break;
+          if (r.excess == 0.0 || step <= (newton ? newton_ends : bisection_ends) * v) break;
         }
         r.volume = v;
         return r;
@@ -143,7 +161,7 @@ bool Equilibration::find_pressure(const Cell& cell, Present& in, double& q) cons
     return q > 0.0 && q < infinity;
   }
   if (b.linear == 2 && b.others == 0) x = b.pair_balance();
-  if (!(x > 0.0 && x < infinity)) x = 1e-3 * (std::fabs(q) + std::fabs(b.lo)) + 1e-300;
+  if (!(x > 0.0 && x < infinity)) x = first_share * (std::fabs(q) + std::fabs(b.lo)) + lowest_start;
   const double start = x;
   bool found = b.others > 0 && search_together(cell, in, b, x);
   if (!found) {
@@ -226,7 +244,7 @@ bool Equilibration::search_in_bracket(const Cell& cell, Present& in, const Balan
     (f > 0.0 ? below : above) = x;
     double next = x / (1.0 + f / (slope * x));
     if (!(next > below && next < above)) {
-      const double inside = below > 0.0 ? std::sqrt(below) * std::sqrt(above) : 1e-3 * above;
+      const double inside = below > 0.0 ? std::sqrt(below) * std::sqrt(above) : first_share * above;
       next = above < infinity ? inside : x < highest ? highest : 8.0 * x;
     }
     found = std::fabs(next - x) < pressure_tolerance * std::fabs(x + b.lo);

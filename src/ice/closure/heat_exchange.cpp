@@ -11,7 +11,8 @@
 namespace sluice::ice::mixture {
 namespace {
 
-// Of its temperature: below it too few digits of the energy are left.
+// threshold: share of its temperature below which the exchange of heat leaves a material too few
+//   digits of its energy; unit: 1; test: HeatExchange.NextToNothingTakesTheTemperatureOfTheLiquid
 constexpr double min_share = 1e-6;
 
 bool has_constant_heat(const Fluid& fluid) {

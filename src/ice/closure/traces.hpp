@@ -7,21 +7,27 @@
 
 namespace sluice::ice::mixture {
 
-// Of less volume than this the numbers would lose their digits; no sum over cells knows of it.
+// threshold: volume fraction below which a material is gone: its numbers would lose their digits,
+//   and no sum over cells knows of it; unit: 1; test:
+//   CompactSupport.NothingStaysBehindInObliqueFlow
 constexpr double min_volume = 1e-100;
-// Nor of a mass below this (the vapour of a cavity): rates by mass overflow.
+// threshold: density in the cell below which a material (the vapour of a cavity) is gone: rates
+//   by mass overflow; unit: kg/m^3; test: none
 constexpr double min_mass = 1e-200;
-// The heat of less than this of a cell's mass is round-off of what the others exchange.
+// threshold: share of a cell's mass below which the energy of a material is round-off of what the
+//   others exchange; unit: 1; test: Equilibration.NextToNothingWithoutAStateTakesItsLeastPressure
 constexpr double next_to_nothing = 1e-9;
-// But in a cavity that is larger than this vapour stays: nothing else would fill it.
+// threshold: volume fraction of a cavity from which on its vapour stays: nothing else would fill
+//   it; unit: 1; test: EquilibrationOfVapour.GoesWhereTheLiquidClosesItsCavity
 constexpr double min_cavity = 1e-12;
 
-// Of less than this share of a cell's mass energy over mass says nothing: in a cavity a gas holds
-// at least the pressure 1e-12 pi (equilibrate.cpp), by T = p V/(M R) thousands of K of this share
-// of a liquid, millions of a hundredth of it.
+// In a cavity a gas holds at least the pressure 1e-12 pi (equilibrate.cpp), by T = p V/(M R)
+// thousands of K of this share of a liquid, millions of a hundredth of it.
 inline bool has_temperature(double M, double all) {
-  constexpr double least = 1e-12;
-  return M > least * all;
+  // threshold: share of a cell's mass up to which energy over mass is no temperature; unit: 1;
+  //   test: Cavitation.OpensAndCollapses
+  constexpr double least_heated = 1e-12;
+  return M > least_heated * all;
 }
 
 // The mass of a material, of which a cavity keeps the least; no sum over cells knows of that.
@@ -34,6 +40,8 @@ inline double vapour_kept(double M, double V) {
 // outlet a material leaves to the bit (remap_fluxes.cpp), through several only the sum of their
 // fluxes is all of it.
 inline bool is_gone(double M, double V, double M_before, double V_before) {
+  // threshold: share of what was there up to which what is left is the round-off of fluxes; unit:
+  //   1; test: none
   constexpr double round_off = 16 * std::numeric_limits<double>::epsilon();
   const int light = int{std::fabs(M) <= round_off * M_before};
   const int thin = int{std::fabs(V) <= round_off * V_before} & int{V_before > 0.0};
@@ -45,12 +53,16 @@ inline bool is_gone(double M, double V, double M_before, double V_before) {
 // digits of what was there, and would be at another temperature. Within those digits it keeps the
 // density and the energy per mass of what was there (after the Lagrangian phase): volumes are
 // closed and the energy is booked elsewhere.
-constexpr double drained = 1e-3;  // of the mass that was there
+// threshold: share of its mass before a step below which a material has drained from a cell;
+//   unit: 1; test: AnyPair.StaysInEquilibriumOnItsWay
+constexpr double drained = 1e-3;
 struct Residue {
   double V, E;
 };
 inline Residue settled(double M, double V, double E, double M_before, double V_L, double E_L) {
-  constexpr double last_digits = 1e-12;  // of what was there
+  // threshold: share of its volume and energy before that what is left of a drained material may
+  //   be moved by; unit: 1; test: AnyPair.StaysInEquilibriumOnItsWay
+  constexpr double last_digits = 1e-12;
   const double share = M / M_before;
   const auto within = [](double wanted, double found, double before) {
     const double room = last_digits * std::fabs(before);

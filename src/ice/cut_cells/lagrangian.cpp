@@ -18,11 +18,15 @@
 #include "ice/fluid/limiters.hpp"
 #include "ice/step/heat_rows.hpp"
 #include "ice/step/held_faces.hpp"
+#include "ice/step/remap_bounds.hpp"
 #include "ice/step/shock_shear.hpp"
 #include "ice/step/walled_donors.hpp"
 
 namespace sluice::ice::cut_cells {
 namespace {
+
+// coefficient: inverse of the mass of a cell without fluid: any impulse there shows; unit: m^3/kg
+constexpr double without_mass = 1e300;
 
 struct Handles {
   In rho, inverse_rho, velocity, sound, momentum, energy, fraction, next, wall_pressure, open;
@@ -155,7 +159,7 @@ void energy_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
 #pragma GCC ivdep
   for (int i = 0; i < n; ++i) {
     const double V = 1.0 - theta[i];
-    const double inverse_M = V > 0 ? w[i] / V : 1e300;
+    const double inverse_M = V > 0 ? w[i] / V : without_mass;
     W[i] = inverse_M;
     double work = 0, closing = 0;
     for (int d = 0; d < D; ++d) {
@@ -217,14 +221,14 @@ void lagrangian_rows(const Row& row, const Handles& h, const ImpulseConstants& s
     const double volume = (1.0 - after[i]) + stretch;
     const bool solid = (theta[i] > 0) | (after[i] > 0);
     const bool old = solid & !gives_new_state(V, volume, Es[i], out, sides.meets(i));
-    const double room = larger(volume, min_volume), inverse = 1.0 / (solid ? room : volume);
+    const double room = larger(volume, least_fluid_volume), inverse = 1.0 / (solid ? room : volume);
     const double rho_after = (r[i] * V) * inverse, E_after = Es[i] * inverse;
     const double outflow = smaller(out * inverse, 1.0);
     iJ[i] = inverse;
     rL[i] = old ? r[i] : rho_after;
     EL[i] = old ? E[i] : E_after;
     N[i] = outflow;
-    iN[i] = 1.0 / larger(outflow, 0.05);
+    iN[i] = 1.0 / larger(outflow, least_outflow);
     whole[i] = old ? 0.0 : V;
     keeps[i] = old ? 1.0 : 0.0;
     for (int c = 0; c < C; ++c) {

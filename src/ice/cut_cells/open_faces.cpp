@@ -86,7 +86,9 @@ void close_row(const Row& row, In fraction, In raw, In outflow, Out to, int axis
 
 void add_open_faces(TaskList& list, const SchemeVariables& fluid, const SchemeVariables& v,
                     const SchemeOptions& o, int effect) {
-  constexpr double round_off = 1e-12;  // of a cell's volume
+  // threshold: volume that flows out of a cell without fluid, of the cell's, up to which it is
+  //   the round-off of overlaps; unit: 1; test: none
+  constexpr double round_off = 1e-12;
   for (int axis = 0; axis < o.axes.count; ++axis) {
     const int d = o.axes.direction[axis];
     const Stencil both = Stencil::along(d, 1, 0);

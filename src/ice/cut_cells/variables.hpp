@@ -39,7 +39,8 @@ SchemeVariables fluid_face_variables(const SchemeVariables&);
 SchemeVariables remap_variables(const SchemeVariables&, int axis);
 SchemeVariables base_variables(const SchemeVariables&);
 
-// Volumes of fluid below this share of a cell are none: the round-off of overlaps.
-inline constexpr double min_volume = 1e-10;
+// threshold: share of a cell up to which a volume of fluid is none: the round-off of overlaps;
+//   unit: 1; test: none
+inline constexpr double least_fluid_volume = 1e-10;
 
 }  // namespace sluice::ice::cut_cells

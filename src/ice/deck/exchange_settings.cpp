@@ -145,9 +145,14 @@ void check_models(const DeckNode& exchange, const std::vector<const DeckNode*>& 
 }  // namespace
 
 double growth_with_mass_ratio(double M_m, double M_n) {
-  constexpr double least = 1e5, most = 1e12;
+  // threshold: square of a ratio of masses from which on coefficients of exchange grow with it;
+  //   unit: 1; test: HeatContacts.ACoefficientMayGrowWithTheRatioOfMasses
+  constexpr double least_square = 1e5;
+  // threshold: square of a ratio of masses beyond which they do not grow any more; unit: 1; test:
+  //   Drag.MayGrowWithTheRatioOfMasses
+  constexpr double most_square = 1e12;
   const double ratio = M_m > M_n ? M_m / M_n : M_n / M_m;
-  return std::clamp(ratio * ratio, least, most) / least;
+  return std::clamp(ratio * ratio, least_square, most_square) / least_square;
 }
 
 // rho sqrt(2 R T/pi) a/(2 - a): Maxwell's slip length is (2 - a)/a mean free paths

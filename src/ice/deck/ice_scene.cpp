@@ -119,14 +119,14 @@ void warn_of_flat_plane(const DeckNode& node, int axis, const Scene& scene,
 // Fewer cells than four a pair hold no vortices.
 void warn_of_narrow_pairs(const DeckNode& node, const VortexPairs& pairs, const Level& coarsest,
                           std::vector<Fault>& faults) {
-  constexpr int least_cells = 4;
+  constexpr int min_cells = 4;
   const int along = directions_of(pairs, coarsest).along, cells = coarsest.domain.size()[along];
-  if (cells / least_cells >= pairs.pairs) return;
+  if (cells / min_cells >= pairs.pairs) return;
   add_warning(faults, node.where,
               fmt::format("<vortexPairs>: {} pairs side by side along {}, where the coarsest level "
                           "has {} cells",
                           pairs.pairs, "xyz"[along], cells),
-              fmt::format("use fewer pairs, or {} cells for each", least_cells));
+              fmt::format("use fewer pairs, or {} cells for each", min_cells));
 }
 
 void warn_of_vortices(const Deck& deck, const Scene& scene, const IceScene& s,

@@ -15,7 +15,8 @@
 namespace sluice::ice {
 namespace {
 
-// Share by which the gas constant of a mixture may differ from (gamma - 1) cv without a word.
+// threshold: relative difference of the gas constant of a mixture from (gamma - 1) cv up to which
+//   there is no warning; unit: 1; test: IceSchema.WarnsOfAMixtureWithAnotherGasConstant
 constexpr double gas_constant_tolerance = 0.01;
 
 struct Species {

@@ -12,6 +12,13 @@ struct TagSpec;
 
 namespace sluice::ice {
 
+// threshold: relative difference from which on pressures that a deck writes contradict each
+//   other; unit: 1; test: IceSchema.WarnsOfAPressureThatContradicts
+constexpr double written_pressure_tolerance = 1e-3;
+// threshold: change of a density in the last of the digits that decks write: the pressure that it
+//   makes in a liquid contradicts nothing; unit: 1; test: none
+constexpr double last_written_digit = 1e-6;
+
 // Adds one fault for each thing that is wrong: a tag that the law needs and that is not there, a
 // number out of its range, a specific heat that cannot stand beside the law. What cannot be read at
 // all (no EOS, no number) is told by the schema and passed over; the result is then not usable.

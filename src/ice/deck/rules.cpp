@@ -22,9 +22,6 @@
 namespace sluice {
 namespace {
 
-// Relative difference from which a written pressure counts as contradicting the state.
-constexpr double pressure_tolerance = 1e-3;
-
 std::vector<std::string> material_names(const DeckNode& root) {
   std::vector<std::string> names;
   for (const DeckNode* material : ice_materials(root)) {
@@ -133,8 +130,10 @@ void check_pressure(const ice::Fluid& fluid, const DeckNode& object, std::vector
   const double used =
       fluid.pressure(*density, fluid.energy_from_temperature(*density, *temperature));
   // What the pressure does when the last of the digits that decks write changes.
-  const double unsure = 1e-6 * std::abs(fluid.bulk_modulus(*density, used));
-  if (std::abs(used - *pressure) <= std::max(pressure_tolerance * std::abs(used), unsure)) return;
+  const double unsure = ice::last_written_digit * std::abs(fluid.bulk_modulus(*density, used));
+  if (std::abs(used - *pressure) <=
+      std::max(ice::written_pressure_tolerance * std::abs(used), unsure))
+    return;
   std::string advice = "remove it, or change density and temperature";
   if (fluid.gamma_law() != nullptr)
     advice = fmt::format(

@@ -16,9 +16,9 @@
 namespace sluice {
 namespace {
 
-// Relative differences of pressures from which they count as different: of numbers that a deck
-// writes beside each other, and of an inlet from what is inside, which other waves change too.
-constexpr double in_one_state = 1e-3, from_inside = 0.1;
+// threshold: relative difference of the pressure of an inlet from those of the start up to which
+//   it is one of them: waves change it too; unit: 1; test: boundaries.rows
+constexpr double from_inside = 0.1;
 
 struct FaceState {
   const DeckNode* pressure = nullptr;
@@ -120,9 +120,10 @@ void check_face(const DeckNode& root, const DeckNode& face, const DeckNode& mate
       "where the flow is slower than sound the pressure comes from inside, what enters has this "
       "density and temperature";
   // What the pressure does when the last of the digits that decks write changes.
-  const double unsure = 1e-6 * std::fabs(fluid->bulk_modulus(*rho, made));
+  const double unsure = ice::last_written_digit * std::fabs(fluid->bulk_modulus(*rho, made));
   if (p) {
-    if (!differ(made, *p, in_one_state) || std::fabs(made - *p) <= unsure) return;
+    if (!differ(made, *p, ice::written_pressure_tolerance) || std::fabs(made - *p) <= unsure)
+      return;
     const bool enters = flow == Through::given && !several;
     add_warning(faults, s.pressure->where,
                 fmt::format("{}, but Pressure is {:.6g}: {}", given, *p,

@@ -9,6 +9,7 @@ namespace sluice::ice {
 
 std::vector<TransportModels::Sponge> sponge_cells(const ViscosityModels& models,
                                                   const Level& level) {
+  // coefficient: index of a cell beyond any level, where bounds may be infinite; unit: 1
   constexpr double far = 1 << 28;
   std::vector<TransportModels::Sponge> all;
   for (const SpongeLayer& layer : models.sponges)

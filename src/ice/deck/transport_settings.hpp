@@ -10,6 +10,7 @@
 #include "framework/grid/index_box.hpp"
 #include "framework/grid/level.hpp"
 #include "framework/grid/side.hpp"
+#include "ice/fluid/thresholds.hpp"
 
 namespace sluice::ice {
 
@@ -18,9 +19,8 @@ struct Sutherland {
   double a = 0, b = 0;  // kg/(m s K^1/2), K
 
   double viscosity(double T) const {
-    constexpr double nothing = 1e-300;
     const double positive = T > 0 ? T : 0;
-    return a * std::sqrt(positive) * (positive / (positive + b + nothing));
+    return a * std::sqrt(positive) * (positive / (positive + b + least_divisor));
   }
 };
 

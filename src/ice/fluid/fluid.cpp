@@ -6,6 +6,10 @@
 namespace sluice::ice {
 namespace {
 
+// coefficient: distance of the temperatures of which a heat capacity is the difference, of the
+//   temperature; unit: 1
+constexpr double temperature_step = 1e-4;
+
 // f(law, heat) with the specific heat of the deck, or f(law) with the law's own.
 template <class WithHeat, class Plain>
 double with_heat(const Fluid& fluid, WithHeat with, Plain plain) {
@@ -93,7 +97,7 @@ double Fluid::heat_capacity(double rho, double rho_e) const {
         if constexpr (requires { double{l.specific_heat}; }) {
           return l.specific_heat;
         } else {
-          const double T = l.temperature(rho, rho_e), step = 1e-4 * T;
+          const double T = l.temperature(rho, rho_e), step = temperature_step * T;
           return (l.energy_from_temperature(rho, T + step) -
                   l.energy_from_temperature(rho, T - step)) /
                  (2.0 * step * rho);

@@ -1,11 +1,9 @@
 // What two cells that both hold a material share.
 #pragma once
 #include "ice/fluid/limiters.hpp"
+#include "ice/fluid/thresholds.hpp"
 
 namespace sluice::ice {
-
-// Divisors are kept above this: what it stands for has no mass, and nothing of it passes.
-constexpr double min_mass = 1e-300;
 
 // b - a between two cells that both hold the material; 0 otherwise.
 inline double difference(double a, double b, double mass_a, double mass_b) {
@@ -14,7 +12,7 @@ inline double difference(double a, double b, double mass_a, double mass_b) {
 
 // Mass per volume through which a scalar spreads from one cell to the other: the harmonic mean.
 inline double shared_mass(double a, double b) {
-  return 2.0 * (a * b) / larger(a + b, min_mass);
+  return 2.0 * (a * b) / larger(a + b, least_divisor);
 }
 
 }  // namespace sluice::ice

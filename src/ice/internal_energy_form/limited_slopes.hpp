@@ -21,6 +21,8 @@ struct MassSlopes {
 };
 
 inline double limiter(double q, double low, double high, double corner_low, double corner_high) {
+  // threshold: added on either side of the quotients of the limiter, so that they are 0 in
+  //   uniform flow; unit: that of the variable; test: ClassicForm.KeepsUniformFlowToTheBit
   constexpr double S = 1e-100;
   const double above = larger(0.0, (high - q) / ((corner_high - q) + S));
   const double below = larger(0.0, (q - low) / ((q - corner_low) + S));

@@ -8,6 +8,8 @@ namespace sluice::ice::internal_energy_form {
 // cells: a sound wave of the shortest length is damped by 1 - 4 axes (c dt/dx)^2, which must stay
 // above -1.
 inline double sound_share(int axes) {
+  // threshold: share of the largest stable step that is taken; unit: 1; test:
+  //   ClassicForm.StaysStableUpToItsOwnLimit
   constexpr double margin = 0.98;
   return margin / std::sqrt(2.0 * axes);
 }

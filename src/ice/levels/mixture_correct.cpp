@@ -24,7 +24,8 @@
 namespace sluice::ice {
 namespace {
 
-// Volume fractions below this are the round-off of volumes around 1.
+// threshold: volume fraction up to which what is left of a material is the round-off of volumes
+//   around 1; unit: 1; test: MixtureCorrection.AMaterialThatIsGoneLeavesExactZeros
 constexpr double round_off = 4e-16;
 
 struct Part {

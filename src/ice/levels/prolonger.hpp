@@ -40,8 +40,12 @@ constexpr int max_prolonged_scalars = 2;  // of those that are carried by volume
 // carried by volume are counted at run time, outside of the loops over cells.
 template <int D, int Order>
 class Prolonger {
-  static constexpr double min_kept = 0.25;    // of density and energy, by slopes
-  static constexpr double max_kinetic = 0.5;  // of the internal energy
+  // threshold: share of the density and energy of a coarse cell that slopes leave its fine cells
+  //   at least; unit: 1; test: Prolongation.KeepsMassMomentumAndTotalEnergyOfWildStates
+  static constexpr double min_kept = 0.25;
+  // threshold: kinetic energy of the differences of velocity among fine cells, of the internal
+  //   energy, at most; unit: 1; test: Prolongation.KeepsMassMomentumAndTotalEnergyOfWildStates
+  static constexpr double max_kinetic = 0.5;
   static constexpr int width = D == 3 ? 16 : 64;
   static constexpr int max_components = 3,
                        max_quantities = max_components + 2 + max_prolonged_scalars;

@@ -74,7 +74,8 @@ struct Handles {
   Out flux, of_materials;
 };
 
-// Shares that differ by no more than this are the same on both sides.
+// threshold: difference of the shares of a material up to which they are the same on both sides
+//   of a face; unit: 1; test: none
 constexpr double round_off = 1e-13;
 
 // Rows of one side of the faces of a row, by material.

@@ -5,19 +5,23 @@
 #include "ice/closure/interface_band.hpp"
 #include "ice/closure/whole_masses.hpp"
 #include "ice/mixture/face_donors.hpp"
+#include "ice/mixture/trace_rules.hpp"
 #include "ice/step/material_runs.hpp"
+#include "ice/step/remap_bounds.hpp"
 
 namespace sluice::ice::mixture {
 namespace {
 
-constexpr double min_entry = 1e-16;   // of a cell's volume: what enters an empty cell
-constexpr double min_of_most = 1e-2;  // of the most around, where that is next to nothing
-constexpr double min_of_all = 1e-32;  // less would leave an open side share by share, for ever
-constexpr double min_rest = 1e-10;    // of a material's volume that may stay behind
-constexpr double tiny = 1e-14;        // of a cell's volume: what leaves by one outlet alone
-constexpr double min_fill = 0.5;      // of the volume behind it, for a front to move on
-constexpr double thinned = 0.1;       // of the volume ahead: the last cell of a trail
-constexpr double trace = 1e-10;       // differences of smaller fractions are not trusted
+// threshold: share of the largest volume fraction around that enters a cell without the material
+//   at least, where that is less than least_entry; unit: 1; test:
+//   CompactSupport.FragmentsStayTogether
+constexpr double min_of_most = 1e-2;
+// threshold: volume, of that of the cell, that enters a cell without the material in any case:
+//   less would leave an open side share by share, without end; unit: 1; test: none
+constexpr double min_of_all = 1e-32;
+// threshold: share of the volume fraction ahead below which the last cell of a trail leaves as
+//   densely as what is ahead; unit: 1; test: CompactSupport.FragmentsStayTogether
+constexpr double thinned = 0.1;
 
 // Without a branch, so that rows vectorise.
 inline bool both(bool a, bool b) {
@@ -181,7 +185,7 @@ class FaceShares {
       J_[i] = J.at(i, left);
       main_outlet_[i] = outlet.at(i, left);
       weight_[i] = 0.5 * (1.0 - nu) * mask;
-      per_N_[i] = 1.0 / larger(N, 1e-12);
+      per_N_[i] = 1.0 / larger(N, no_outflow);
       if constexpr (!Blend) per_flow_[i] = 1.0 / flow;
       sum_[i] = room_[i] = largest_[i] = others_[i] = largest_of_[i] = 0.0;
     }
@@ -226,7 +230,7 @@ class FaceShares {
         const bool unfilled = V < min_fill * behind;
         const bool aside = both(V < tiny, both(main<0.0, -main> std::fabs(H)));
         const bool waits = either(both(received == 0.0, unfilled), aside);
-        may = both(waits, 1.0 - V >= larger(N_[i], 1e-12)) ? 0.0 : 1.0;
+        may = both(waits, 1.0 - V >= larger(N_[i], no_outflow)) ? 0.0 : 1.0;
         receiver[i] = received;
       }
       const double cap = may * smaller(1.0, V * r * per_N_[i]),
@@ -326,7 +330,7 @@ class FaceShares {
         const double weight = weight_[i] * iJ, nu = nu_[i], E = e.at(i, left);
         bool full = true;
         if constexpr (!Blend)
-          full = smaller(smaller(a[i], b[i]), chosen(left, pp[i], mm[i])) > trace;
+          full = smaller(smaller(a[i], b[i]), chosen(left, pp[i], mm[i])) > least_sloped;
         const double slope_r =
             upwind_slope(rho - r_far.at(i, left), r.at(i, !left) - rho, nu, 2.0 * iN);
         const double slope_e = upwind_slope(E - e_far.at(i, left), e.at(i, !left) - E, nu, 2.0);
@@ -340,11 +344,13 @@ class FaceShares {
       }
       // Bounds of a donor with one material, and of a share: (1 - phi)/max(phi, .05).
       const double gone = N_out * share;
-      const double q = smaller(0.9, 0.5 * larger(0.0, here - gone) / larger(gone, 0.05 * here));
+      const double q =
+          smaller(face_drop, 0.5 * larger(0.0, here - gone) / larger(gone, least_outflow * here));
       const bool one = both(!Blend, here == 1.0);
-      const double least_r = one ? 0.1 : 1.0 - q,
-                   most_r = one ? (0.95 + 0.05 * N_out) * iN : 1.0 + q;
-      const double least_e = one ? 0.9 : q, most_e = one ? (0.75 + 0.25 * N_out) * iN - 1.0 : q;
+      const double least_r = one ? face_floor : 1.0 - q,
+                   most_r = one ? (density_gone + density_left * N_out) * iN : 1.0 + q;
+      const double least_e = one ? face_drop : q,
+                   most_e = one ? (energy_gone + energy_left * N_out) * iN - 1.0 : q;
       rho_s = smaller(larger(rho_s, rho_L * least_r), rho_L * most_r);
       eps_s = smaller(larger(eps_s, e_L - least_e * sc), e_L + most_e * sc);
       const bool none = share == 0.0;

@@ -8,9 +8,11 @@
 // energy .9 scales below the Lagrangian value.
 #include <algorithm>
 
+#include "ice/mixture/trace_rules.hpp"
 #include "ice/mixture/variables.hpp"
 #include "ice/one_material/remap_base_rows.hpp"
 #include "ice/step/material_runs.hpp"
+#include "ice/step/remap_bounds.hpp"
 
 namespace sluice::ice::mixture {
 namespace {
@@ -25,8 +27,6 @@ struct Handles {
   int velocity_components = 0;  // of one material in it; 0: all move with the mixture
   std::array<Out, 3> base;      // of each material
 };
-
-constexpr double trace = 1e-10;
 
 // What every material offers near several of them; in cells of pure neighbourhood it is what the
 // mixture offers, or nothing. Rows are looked up once for all runs.
@@ -155,7 +155,7 @@ class MixedBases {
     } else {
       low = values(k.M.minus[t][i], V_low, k.E.minus[t][i]);
       high = values(k.M.plus[t][i], V_high, k.E.plus[t][i]);
-      full = smaller(smaller(V_low, V), V_high) > trace;
+      full = smaller(smaller(V_low, V), V_high) > least_sloped;
     }
     const double hu = x.h[t] * k.u[t][i], slopes = full ? hu : 0.0, squeeze = x.su[t][i];
     return {hu * central_slope(V - V_low, V_high - V),
@@ -183,7 +183,7 @@ class MixedBases {
       const double weight = Masked ? x.mask[i] : 1.0;
       const double here = Blend || V > 0.0 ? weight : 0.0;
       const double rho_L = own.r * k.iJ[i], eps_L = k.eps_L[i];
-      const double floor = eps_L - 0.9 * k.scale[i];
+      const double floor = eps_L - face_drop * k.scale[i];
 #pragma GCC unroll 3
       for (int d = 0; d < D; ++d) {
         double by_V = 0, by_r = 0, by_e = 0;
@@ -193,7 +193,7 @@ class MixedBases {
           by_r += t == d ? 0.0 : along[t].r;
           by_e += t == d ? 0.0 : along[t].e;
         }
-        const double own_r = larger(rho_L - here * by_r, 0.1 * rho_L);
+        const double own_r = larger(rho_L - here * by_r, face_floor * rho_L);
         const double own_e = larger(eps_L - here * by_e, floor);
         k.base[of_volume][d][i] = V - weight * by_V;
         if constexpr (Blend) {

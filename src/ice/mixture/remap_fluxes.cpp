@@ -26,6 +26,7 @@
 #include "ice/one_material/remap_flux_rows.hpp"
 #include "ice/step/laws_of_cells.hpp"
 #include "ice/step/material_runs.hpp"
+#include "ice/step/remap_bounds.hpp"
 
 namespace sluice::ice::mixture {
 namespace {
@@ -115,7 +116,7 @@ class MixedFaces {
 
     // Writes U where the mass `flow` passes; the correction K of the kinetic energy.
     [[gnu::always_inline]] double carry(int i, bool left, double flow) const {
-      const double f = smaller(std::fabs(flow) * w.at(i, left), 0.99);
+      const double f = smaller(std::fabs(flow) * w.at(i, left), most_mass_passing);
       const double m = Masked ? mask.at(i, left) : 1.0;
       double d2 = 0, carried = 0;
 #pragma GCC unroll 3

@@ -7,14 +7,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ice/closure/interface_band.hpp"
 #include "ice/fluid/face_mean.hpp"
 #include "ice/fluid/limiters.hpp"
 #include "ice/step/material_runs.hpp"
 
 namespace sluice::ice::mixture {
 namespace {
-
-constexpr double loose = 0.25, tight = 0.75;  // jumps of V_s: no surface; nothing else
 
 struct Handles {
   In pure, gas, solid, mass, energy;
@@ -65,7 +64,7 @@ class SurfaceCells {
       heat =
           o_.multi_velocity_exchange->heat_transfer(fluid_, rho, T, fluid_.heat_capacity(rho, e));
     }
-    const double share = std::clamp((jump - loose) / (tight - loose), 0.0, 1.0);
+    const double share = std::clamp((jump - loose_jump) / (tight_jump - loose_jump), 0.0, 1.0);
     to(SurfaceParts::share) = area > 0.0 ? share : 0.0;
     to(SurfaceParts::momentum) = area * momentum;
     to(SurfaceParts::heat) = area * heat;

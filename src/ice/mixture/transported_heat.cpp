@@ -19,6 +19,8 @@
 namespace sluice::ice::mixture {
 namespace {
 
+// threshold: heat of friction that a material gets per mass, of the mean of the cell's, at most;
+//   unit: 1; test: none
 constexpr double max_by_mass = 1000;
 
 struct Handles {

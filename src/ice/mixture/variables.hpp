@@ -104,6 +104,8 @@ constexpr int friction_of_mixture = 1;
 
 // Runs of faces or cells whose neighbours are a blend (VariableId blend) of the same materials are
 // spared the rules of fronts and traces; so this is far above all that these call little.
+// threshold: volume fraction from which on a material is one of a blend; unit: 1; test:
+//   MarksOfRows.SayWhereAMaterialIsAlone
 constexpr double fair_part = 1e-8;
 
 // What makes a value per volume of the cell one per volume of the material; 0 where it is absent.

@@ -21,6 +21,7 @@ namespace {
 
 // One number for each material where it varies: that of its law at 300 K.
 std::vector<double> usual_viscosities(const SchemeOptions& o) {
+  // coefficient: temperature at which the viscosities of materials are compared; unit: K
   constexpr double usual_temperature = 300;
   std::vector<double> mu = o.viscosities;
   for (std::size_t m = 0; m < mu.size(); ++m)

@@ -46,12 +46,17 @@ struct Face {
       }
       if (!(slope > min_slope)) return std::numeric_limits<double>::quiet_NaN();
       const double next = c + (u - sum) / slope;
-      if (next == c || std::fabs(next - c) <= 1e-15 * (std::fabs(c) + std::fabs(u))) return next;
+      if (next == c || std::fabs(next - c) <= iteration_ends * (std::fabs(c) + std::fabs(u)))
+        return next;
       c = next;
     }
     return c;
   }
+  // threshold: slope of the velocity of the volume below which Newton finds no velocity of the
+  //   mixture; unit: 1; test: none
   static constexpr double min_slope = 1e-3;
+  // threshold: relative step at which its iteration ends: round-off; unit: 1; test: none
+  static constexpr double iteration_ends = 1e-15;
 };
 
 // `a`, `b`: which of the cells aside say what drifts.

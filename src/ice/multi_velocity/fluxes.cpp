@@ -12,18 +12,18 @@
 #include "framework/refine/coverage.hpp"
 #include "ice/closure/interface_band.hpp"
 #include "ice/mixture/face_donors.hpp"
+#include "ice/mixture/trace_rules.hpp"
 #include "ice/multi_velocity/tasks.hpp"
 #include "ice/one_material/remap_flux_rows.hpp"
 #include "ice/step/material_runs.hpp"
+#include "ice/step/remap_bounds.hpp"
 
 namespace sluice::ice::mixture {
 namespace {
 
-constexpr double min_entry = 1e-16;  // all as in face_shares.cpp
-constexpr double tiny = 1e-14;
-constexpr double min_fill = 0.5;
-constexpr double min_rest = 1e-10;
-constexpr double trace = 1e-10;
+// threshold: share of the mass of a donor that counts as left at least in the correction of its
+//   kinetic energy; unit: 1; test: none
+constexpr double least_mass_left = 0.01;
 
 struct Handles {
   RemapFluxHandles common;
@@ -116,10 +116,10 @@ class Faces {
       Passing& k = passing[n];
       const bool pure = cell(h_.pure, 0, k.donor, i) >= 0.0;
       k.N = pure ? cell(h_.common.courant, 0, k.donor, i) : cell(h_.outflow, k.index, k.donor, i);
-      k.iN = 1.0 / larger(k.N, 0.05);
+      k.iN = 1.0 / larger(k.N, least_outflow);
       k.outlet = pure ? 0.0 : cell(h_.outflow, materials_ + k.index, k.donor, i);
       k.H = k.flow * k.V;
-      k.cap = waits(k, i) ? 0.0 : smaller(1.0, k.V / larger(k.N, 1e-12));
+      k.cap = waits(k, i) ? 0.0 : smaller(1.0, k.V / larger(k.N, no_outflow));
       extra[n] = k.flow * (theta(k, i) - k.V);
       sum += extra[n];
     }
@@ -219,8 +219,9 @@ class Faces {
     const double e_L = cell(x.specific_energy_L, m, at, i), sc = cell(x.scale, m, at, i);
     double rho = based_ ? cell(x.base, component(m, of_mass), at, i) : rho_L;
     double eps = based_ ? cell(x.base, component(m, of_energy), at, i) : e_L;
-    const bool full = o_.second_order && volume(m, -1, i) > trace && volume(m, 0, i) > trace &&
-                      volume(m, at == 0 ? 1 : -2, i) > trace;
+    const bool full = o_.second_order && volume(m, -1, i) > least_sloped &&
+                      volume(m, 0, i) > least_sloped &&
+                      volume(m, at == 0 ? 1 : -2, i) > least_sloped;
     if (full) {
       const double nu = std::fabs(k.flow) * iJ;
       const double weight = sign(k) * larger(1.0 - nu, 0.0) * iJ * mask(at, i);
@@ -229,13 +230,13 @@ class Faces {
     }
     const double share = k.H / k.flow;
     const double phi = k.N * share / k.V;
-    const double q = smaller(0.9, 0.5 * larger(0.0, 1.0 - phi) / larger(phi, 0.05));
+    const double q = smaller(face_drop, 0.5 * larger(0.0, 1.0 - phi) / larger(phi, least_outflow));
     const bool one = k.V == 1.0;
     const double N = smaller(k.N, 1.0);
-    rho = smaller(larger(rho, rho_L * (one ? 0.1 : 1.0 - q)),
-                  rho_L * (one ? (0.95 + 0.05 * N) * k.iN : 1.0 + q));
-    eps = smaller(larger(eps, e_L - (one ? 0.9 : q) * sc),
-                  e_L + (one ? (0.75 + 0.25 * N) * k.iN - 1.0 : q) * sc);
+    rho = smaller(larger(rho, rho_L * (one ? face_floor : 1.0 - q)),
+                  rho_L * (one ? (density_gone + density_left * N) * k.iN : 1.0 + q));
+    eps = smaller(larger(eps, e_L - (one ? face_drop : q) * sc),
+                  e_L + (one ? (energy_gone + energy_left * N) * k.iN - 1.0 : q) * sc);
     k.FM = k.all ? std::copysign(k.M, k.H) : k.H * rho;
     const double energy_L = cell(x.energy_L, m, at, i);
     const double FE = k.all ? std::copysign(1.0, k.H) * energy_L : k.H * eps;
@@ -258,7 +259,7 @@ class Faces {
   double carry_velocity(const Passing& k, double rho_L, double scale, int i) {
     const int m = k.index, at = k.donor;
     const bool pure = cell(h_.pure, 0, at, i) >= 0.0;
-    const double f = k.all ? 1.0 : smaller(std::fabs(k.FM) / k.M, 0.99);
+    const double f = k.all ? 1.0 : smaller(std::fabs(k.FM) / k.M, most_mass_passing);
     double d2 = 0, carried = 0;
     for (int c = 0; c < C; ++c) {
       const double before =
@@ -275,7 +276,7 @@ class Faces {
     }
     d2 += carried;
     const double correction =
-        -0.5 * (d2 * d2 * rho_L) / (larger(1.0 - f, 0.01) * (d2 * rho_L + 0.25 * scale));
+        -0.5 * (d2 * d2 * rho_L) / (larger(1.0 - f, least_mass_left) * (d2 * rho_L + 0.25 * scale));
     return larger(correction, -0.5 * scale / rho_L);
   }
 

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "ice/closure/drag.hpp"
+#include "ice/closure/interface_band.hpp"
 #include "ice/fluid/labels.hpp"
 #include "ice/fluid/limiters.hpp"
 #include "ice/mixture/surface.hpp"
@@ -19,8 +20,6 @@
 
 namespace sluice::ice::mixture {
 namespace {
-
-constexpr double loose = 0.25, tight = 0.75, strongest = 1e12;
 
 void add_lock(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("interfaces that bind materials", effect);
@@ -46,8 +45,8 @@ void add_lock(TaskList& list, const Variables& v, const SchemeOptions& o, int ef
         }
       }
     for (int i = 0; i < n; ++i) {
-      const double s = (to[i] - loose) * (1.0 / (tight - loose));
-      const double strength = s < 1.0 ? smaller(s / (1.0 - s), strongest) : strongest;
+      const double s = (to[i] - loose_jump) * (1.0 / (tight_jump - loose_jump));
+      const double strength = s < 1.0 ? smaller(s / (1.0 - s), strongest_bond) : strongest_bond;
       to[i] = key[i] < 0.0 && s > 0.0 ? strength : 0.0;
     }
   });

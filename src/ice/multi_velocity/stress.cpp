@@ -21,6 +21,10 @@
 namespace sluice::ice::mixture {
 namespace {
 
+// threshold: viscosity of a material, of M/(dt sum 1/dx^2), at most: what an explicit step of it
+//   can bear; unit: 1; test: none
+constexpr double most_viscous_share = 0.375;
+
 struct Handles {
   std::vector<In> mass, volume;
   In pure, own, velocity, viscosity, own_viscosity, stress, surface;
@@ -37,7 +41,7 @@ class Faces {
       inverse_[t] = 1.0 / row.step().spacing[o.axes.direction[t]];
       sum += inverse_[t] * inverse_[t];
     }
-    bearable_ = 0.375 / (row.step().dt * sum);
+    bearable_ = most_viscous_share / (row.step().dt * sum);
   }
   void run() const {
     for (int i = 0; i < row_.count(); ++i) face(i);

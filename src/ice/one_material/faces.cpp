@@ -22,6 +22,7 @@
 #include "ice/fluid/limiters.hpp"
 #include "ice/one_material/tasks.hpp"
 #include "ice/step/held_faces.hpp"
+#include "ice/step/remap_bounds.hpp"
 #include "ice/step/runs.hpp"
 #include "ice/step/variables.hpp"
 #include "ice/step/wall_faces.hpp"
@@ -130,7 +131,7 @@ struct FaceRows {
         if constexpr (Gravity) p += k.half_courant * ua[i] * (k.g_dx * ra[i] + k.f_dx);
       }
       const double pi = law.pi_a(i);
-      p = larger(p, 0.1 * (pa[i] + pi) - pi);
+      p = larger(p, face_floor * (pa[i] + pi) - pi);
     }
     if constexpr (Gravity) p += 0.5 * (k.g_dx * ra[i] + k.f_dx);
     return {u, p};
@@ -147,7 +148,7 @@ struct FaceRows {
         if constexpr (Gravity) p += k.half_courant * ub[i] * (k.g_dx * rb[i] + k.f_dx);
       }
       const double pi = law.pi_b(i);
-      p = larger(p, 0.1 * (pb[i] + pi) - pi);
+      p = larger(p, face_floor * (pb[i] + pi) - pi);
     }
     if constexpr (Gravity) p -= 0.5 * (k.g_dx * rb[i] + k.f_dx);
     return {u, p};

@@ -17,6 +17,7 @@
 #include "ice/step/heat_rows.hpp"
 #include "ice/step/held_faces.hpp"
 #include "ice/step/impulse.hpp"
+#include "ice/step/remap_bounds.hpp"
 #include "ice/step/shock_shear.hpp"
 #include "ice/step/variables.hpp"
 
@@ -86,7 +87,7 @@ void cell_rows(const Row& row, const Handles& h, const ImpulseConstants& constan
     EL[i] = energy * inverse;
     rL[i] = r[i] * inverse;
     N[i] = outflow;
-    iN[i] = 1.0 / larger(outflow, 0.05);
+    iN[i] = 1.0 / larger(outflow, least_outflow);
   }
 }
 

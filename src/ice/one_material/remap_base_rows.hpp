@@ -8,6 +8,7 @@
 #pragma once
 #include "ice/fluid/limiters.hpp"
 #include "ice/one_material/quantity_rows.hpp"
+#include "ice/step/remap_bounds.hpp"
 #include "ice/step/variables.hpp"
 
 namespace sluice::ice {
@@ -69,7 +70,8 @@ void state_base_rows(const Row& row, const RemapBaseHandles& h, const Axes& axes
       of_rho[t] = x.masked(x.advected(rho, t, i) - put_rho, i);
       of_E[t] = x.masked(x.advected(E, t, i) - put_E, i);
     }
-    const double least_rho = 0.1 * rL[i], least_E = Scaled ? EL[i] - 0.9 * scale[i] : 0.1 * EL[i];
+    const double least_rho = face_floor * rL[i];
+    const double least_E = Scaled ? EL[i] - face_drop * scale[i] : face_floor * EL[i];
     for (int d = 0; d < D; ++d) {
       base_rho[d][i] = larger(rL[i] - others<D>(of_rho, d), least_rho);
       base_E[d][i] = larger(EL[i] - others<D>(of_E, d), least_E);

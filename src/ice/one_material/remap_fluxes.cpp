@@ -1,6 +1,7 @@
 // Step 8: the remap through the faces of each axis; remap_flux_rows.hpp has the formulae.
 #include "ice/one_material/remap_flux_rows.hpp"
 #include "ice/one_material/tasks.hpp"
+#include "ice/step/remap_bounds.hpp"
 
 namespace sluice::ice {
 namespace {
@@ -70,14 +71,15 @@ template <int D, int C, bool Second, bool Masked, bool Scaled, DensityBound Boun
       const double weight = half_sign * (1.0 - nu) * iJ * m;
       rs += weight * donor_slope(R, i, left, nu, Bound == DensityBound::sharp ? 2.0 * iN : 2.0);
       es += weight * donor_slope(E, i, left, nu, 2.0);
-      rs = smaller(larger(rs, 0.1 * rL), rL * (0.95 + 0.05 * N) * iN);
+      rs = smaller(larger(rs, face_floor * rL), rL * (density_gone + density_left * N) * iN);
       if constexpr (Scaled)
-        es = smaller(larger(es, EL - 0.9 * sc), EL + sc * ((0.75 + 0.25 * N) * iN - 1.0));
+        es = smaller(larger(es, EL - face_drop * sc),
+                     EL + sc * ((energy_gone + energy_left * N) * iN - 1.0));
       else
-        es = smaller(larger(es, 0.1 * EL), EL * (0.75 + 0.25 * N) * iN);
+        es = smaller(larger(es, face_floor * EL), EL * (energy_gone + energy_left * N) * iN);
     }
     const double flow = H * rs;
-    const double f = smaller(std::fabs(flow) * chosen(left, wb[i], wa[i]), 0.99);
+    const double f = smaller(std::fabs(flow) * chosen(left, wb[i], wa[i]), most_mass_passing);
     // Components along axes and carried ones are summed apart: the sum of two does not depend on
     // the order of the axes.
     double d2 = 0.0, carried = 0.0;

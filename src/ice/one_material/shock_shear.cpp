@@ -22,9 +22,21 @@
 namespace sluice::ice {
 namespace {
 
-constexpr double min_jump = 1.0 / 3, full_jump = 2.0 / 3;  // of rho c^2
-constexpr double share = 0.5, most = 0.1;
-constexpr double askew = 3;  // no shear where a shock is inclined by more than one in so many
+// threshold: jump of the pressure, of rho c^2, from which on faces along a shock exchange
+//   momentum; unit: 1; test: ShockShear.LeavesSlipLinesAlone
+constexpr double min_jump = 1.0 / 3;
+// threshold: jump from which on they exchange it in full; unit: 1; test:
+//   ShockShear.RowsBehindAShockStayAlike
+constexpr double full_jump = 2.0 / 3;
+// coefficient: share of l s_t that is exchanged (head of this file); unit: 1
+constexpr double shear_share = 0.5;
+// threshold: share of the momentum that faces exchange in a step at most; unit: 1; test: none
+constexpr double max_shear = 0.1;
+// threshold: inclination of a shock to the grid, one in so many, from which on its faces exchange
+//   none; unit: 1; test: FullStrongShocks.SedovShockStandsWhereItShould
+constexpr double askew = 3;
+// coefficient: of the least jump, where jumps are marked with another modulus; unit: 1
+constexpr double marked_share = 0.999;
 
 // ---- Low faces of cells across each axis t: |dp| and s_t where it jumps -------------------------
 
@@ -47,7 +59,7 @@ bool mark_jumps(const Row& row, const JumpHandles& h, double gamma) {
     for (int i = 0; i < n; ++i) {
       const double high = larger(larger(p[i], pl[i]), larger(pb[i], pd[i]));
       const double low = smaller(smaller(p[i], pl[i]), smaller(pb[i], pd[i]));
-      const bool jump = high - low > 0.999 * min_jump * modulus(i, low);
+      const bool jump = high - low > marked_share * min_jump * modulus(i, low);
       marks[i] = jump ? 1.0 : 0.0;
       jumps += jump ? 1 : 0;
     }
@@ -160,8 +172,8 @@ void find_strength(const Row& row, const Handles& h, int d, double l) {
 #pragma GCC ivdep
   for (int i = 0; i < n; ++i) {
     const double dp = largest[i], plane = larger(0.0, dp - askew * std::fabs(pb[i] - pa[i]));
-    const double wanted = share * l * fastest[i] * plane / dp;
-    k[i] = dp > 0.0 ? smaller(wanted, most) : 0.0;
+    const double wanted = shear_share * l * fastest[i] * plane / dp;
+    k[i] = dp > 0.0 ? smaller(wanted, max_shear) : 0.0;
   }
 }
 

@@ -9,6 +9,8 @@
 
 namespace sluice::ice::pressure {
 
+// coefficient: what stands on faces for which no finer level gives a value; unit: that of the
+//   variable
 constexpr double not_given = 1e300;
 
 // Takes them from what the finer level has stored of its last sweep. Collective.

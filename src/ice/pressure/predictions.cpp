@@ -12,6 +12,7 @@
 // prediction is Eulerian up to what the solve will find.
 #include "ice/fluid/limiters.hpp"
 #include "ice/pressure/variables.hpp"
+#include "ice/step/remap_bounds.hpp"
 
 namespace sluice::ice::pressure {
 namespace {
@@ -123,8 +124,8 @@ void prediction_row(const Row& row, const Handles& h, int axis, const Constants&
     const double ra = r.a[i], rb = r.b[i];
     const double weight_a = 0.5 * (k.g_dx * ra + k.f_dx), weight_b = 0.5 * (k.g_dx * rb + k.f_dx);
     const double pia = law.pi_a(i), pib = law.pi_b(i);
-    const double pL = larger(p.a[i] + 0.5 * sp.a[i], 0.1 * (p.a[i] + pia) - pia) + weight_a;
-    const double pR = larger(p.b[i] - 0.5 * sp.b[i], 0.1 * (p.b[i] + pib) - pib) - weight_b;
+    const double pL = larger(p.a[i] + 0.5 * sp.a[i], face_floor * (p.a[i] + pia) - pia) + weight_a;
+    const double pR = larger(p.b[i] - 0.5 * sp.b[i], face_floor * (p.b[i] + pib) - pib) - weight_b;
     const double p_jump = (p.b[i] - p.a[i]) - (weight_a + weight_b);
     // Impedances and phi: one_material/faces.cpp.
     const double du = uL - uR, squeeze = larger(0.0, du);

@@ -14,13 +14,20 @@
 namespace sluice::ice::pressure {
 namespace {
 
-constexpr double max_growth = 100.0;  // of the error over its least: the step is too long
-constexpr double falling = 0.3;       // of the error in a pass: it converges
-constexpr int max_without_gain = 3;   // passes
+// threshold: growth of the error over its least at which the step is refused as too long; unit:
+//   1; test: none
+constexpr double max_growth = 100.0;
+// threshold: ratio of the errors of two passes below which the step converges, and goes on beyond
+//   the passes after which the deck would redo it; unit: 1; test: none
+constexpr double falling = 0.3;
+constexpr int max_without_gain = 3;  // passes
 // Where levels meet the matrix is not that of the flow: so many passes correct it, to this share.
 constexpr int max_corrections = 6;
+// threshold: share of the first error to which these passes correct it; unit: 1; test: none
 constexpr double corrected = 1e-3;
-constexpr double round_off = 1e-9;  // a volume error that passes without gain may end at
+// threshold: relative volume error at which passes may end that gain nothing any more: round-off;
+//   unit: 1; test: ImplicitLimits.ToleranceZeroEndsAtRoundOff
+constexpr double round_off = 1e-9;
 
 using BoxesOfLevels = std::vector<std::vector<GridBox>>;
 

@@ -29,8 +29,13 @@ struct SolveConstants {
   double al, A;      // (1 + g1 r)/2, 1/2 + s
 };
 inline SolveConstants solve_constants(const StepConstants& step) {
-  constexpr double g1 = 0.15, s1 = 0.1;
-  constexpr double max_growth = 4.0;  // of r, beyond which X- says little about this step
+  // coefficient: damping of the difference between X- and p; unit: 1
+  constexpr double g1 = 0.15;
+  // coefficient: damping of waves that no step resolves; unit: 1
+  constexpr double s1 = 0.1;
+  // threshold: growth dt_before/dt beyond which X- says little about this step; unit: 1; test:
+  //   ImplicitPulse.NeverGrowsWhenStepsChange
+  constexpr double max_growth = 4.0;
   const double r = step.dt_before / step.dt;
   const double g = r > max_growth ? 0.0 : g1;
   return {1.0 - g, 0.5 * (1.0 + g * r), 0.5 + s1 * (r < 1.0 ? r : 1.0)};

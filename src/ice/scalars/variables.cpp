@@ -67,8 +67,11 @@ double diffusion_rate_of(double D, const SchemeOptions& o, Vec3 spacing) {
     const double dx = spacing[o.axes.direction[a]];
     inverse_dx2 += 1.0 / (dx * dx);
   }
-  constexpr double margin = 1.4;  // 0.5 in place of 0.7, see Ice::step_limit
-  return margin * 2.0 * D * inverse_dx2;
+  // threshold: factor that makes of the 0.7 of explicit diffusion (budgets/step_limit.cpp) the
+  //   0.5 that keeps scalars between the values around; unit: 1; test:
+  //   ScalarFlow.SpreadingKeepsBoundsAndTheAmount
+  constexpr double scalar_margin = 1.4;
+  return scalar_margin * 2.0 * D * inverse_dx2;
 }
 
 }  // namespace sluice::ice::scalars

@@ -23,7 +23,8 @@
 namespace sluice::ice {
 namespace {
 
-// Share by which the density at the reference pressure may differ from that of the deck.
+// threshold: relative difference of the density at the reference pressure from that of the deck,
+//   at most; unit: 1; test: MaterialFill.ADensityOfAnotherPressureIsKeptOrRefused
 constexpr double density_tolerance = 0.02;
 
 // Cells that solids fill need no fluid; what there is of it beside a surface is that of the cells

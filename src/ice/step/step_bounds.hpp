@@ -4,10 +4,12 @@
 
 namespace sluice::ice {
 
-// dt (|u| + c)/dx in one direction, and summed over directions: small waves in all directions at
-// once grow above 1.08 (measured on cubic cells: up to 1.08 in 2-D, 1.11 in 3-D they do not). The
-// classic form has a bound of its own.
-constexpr double max_in_one_direction = 0.8, max_in_all = 1.0;
+// Small waves in all directions at once grow above 1.08 (measured on cubic cells: up to 1.08 in
+// 2-D, 1.11 in 3-D they do not). The classic form has a bound of its own.
+// threshold: dt (|u| + c)/dx in one direction, at most; unit: 1; test: none
+constexpr double max_in_one_direction = 0.8;
+// threshold: dt (|u| + c)/dx summed over directions, at most; unit: 1; test: SmallWaves.DoNotGrow
+constexpr double max_in_all = 1.0;
 
 // Share of the sum that counts as the rate of sound.
 inline double sound_sum_share(const SchemeOptions& o) {

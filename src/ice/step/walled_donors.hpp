@@ -9,8 +9,16 @@ namespace sluice::ice {
 // H: what flows out. What old states give beyond what the cell has its neighbours lend; on a side
 // of the domain it might have none.
 inline bool gives_new_state(double V, double V_L, double E_L, double H, bool on_side) {
-  constexpr double least = 0.5, most_squeeze = 0.3, most_stretch = 3.0;
-  const bool whole = (V >= least) & (V_L > most_squeeze * V) & (V_L < most_stretch * V);
+  // threshold: share of a cell that fluid fills, from which on it gives the remap its new state;
+  //   unit: 1; test: none
+  constexpr double least_fluid = 0.5;
+  // threshold: share of its volume to which the Lagrangian phase may press it for that; unit: 1;
+  //   test: none
+  constexpr double most_squeeze = 0.3;
+  // threshold: multiple of its volume to which the Lagrangian phase may stretch it for that;
+  //   unit: 1; test: none
+  constexpr double max_stretch = 3.0;
+  const bool whole = (V >= least_fluid) & (V_L > most_squeeze * V) & (V_L < max_stretch * V);
   return (E_L > 0) & (whole | (on_side & (H > V) & (V_L > V)));
 }
 

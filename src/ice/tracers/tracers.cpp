@@ -15,6 +15,9 @@
 namespace sluice::ice {
 namespace {
 
+// coefficient: index of a cell beyond any level, where bounds may be infinite; unit: 1
+constexpr double far = 1e9;
+
 IndexBox cells_of(const GeometryPiece& piece, const Level& level, const IndexBox& cells) {
   const Bounds inside = with_margin(piece.bounds());
   IndexBox found = cells;
@@ -22,8 +25,8 @@ IndexBox cells_of(const GeometryPiece& piece, const Level& level, const IndexBox
     // Bounds may be infinite: no integers before they are cut.
     const double low = (inside.lower[d] - level.anchor[d]) / level.spacing[d] - 1;
     const double high = (inside.upper[d] - level.anchor[d]) / level.spacing[d] + 2;
-    if (low > cells.lower[d]) found.lower[d] = static_cast<int>(std::min(low, 1e9));
-    if (high < cells.upper[d]) found.upper[d] = static_cast<int>(std::max(high, -1e9));
+    if (low > cells.lower[d]) found.lower[d] = static_cast<int>(std::min(low, far));
+    if (high < cells.upper[d]) found.upper[d] = static_cast<int>(std::max(high, -far));
   }
   return intersection(found, cells);
 }

@@ -15,6 +15,8 @@
 namespace sluice::ice {
 namespace {
 
+// threshold: square of Smagorinsky's constant that the dynamic model finds, at most; unit: 1;
+//   test: none
 constexpr double max_constant = 0.25;
 
 // Where the products of a cell stand: density, momentum, pairs of rho u u, of rho |S| S*, of S.

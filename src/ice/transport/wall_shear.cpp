@@ -6,6 +6,7 @@
 namespace sluice::ice {
 namespace {
 
+// coefficient: intercept of the logarithmic law of smooth walls; unit: 1
 constexpr double intercept = 5.2;
 
 double smooth_wall(double kappa, double speed, double y, double nu) {
