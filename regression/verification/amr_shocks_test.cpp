@@ -60,14 +60,14 @@ TEST(AmrShocks, FlagsAreWidenedForSixtyFourSubsteps) {
 }
 
 TEST(FullAmrShocks, ExplosionIsAsGoodAsTheUniformFineGridAndConverges) {
-  constexpr double least_order = .9;  // 0.951
+  constexpr double min_order = .9;  // 0.951
   const CaseRun coarse("amr_explosion", {resolution(32, 32)}), fine("amr_explosion");
   const CaseRun uniform("amr_explosion", {one_level(), resolution(256, 256)}, {"--threads", "2"});
   for (const char* variable : {"rho_CC", "press_CC", "vel_CC"})
     expect_as_good(variable, fine.error(variable).l1, uniform.error(variable).l1);
   const double observed = order(coarse.error("rho_CC").l1, fine.error("rho_CC").l1, 2);
   record("order", observed);
-  EXPECT_GE(observed, least_order);
+  EXPECT_GE(observed, min_order);
   EXPECT_LT(share_of_uniform(fine), .5);
 }
 

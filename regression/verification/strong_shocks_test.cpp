@@ -62,7 +62,7 @@ double order(const CaseRun& coarse, const CaseRun& fine, double ratio) {
 
 // The reference starts from the same deposit of energy; the shock itself is Sedov's own.
 TEST(FullStrongShocks, SedovShockStandsWhereItShould) {
-  constexpr double least_order = .9;  // 0.908; 0.74 cells ahead
+  constexpr double min_order = .9;  // 0.908; 0.74 cells ahead
   const CaseRun coarse("sedov", {resolution(128, 128)}), fine("sedov", {resolution(256, 256)});
   exact::Sedov::Blast blast;
   blast.dimension = 2;
@@ -77,7 +77,7 @@ TEST(FullStrongShocks, SedovShockStandsWhereItShould) {
   EXPECT_NEAR(along_axis, radius, p.spacing.x);
   const double observed = order(coarse, fine, 2);
   record("order", observed);
-  EXPECT_GE(observed, least_order);
+  EXPECT_GE(observed, min_order);
   EXPECT_GT(lowest(fine.field("rho_CC")), 0);
   EXPECT_GT(lowest(p), 0);
   const CellValues rho = fine.field("rho_CC");
@@ -87,12 +87,12 @@ TEST(FullStrongShocks, SedovShockStandsWhereItShould) {
 }
 
 TEST(FullStrongShocks, ExplosionFollowsTheRadialReference) {
-  constexpr double least_order = .9;  // 0.928; 0.17 cells ahead
+  constexpr double min_order = .9;  // 0.928; 0.17 cells ahead
   const CaseRun coarse("explosion_2d", {resolution(64, 64)});
   const CaseRun fine("explosion_2d", {resolution(256, 256)});
   const double observed = order(coarse, fine, 4);
   record("order", observed);
-  EXPECT_GE(observed, least_order);
+  EXPECT_GE(observed, min_order);
   const CellValues p = fine.field("press_CC"), wanted = fine.exact_field(p, "press_CC");
   const double level = .17;  // 0.1 ahead of the shock, 0.243 behind it
   const double off = crossing_from_right(p, level, 128) - crossing_from_right(wanted, level, 128);
@@ -119,12 +119,12 @@ double godunov_error(const CaseRun& like) {
 // Three captured contacts spread as N^(-2/3) to N^(-3/4), and hold the order below 1: what is asked
 // is to be better than a Godunov code, at both resolutions and in order.
 TEST(FullStrongShocks, InteractingBlastsFollowTheReference) {
-  constexpr double least_order = .8;  // 0.848, Godunov 0.813; 0.67 cells behind, 0.35 ahead
+  constexpr double min_order = .8;  // 0.848, Godunov 0.813; 0.67 cells behind, 0.35 ahead
   const CaseRun coarse("woodward_colella", {resolution(200)});
   const CaseRun fine("woodward_colella", {resolution(800)});
   const double observed = order(coarse, fine, 4);
   record("order", observed);
-  EXPECT_GE(observed, least_order);
+  EXPECT_GE(observed, min_order);
   const double coarse_godunov = godunov_error(coarse), fine_godunov = godunov_error(fine);
   const double godunov_order = .5 * std::log2(coarse_godunov / fine_godunov);
   record("godunov_order", godunov_order);

@@ -239,7 +239,7 @@ struct Expansion {
 class Products : public testing::TestWithParam<Expansion> {};
 
 TEST_P(Products, ConvergeToTheExactSolution) {
-  constexpr double least_order = .8;
+  constexpr double min_order = .8;
   const Expansion& expansion = GetParam();
   std::vector<double> errors;
   for (int n = expansion.coarsest; n <= expansion.finest; n *= 2) {
@@ -253,7 +253,7 @@ TEST_P(Products, ConvergeToTheExactSolution) {
   const double doublings = static_cast<double>(errors.size() - 1);
   const double order = std::log2(errors.front() / errors.back()) / doublings;
   record("order", order);
-  EXPECT_GE(order, least_order);
+  EXPECT_GE(order, min_order);
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, Products,

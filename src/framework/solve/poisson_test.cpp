@@ -7,7 +7,7 @@ namespace sluice::solve::poisson_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double least_order = 1.9;  // measured 1.94 and more
+constexpr double min_order = 1.9;  // measured 1.94 and more
 
 struct Problem {
   std::string solver;
@@ -80,7 +80,7 @@ TEST_P(Poisson, is_of_second_order) {
   const int n = GetParam().dimensions == 3 ? 12 : 24;
   const double coarse = largest_error(GetParam(), n);
   const double fine = largest_error(GetParam(), 2 * n);
-  EXPECT_GT(std::log2(coarse / fine), least_order);
+  EXPECT_GT(std::log2(coarse / fine), min_order);
 }
 
 std::vector<Problem> problems() {

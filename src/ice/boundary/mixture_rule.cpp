@@ -12,7 +12,7 @@ namespace {
 
 // threshold: share of the largest density that a side gives to a material at least; less of it is
 //   none; unit: 1; test: MixtureGhosts.ATraceOfDensityIsNone
-constexpr double least_given_density = 1e-9;
+constexpr double min_given_density = 1e-9;
 // coefficient: the pressures between which the one is sought at which densities and temperatures
 //   fill a cell; unit: Pa
 constexpr double lowest_sought = 1e-12;
@@ -47,7 +47,7 @@ class MixtureRuleMaker {
       rule_.parts.push_back(part);
     }
     for (Part& part : rule_.parts)
-      part.absent = part.rule.fixed_density && part.rule.density <= least_given_density * densest;
+      part.absent = part.rule.fixed_density && part.rule.density <= min_given_density * densest;
     check_waves();
     find_volumes();
     find_common();

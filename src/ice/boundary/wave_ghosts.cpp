@@ -144,7 +144,7 @@ void GhostStates::mixture_waves(const MixtureRule& rule, const WaveState& out, I
     if (M == 0.0) continue;
     const Fluid& fluid = laws_.at(source, m, room);
     const double rho = M / V, change = (p - p_source) / fluid.bulk_modulus(rho, p_source);
-    part.rho = rho * (1.0 + std::clamp(change, -most_change_by_waves, most_change_by_waves));
+    part.rho = rho * (1.0 + std::clamp(change, -max_change_by_waves, max_change_by_waves));
     part.T = fluid.temperature(rho, v_.energy[m](source) / V);
     part.V = V * (rho / part.rho);
     filled += part.V;

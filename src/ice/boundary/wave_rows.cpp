@@ -17,11 +17,11 @@ namespace {
 constexpr int short_row = 8;  // not worth unit stride
 
 bool too_far(double value, double change) {
-  return std::fabs(change) > most_change_by_waves * value;
+  return std::fabs(change) > max_change_by_waves * value;
 }
 
 double largest_share(double value, double change) {
-  const double share = std::max(most_change_by_waves * value, 0.0) / std::fabs(change);
+  const double share = std::max(max_change_by_waves * value, 0.0) / std::fabs(change);
   return too_far(value, change) ? share : 1.0;
 }
 

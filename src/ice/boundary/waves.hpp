@@ -22,7 +22,7 @@ namespace sluice::ice {
 // threshold: change of the density, and of the pressure above the lowest of the law, from a cell
 //   to its ghost by waves, at most; unit: 1; test:
 //   WaveGhosts.KeepDensityAndPressurePositiveBehindSteepSlopes
-constexpr double most_change_by_waves = 0.5;
+constexpr double max_change_by_waves = 0.5;
 
 // A cell in the frame of the face: component 0 along the outward normal, then tangents.
 struct WaveState {

@@ -19,7 +19,7 @@ constexpr double explicit_diffusion_share = 0.7;
 constexpr double implicit_diffusion_share = 0.6;
 // threshold: cells that sound crosses in a semi-implicit step: beyond, the pressure of a closed
 //   box is hardly determined; unit: 1; test: ImplicitLimits.NearlySingularBoxGoesOn
-constexpr double most_cells_of_sound = 2e4;
+constexpr double max_cells_of_sound = 2e4;
 
 }  // namespace
 
@@ -36,7 +36,7 @@ StepLimit step_limit(const SchemeOptions& o, const std::vector<double>& maxima) 
   };
   at_most(flow_share / maxima[StepSlots::flow_rate], "scheme: 0.9/sum |u|/dx");
   if (o.implicit) {
-    at_most(most_cells_of_sound / maxima[StepSlots::sound_rate],
+    at_most(max_cells_of_sound / maxima[StepSlots::sound_rate],
             "scheme: sound crosses 20,000 cells");
     if (maxima[StepSlots::flow_rate] == 0)
       at_most(o.cfl / maxima[StepSlots::sound_rate], "start from rest: cfl dx/c");

@@ -11,7 +11,7 @@ namespace {
 
 // threshold: volume fraction below which a material keeps its density where no pressure suits
 //   all; unit: 1; test: none
-constexpr double least_relaxed = 1e-8;
+constexpr double min_relaxed = 1e-8;
 // threshold: pressure in a cavity, of the largest constant pi of the stiffened laws, at least:
 //   below it the energy of the gas is round-off; unit: 1; test:
 //   Equilibration.TheWeakerLiquidOpensUnderTension
@@ -85,12 +85,12 @@ bool Equilibration::leave_traces_out(const Cell& cell, Present& in) const {
   in.count = 0;
   for (int n = 0; n < all; ++n) {
     const int m = in.index[n];
-    if (cell.V[m] < least_relaxed)
+    if (cell.V[m] < min_relaxed)
       in.volume -= cell.V[m];
     else
       in.index[in.count++] = m;
   }
-  if (cell.V[in.weakest] < least_relaxed) in.weakest = -1;
+  if (cell.V[in.weakest] < min_relaxed) in.weakest = -1;
   return in.count > 0 && in.count < all;
 }
 

@@ -67,7 +67,7 @@ class EquilibrationOfLaws : public testing::TestWithParam<double> {};
 
 TEST_P(EquilibrationOfLaws, FindsOnePressureOfEveryPair) {
   constexpr int draws = 40;
-  constexpr double least_drawn = 0.9, limit = 1e-12;
+  constexpr double min_drawn = 0.9, limit = 1e-12;
   const std::vector<eos::EquationOfState> laws = eos::one_of_each();
   std::mt19937_64 random(20261122);
   int drawn = 0, pairs = 0;
@@ -90,7 +90,7 @@ TEST_P(EquilibrationOfLaws, FindsOnePressureOfEveryPair) {
         EXPECT_NEAR(cell.E[0] + cell.E[1], energy, 4e-16 * size);
       }
     }
-  EXPECT_GE(drawn, least_drawn * draws * pairs);
+  EXPECT_GE(drawn, min_drawn * draws * pairs);
 }
 
 INSTANTIATE_TEST_SUITE_P(Apart, EquilibrationOfLaws, testing::Values(1.1, 10.0, 1e3));

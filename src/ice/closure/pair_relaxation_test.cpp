@@ -54,11 +54,11 @@ TEST(PairRelaxation, OfTwoIsTheExponential) {
 }
 
 TEST(PairRelaxation, OfFiveIsOfSecondOrder) {
-  constexpr double least_order = 1.9;
+  constexpr double min_order = 1.9;
   const Numbers C = {2, 5, .1, 30, 1}, v = {400, 300, 1000, 290, 20};
   for (const double k : {1e-3, .05, .5}) {
     const auto error = [&](int steps) { return farthest(relaxed(v, C, k, steps), exact(v, C, k)); };
-    EXPECT_GE(std::log2(error(64) / error(128)), least_order) << k;
+    EXPECT_GE(std::log2(error(64) / error(128)), min_order) << k;
   }
 }
 

@@ -26,8 +26,8 @@ constexpr double min_cavity = 1e-12;
 inline bool has_temperature(double M, double all) {
   // threshold: share of a cell's mass up to which energy over mass is no temperature; unit: 1;
   //   test: Cavitation.OpensAndCollapses
-  constexpr double least_heated = 1e-12;
-  return M > least_heated * all;
+  constexpr double min_heated = 1e-12;
+  return M > min_heated * all;
 }
 
 // The mass of a material, of which a cavity keeps the least; no sum over cells knows of that.

@@ -221,14 +221,14 @@ void lagrangian_rows(const Row& row, const Handles& h, const ImpulseConstants& s
     const double volume = (1.0 - after[i]) + stretch;
     const bool solid = (theta[i] > 0) | (after[i] > 0);
     const bool old = solid & !gives_new_state(V, volume, Es[i], out, sides.meets(i));
-    const double room = larger(volume, least_fluid_volume), inverse = 1.0 / (solid ? room : volume);
+    const double room = larger(volume, min_fluid_volume), inverse = 1.0 / (solid ? room : volume);
     const double rho_after = (r[i] * V) * inverse, E_after = Es[i] * inverse;
     const double outflow = smaller(out * inverse, 1.0);
     iJ[i] = inverse;
     rL[i] = old ? r[i] : rho_after;
     EL[i] = old ? E[i] : E_after;
     N[i] = outflow;
-    iN[i] = 1.0 / larger(outflow, least_outflow);
+    iN[i] = 1.0 / larger(outflow, min_outflow);
     whole[i] = old ? 0.0 : V;
     keeps[i] = old ? 1.0 : 0.0;
     for (int c = 0; c < C; ++c) {

@@ -41,6 +41,6 @@ SchemeVariables base_variables(const SchemeVariables&);
 
 // threshold: share of a cell up to which a volume of fluid is none: the round-off of overlaps;
 //   unit: 1; test: none
-inline constexpr double least_fluid_volume = 1e-10;
+inline constexpr double min_fluid_volume = 1e-10;
 
 }  // namespace sluice::ice::cut_cells

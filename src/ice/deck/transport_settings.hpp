@@ -20,7 +20,7 @@ struct Sutherland {
 
   double viscosity(double T) const {
     const double positive = T > 0 ? T : 0;
-    return a * std::sqrt(positive) * (positive / (positive + b + least_divisor));
+    return a * std::sqrt(positive) * (positive / (positive + b + min_divisor));
   }
 };
 

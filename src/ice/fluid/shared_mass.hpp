@@ -12,7 +12,7 @@ inline double difference(double a, double b, double mass_a, double mass_b) {
 
 // Mass per volume through which a scalar spreads from one cell to the other: the harmonic mean.
 inline double shared_mass(double a, double b) {
-  return 2.0 * (a * b) / larger(a + b, least_divisor);
+  return 2.0 * (a * b) / larger(a + b, min_divisor);
 }
 
 }  // namespace sluice::ice

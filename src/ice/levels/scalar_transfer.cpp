@@ -69,7 +69,7 @@ void spread_out(const Children& children, const Linear& f, double q, ChildRows& 
     moments[child][0] = mass[child][0] * sum;
   }
   const double weight = mean(children, mass);
-  const double shift = mean(children, moments) / larger(weight, least_divisor);
+  const double shift = mean(children, moments) / larger(weight, min_divisor);
   double share = 1.0;
   for (int child = 0; child < children.count(); ++child) {
     double& x = deviation[child];

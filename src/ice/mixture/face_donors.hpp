@@ -57,7 +57,7 @@ class MaterialFaces {
                 Out flux, const SchemeOptions& options, int axis, double l);
 
   // Fluxes of volume, mass and energy (without the correction of the kinetic energy) of each
-  // material through `count` faces, at most `most_faces`. Returns the set of materials that may
+  // material through `count` faces, at most `max_faces`. Returns the set of materials that may
   // pass; fluxes of others are zero.
   static constexpr int max_faces = 128;
   std::uint64_t carry(int first, int count);

@@ -13,7 +13,7 @@ namespace sluice::ice::mixture {
 namespace {
 
 // threshold: share of the largest volume fraction around that enters a cell without the material
-//   at least, where that is less than least_entry; unit: 1; test:
+//   at least, where that is less than min_entry; unit: 1; test:
 //   CompactSupport.FragmentsStayTogether
 constexpr double min_of_most = 1e-2;
 // threshold: volume, of that of the cell, that enters a cell without the material in any case:
@@ -45,7 +45,7 @@ inline double slope_of_share(double dm, double dp, double nu, double B, bool sha
 
 }  // namespace
 
-// At most `most_faces` faces of a row, material by material in plain loops. Lanes: so many faces
+// At most `max_faces` faces of a row, material by material in plain loops. Lanes: so many faces
 // exactly, known when loops are compiled; 0: any number. At an interface there are a few faces a
 // row, and loops around one vector would cost more than what they do. Blend: all cells around are
 // blends of these materials, so that rules of fronts and traces choose nothing. Strained: materials
@@ -330,7 +330,7 @@ class FaceShares {
         const double weight = weight_[i] * iJ, nu = nu_[i], E = e.at(i, left);
         bool full = true;
         if constexpr (!Blend)
-          full = smaller(smaller(a[i], b[i]), chosen(left, pp[i], mm[i])) > least_sloped;
+          full = smaller(smaller(a[i], b[i]), chosen(left, pp[i], mm[i])) > min_sloped;
         const double slope_r =
             upwind_slope(rho - r_far.at(i, left), r.at(i, !left) - rho, nu, 2.0 * iN);
         const double slope_e = upwind_slope(E - e_far.at(i, left), e.at(i, !left) - E, nu, 2.0);
@@ -345,7 +345,7 @@ class FaceShares {
       // Bounds of a donor with one material, and of a share: (1 - phi)/max(phi, .05).
       const double gone = N_out * share;
       const double q =
-          smaller(face_drop, 0.5 * larger(0.0, here - gone) / larger(gone, least_outflow * here));
+          smaller(face_drop, 0.5 * larger(0.0, here - gone) / larger(gone, min_outflow * here));
       const bool one = both(!Blend, here == 1.0);
       const double least_r = one ? face_floor : 1.0 - q,
                    most_r = one ? (density_gone + density_left * N_out) * iN : 1.0 + q;

@@ -155,7 +155,7 @@ class MixedBases {
     } else {
       low = values(k.M.minus[t][i], V_low, k.E.minus[t][i]);
       high = values(k.M.plus[t][i], V_high, k.E.plus[t][i]);
-      full = smaller(smaller(V_low, V), V_high) > least_sloped;
+      full = smaller(smaller(V_low, V), V_high) > min_sloped;
     }
     const double hu = x.h[t] * k.u[t][i], slopes = full ? hu : 0.0, squeeze = x.su[t][i];
     return {hu * central_slope(V - V_low, V_high - V),

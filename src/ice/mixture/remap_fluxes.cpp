@@ -116,7 +116,7 @@ class MixedFaces {
 
     // Writes U where the mass `flow` passes; the correction K of the kinetic energy.
     [[gnu::always_inline]] double carry(int i, bool left, double flow) const {
-      const double f = smaller(std::fabs(flow) * w.at(i, left), most_mass_passing);
+      const double f = smaller(std::fabs(flow) * w.at(i, left), max_mass_passing);
       const double m = Masked ? mask.at(i, left) : 1.0;
       double d2 = 0, carried = 0;
 #pragma GCC unroll 3

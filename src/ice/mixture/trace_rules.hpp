@@ -17,7 +17,7 @@ constexpr double tiny = 1e-14;
 constexpr double min_fill = 0.5;
 // threshold: volume fraction in a cell and in both of its neighbours below which its density and
 //   energy have no slope; unit: 1; test: none
-constexpr double least_sloped = 1e-10;
+constexpr double min_sloped = 1e-10;
 // threshold: outflow number below which a cell counts as one that nothing leaves; unit: 1; test:
 //   none
 constexpr double no_outflow = 1e-12;

@@ -23,7 +23,7 @@ namespace {
 
 // threshold: share of the mass of a donor that counts as left at least in the correction of its
 //   kinetic energy; unit: 1; test: none
-constexpr double least_mass_left = 0.01;
+constexpr double min_mass_left = 0.01;
 
 struct Handles {
   RemapFluxHandles common;
@@ -116,7 +116,7 @@ class Faces {
       Passing& k = passing[n];
       const bool pure = cell(h_.pure, 0, k.donor, i) >= 0.0;
       k.N = pure ? cell(h_.common.courant, 0, k.donor, i) : cell(h_.outflow, k.index, k.donor, i);
-      k.iN = 1.0 / larger(k.N, least_outflow);
+      k.iN = 1.0 / larger(k.N, min_outflow);
       k.outlet = pure ? 0.0 : cell(h_.outflow, materials_ + k.index, k.donor, i);
       k.H = k.flow * k.V;
       k.cap = waits(k, i) ? 0.0 : smaller(1.0, k.V / larger(k.N, no_outflow));
@@ -219,9 +219,8 @@ class Faces {
     const double e_L = cell(x.specific_energy_L, m, at, i), sc = cell(x.scale, m, at, i);
     double rho = based_ ? cell(x.base, component(m, of_mass), at, i) : rho_L;
     double eps = based_ ? cell(x.base, component(m, of_energy), at, i) : e_L;
-    const bool full = o_.second_order && volume(m, -1, i) > least_sloped &&
-                      volume(m, 0, i) > least_sloped &&
-                      volume(m, at == 0 ? 1 : -2, i) > least_sloped;
+    const bool full = o_.second_order && volume(m, -1, i) > min_sloped &&
+                      volume(m, 0, i) > min_sloped && volume(m, at == 0 ? 1 : -2, i) > min_sloped;
     if (full) {
       const double nu = std::fabs(k.flow) * iJ;
       const double weight = sign(k) * larger(1.0 - nu, 0.0) * iJ * mask(at, i);
@@ -230,7 +229,7 @@ class Faces {
     }
     const double share = k.H / k.flow;
     const double phi = k.N * share / k.V;
-    const double q = smaller(face_drop, 0.5 * larger(0.0, 1.0 - phi) / larger(phi, least_outflow));
+    const double q = smaller(face_drop, 0.5 * larger(0.0, 1.0 - phi) / larger(phi, min_outflow));
     const bool one = k.V == 1.0;
     const double N = smaller(k.N, 1.0);
     rho = smaller(larger(rho, rho_L * (one ? face_floor : 1.0 - q)),
@@ -259,7 +258,7 @@ class Faces {
   double carry_velocity(const Passing& k, double rho_L, double scale, int i) {
     const int m = k.index, at = k.donor;
     const bool pure = cell(h_.pure, 0, at, i) >= 0.0;
-    const double f = k.all ? 1.0 : smaller(std::fabs(k.FM) / k.M, most_mass_passing);
+    const double f = k.all ? 1.0 : smaller(std::fabs(k.FM) / k.M, max_mass_passing);
     double d2 = 0, carried = 0;
     for (int c = 0; c < C; ++c) {
       const double before =
@@ -276,7 +275,7 @@ class Faces {
     }
     d2 += carried;
     const double correction =
-        -0.5 * (d2 * d2 * rho_L) / (larger(1.0 - f, least_mass_left) * (d2 * rho_L + 0.25 * scale));
+        -0.5 * (d2 * d2 * rho_L) / (larger(1.0 - f, min_mass_left) * (d2 * rho_L + 0.25 * scale));
     return larger(correction, -0.5 * scale / rho_L);
   }
 

@@ -23,7 +23,7 @@ namespace {
 
 // threshold: viscosity of a material, of M/(dt sum 1/dx^2), at most: what an explicit step of it
 //   can bear; unit: 1; test: none
-constexpr double most_viscous_share = 0.375;
+constexpr double max_viscous_share = 0.375;
 
 struct Handles {
   std::vector<In> mass, volume;
@@ -41,7 +41,7 @@ class Faces {
       inverse_[t] = 1.0 / row.step().spacing[o.axes.direction[t]];
       sum += inverse_[t] * inverse_[t];
     }
-    bearable_ = most_viscous_share / (row.step().dt * sum);
+    bearable_ = max_viscous_share / (row.step().dt * sum);
   }
   void run() const {
     for (int i = 0; i < row_.count(); ++i) face(i);

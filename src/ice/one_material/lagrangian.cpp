@@ -87,7 +87,7 @@ void cell_rows(const Row& row, const Handles& h, const ImpulseConstants& constan
     EL[i] = energy * inverse;
     rL[i] = r[i] * inverse;
     N[i] = outflow;
-    iN[i] = 1.0 / larger(outflow, least_outflow);
+    iN[i] = 1.0 / larger(outflow, min_outflow);
   }
 }
 

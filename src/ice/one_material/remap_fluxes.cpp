@@ -79,7 +79,7 @@ template <int D, int C, bool Second, bool Masked, bool Scaled, DensityBound Boun
         es = smaller(larger(es, face_floor * EL), EL * (energy_gone + energy_left * N) * iN);
     }
     const double flow = H * rs;
-    const double f = smaller(std::fabs(flow) * chosen(left, wb[i], wa[i]), most_mass_passing);
+    const double f = smaller(std::fabs(flow) * chosen(left, wb[i], wa[i]), max_mass_passing);
     // Components along axes and carried ones are summed apart: the sum of two does not depend on
     // the order of the axes.
     double d2 = 0.0, carried = 0.0;

@@ -18,7 +18,7 @@ using solve::CompositeVector;
 using solve::Sides;
 
 constexpr double pi = std::numbers::pi;
-constexpr double least_order = 1.9;
+constexpr double min_order = 1.9;
 
 struct Problem {
   Sides sides;
@@ -237,7 +237,7 @@ TEST_P(CompositePoisson, IsOfSecondOrder) {
   const double fine = Corrected(p, 2 * p.cells).error(corrections);
   const double order = std::log2(coarse / fine);
   RecordProperty("order", std::to_string(order));
-  EXPECT_GE(order, least_order) << coarse << " " << fine;
+  EXPECT_GE(order, min_order) << coarse << " " << fine;
 }
 
 constexpr Sides all_sides[] = {Sides::dirichlet, Sides::neumann, Sides::mixed, Sides::periodic};

@@ -91,7 +91,7 @@ void change_rows(const Around<D>& a, const Constants& x, int n, bool diffusive,
       const double below = shared_mass(a.Mm[t][i], a.M[i]) * (a.q[i] - a.qm[t][i]);
       sum += x.diffusion[t] * (above - below);
     }
-    spread[i] = sum / larger(a.M[i], least_divisor);
+    spread[i] = sum / larger(a.M[i], min_divisor);
   }
   if (x.diffusivity == nullptr) return;
   for (int i = 0; i < n; ++i) spread[i] *= x.diffusivity[i];

@@ -43,13 +43,13 @@ struct Pair {  // of the cells on both sides
 
 // threshold: how much further than the donor's value a face may be, at most: any number that
 //   leaves products finite; unit: 1; test: none
-constexpr double most_leeway = 1e30;
+constexpr double max_leeway = 1e30;
 
 // How much further than the donor's value a face may be, as a share of what the donor's value is
 // away from the other bound.
 inline double leeway(double nu, double M, double flow, double N) {
-  const double r = nu * M / larger(flow * N, least_divisor) - 1.0;
-  return smaller(larger(r, 0.0), most_leeway);
+  const double r = nu * M / larger(flow * N, min_divisor) - 1.0;
+  return smaller(larger(r, 0.0), max_leeway);
 }
 
 inline double bounded(double value, double q, double low, double high, double r) {
@@ -84,7 +84,7 @@ void face_row(const Row& row, const Handles& h, const Each& e, int axis, int axe
     const double M = left ? Mp[i] : Mm[i];
     const double lo = left ? low.b[i] : low.a[i], hi = left ? high.b[i] : high.a[i];
     const double flow = std::fabs(F[i]);
-    const double f = smaller(flow / larger(M, least_divisor), most_mass_passing);
+    const double f = smaller(flow / larger(M, min_divisor), max_mass_passing);
     const double nu = std::fabs(H) * (left ? iJ.b[i] : iJ.a[i]);
     const double r = leeway(nu, M, flow, left ? N.b[i] : N.a[i]);
     const double middle = difference(qm[i], qp[i], Mm[i], Mp[i]);

@@ -7,7 +7,7 @@ namespace sluice::ice::scalar_flow_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double least_order = 1.9;
+constexpr double min_order = 1.9;
 
 GasBox tube(int cells) {
   GasBox box;
@@ -27,7 +27,7 @@ TEST(ScalarFlow, CarriesSmoothProfilesToSecondOrder) {
     run.run(1.0);
     const double error = run.error("f", wave);
     if (before > 0) {
-      EXPECT_GE(recorded_order(before, error), least_order) << cells;
+      EXPECT_GE(recorded_order(before, error), min_order) << cells;
     }
     before = error;
   }
@@ -48,7 +48,7 @@ TEST(ScalarFlow, CarriesSmoothProfilesAcrossTheGrid) {
     const auto moved = [&](Vec3 x) { return wave({x.x - 0.5, x.y - 0.25, x.z}); };
     const double error = run.error("f", moved);
     if (before > 0) {
-      EXPECT_GE(recorded_order(before, error), least_order) << cells;
+      EXPECT_GE(recorded_order(before, error), min_order) << cells;
     }
     before = error;
   }
@@ -145,7 +145,7 @@ TEST(ScalarFlow, SpreadsAGaussianToSecondOrder) {
       run.run(end);
       const double error = run.error("f", [&](Vec3 x) { return bell(x, end); });
       if (before > 0) {
-        EXPECT_GE(recorded_order(before, error), least_order) << cells << " " << speed;
+        EXPECT_GE(recorded_order(before, error), min_order) << cells << " " << speed;
       }
       before = error;
     }

@@ -98,7 +98,7 @@ void transport_row(const Row& row, const Handles& h, const Each& e, bool second_
       most = larger(most, Fm[d][i] > 0.0 ? qm[d][i] : -infinity);
       most = larger(most, Fp[d][i] < 0.0 ? qp[d][i] : -infinity);
     }
-    const double value = q[i] + (gain + spread[i]) / larger(mass[i], least_divisor);
+    const double value = q[i] + (gain + spread[i]) / larger(mass[i], min_divisor);
     // Of mass that a source puts where there was none nothing is known: it brings no scalar.
     const double kept = least <= most ? larger(smaller(value, most), least) : value;
     now[i] = mass[i] > 0.0 ? kept : 0.0;

@@ -9,7 +9,7 @@ namespace {
 
 // threshold: volume fraction that a source gives to a cell without the material, or leaves of
 //   one, at least; unit: 1; test: none
-constexpr double least_moved_volume = 1e-16;
+constexpr double min_moved_volume = 1e-16;
 
 double* change_row(const SourceRows& r, int component) {
   return (*r.row)(r.change, component);
@@ -122,8 +122,8 @@ Sources::Passed Sources::pass(const SourceRows& r, int giver, int taker, int i,
   using C = SourceChange;
   const double rho = density_at(r, i), V = r.volume[from][i], receiver = r.mass[to][i];
   if (r.mass[from][i] == 0.0) return {};
-  const double stays = V * (1.0 - share) < least_moved_volume ? 0.0 : 1.0 - share;
-  if (stays > 0 && receiver == 0.0 && V * share < least_moved_volume) return {};
+  const double stays = V * (1.0 - share) < min_moved_volume ? 0.0 : 1.0 - share;
+  if (stays > 0 && receiver == 0.0 && V * share < min_moved_volume) return {};
   double velocity[3] = {}, apart = 0;  // of the giver; |u_from - u_to|^2
   for (int c = 0; c < r.layout.components; ++c) {
     const double w = drift(r, from, c, i), between = w - drift(r, to, c, i);

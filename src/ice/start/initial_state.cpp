@@ -216,7 +216,7 @@ double depth_below_reference(Vec3 g, const Level& coarsest, const Level& level) 
 // each round is better by g dx/c^2.
 void apply_hydrostatics(const PhysicalConstants& constants, const IceMaterial& m,
                         const Level& coarsest, const Level& level, PrimitiveFill& fill) {
-  constexpr int most_rounds = 100;
+  constexpr int max_rounds = 100;
   const Vec3 g = carried_gravity(constants, level);
   const double below_reference = depth_below_reference(g, coarsest, level);
   const auto balanced = [&](IntVec3 c, std::size_t n) {
@@ -235,7 +235,7 @@ void apply_hydrostatics(const PhysicalConstants& constants, const IceMaterial& m
     const Keeps keeps =
         what_is_kept(m, fill.density[n], fill.temperature[n], constants.reference_pressure);
     double pressure = balanced(c, n);
-    for (int round = 0; keeps == Keeps::temperature && round < most_rounds; ++round) {
+    for (int round = 0; keeps == Keeps::temperature && round < max_rounds; ++round) {
       set_pressure(m, keeps, pressure, n, fill);
       const double next = balanced(c, n);
       if (next == pressure) break;

@@ -82,9 +82,9 @@ class WeighedCell {
   // g dx/c^2.
   template <class Balance>
   double settle(Balance&& balance) {
-    constexpr int most_rounds = 100;
+    constexpr int max_rounds = 100;
     double pressure = balance(density());
-    for (int round = 0; round < most_rounds; ++round) {
+    for (int round = 0; round < max_rounds; ++round) {
       for (std::size_t m = 0; m < keeps_.size(); ++m)
         if (fill_.materials[m].volume_fraction[0] > 0)
           set_pressure(scene_.materials[m], keeps_[m], pressure, 0, fill_.materials[m]);

@@ -16,14 +16,14 @@ namespace sluice::ice {
 // longer than a few dozen of them. Calls one(first, count, kind). True: some hold several.
 template <class Runs, class Kind, class One>
 bool for_each_pure_piece(Runs runs, Kind kind, One&& one) {
-  constexpr int most_between = 32;
+  constexpr int max_between = 32;
   int begin = 0, end = 0, of = 0;
   bool mixed = false;
   runs([&](int first, int count, double key) {
     mixed = mixed || key < 0.0;
     if (key < 0.0) return;
     const int here = kind(static_cast<std::size_t>(key));
-    if (end > begin && here == of && first - end <= most_between) {
+    if (end > begin && here == of && first - end <= max_between) {
       end = first + count;
       return;
     }

@@ -5,7 +5,7 @@ namespace sluice::ice {
 
 // threshold: outflow number that bounds divide by at least, so that they stay finite where little
 //   flows out; unit: 1; test: RiemannProblem.SmallStepsDoNotCostAccuracy
-constexpr double least_outflow = 0.05;
+constexpr double min_outflow = 0.05;
 // threshold: share of the density, the internal energy and the pressure (above the lowest of the
 //   law) of the donor that its face has at least; unit: 1; test:
 //   RiemannProblem.ErrorIsThatOfAGoodGodunovCode
@@ -19,7 +19,7 @@ constexpr double density_left = 0.05;
 constexpr double energy_left = 0.25;
 // threshold: share of the mass of the donor that counts as passing at most, so that 1/(1 - f)
 //   stays finite; unit: 1; test: none
-constexpr double most_mass_passing = 0.99;
+constexpr double max_mass_passing = 0.99;
 
 // What passes may have at most (gone + left N)/N of the density (internal energy) of the donor, N
 // its outflow number.

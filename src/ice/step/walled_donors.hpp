@@ -11,14 +11,14 @@ namespace sluice::ice {
 inline bool gives_new_state(double V, double V_L, double E_L, double H, bool on_side) {
   // threshold: share of a cell that fluid fills, from which on it gives the remap its new state;
   //   unit: 1; test: none
-  constexpr double least_fluid = 0.5;
+  constexpr double min_fluid = 0.5;
   // threshold: share of its volume to which the Lagrangian phase may press it for that; unit: 1;
   //   test: none
-  constexpr double most_squeeze = 0.3;
+  constexpr double max_squeeze = 0.3;
   // threshold: multiple of its volume to which the Lagrangian phase may stretch it for that;
   //   unit: 1; test: none
   constexpr double max_stretch = 3.0;
-  const bool whole = (V >= least_fluid) & (V_L > most_squeeze * V) & (V_L < max_stretch * V);
+  const bool whole = (V >= min_fluid) & (V_L > max_squeeze * V) & (V_L < max_stretch * V);
   return (E_L > 0) & (whole | (on_side & (H > V) & (V_L > V)));
 }
 

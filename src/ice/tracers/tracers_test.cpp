@@ -10,7 +10,7 @@ namespace sluice::ice::tracers_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double least_order = 1.9;
+constexpr double min_order = 1.9;
 const std::string everywhere = tracer_box("[-99,-99,-99]", "[99,99,99]");
 
 GasBox uniform(IntVec3 cells) {
@@ -120,7 +120,7 @@ void expect_second_order(bool levels) {
     if (before > 0) {
       const double order = std::log2(before / error);
       testing::Test::RecordProperty(fmt::format("order_at_{}", cells), fmt::format("{}", order));
-      EXPECT_GE(order, least_order) << error;
+      EXPECT_GE(order, min_order) << error;
     }
     before = error;
   }
@@ -156,7 +156,7 @@ TEST(Tracers, CloseTheirCirclesToSecondOrder) {
     }
     const double error = std::hypot(particle.position(0).x - radius, particle.position(0).y);
     if (before > 0) {
-      EXPECT_GE(std::log2(before / error), least_order) << error;
+      EXPECT_GE(std::log2(before / error), min_order) << error;
     }
     before = error;
   }
