@@ -125,7 +125,7 @@ TEST(PoreWater, AColumnConsolidatesAsTerzaghiSays) {
         const double a = pi * (m + 0.5);
         exact += 2 / a * std::sin(a * (1 - t.position(p).x)) * std::exp(-a * a * T);
       }
-      error[t.position(p).x * 20] +=
+      error[static_cast<std::size_t>(t.position(p).x * 20)] +=
           0.5 * (t.find("p.porepressure")->components[0][p] / 1000 - exact);
     }
     double worst = 0;
