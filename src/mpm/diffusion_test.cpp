@@ -80,7 +80,8 @@ TEST(ScalarDiffusion, BetweenSidesItIsTheSeriesOfFourier) {
     const TextRun run = run_until(1, deck, "sides");
     const auto x = run.particles("p.x"), C = run.particles("p.concentration");
     std::vector<double> mean(n, 0.0);
-    for (std::size_t p = 0; p < x[0].size(); ++p) mean[x[0][p] * n] += C[0][p] / 2;
+    for (std::size_t p = 0; p < x[0].size(); ++p)
+      mean[static_cast<std::size_t>(x[0][p] * n)] += C[0][p] / 2;
     double squares = 0;
     for (int i = 0; i < n; ++i) {
       const double at = (i + 0.5) / n;
