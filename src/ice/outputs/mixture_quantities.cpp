@@ -6,6 +6,7 @@
 
 #include "ice/closure/traces.hpp"
 #include "ice/mixture/variables.hpp"
+#include "ice/multi_velocity/tasks.hpp"
 #include "ice/sources/sources.hpp"
 #include "ice/step/laws_of_cells.hpp"
 #include "ice/transport/subgrid_stress.hpp"
@@ -20,6 +21,7 @@ class Declarer {
         o_(q.options()),
         mixture_(mixture_options(o_)),
         v_(declare_variables(q.list(), mixture_)) {
+    if (mixture_.multi_velocity) declare_relative_velocities(q.list(), mixture_, v_);
     add_primitives(q.list(), v_, mixture_, effect_diagnostics, true);
     if (o_.own_viscosity_varies()) add_own_viscosities(q.list(), v_, mixture_, effect_diagnostics);
     if (o_.transport.turbulence) declare_eddies();
