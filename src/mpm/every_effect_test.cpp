@@ -10,7 +10,7 @@
 namespace sluice::mpm::every_effect_test {
 namespace {
 
-constexpr double allowed = 2e-13;  // of velocities and energies; measured: at most 4e-14
+constexpr double allowed = 3e-14;  // of velocities (over 4 m/s) and energies; measured: below 1e-14
 constexpr int steps = 3;
 
 struct Effect {
@@ -72,9 +72,9 @@ void expect_uniform(const TextRun& run, int material) {
     for (const double u : v[d]) EXPECT_NEAR(u, expected[d], allowed * 4);
 }
 
-class EveryBasis : public testing::TestWithParam<BasisRow> {};
+class EveryEffectOf : public testing::TestWithParam<BasisRow> {};
 
-TEST_P(EveryBasis, MovesUniformlyWithEachTransferAndEffect) {
+TEST_P(EveryEffectOf, MovesUniformlyWithEachTransferAndEffect) {
   for (const char* transfer : transfers)
     for (const Effect& effect : effects) {
       SCOPED_TRACE(fmt::format("{} {}", transfer, effect.name));
@@ -111,7 +111,7 @@ std::string name_of_case(const testing::TestParamInfo<BasisRow>& test) {
   return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Basis, EveryBasis,
+INSTANTIATE_TEST_SUITE_P(Basis, EveryEffectOf,
                          testing::ValuesIn(basis_rows().begin(), basis_rows().end()), name_of_case);
 
 }  // namespace
