@@ -15,7 +15,7 @@ namespace sluice::models {
 namespace {
 
 TagSpec named_value(const char* name, const char* doc) {
-  return tag(name, doc).multiple().attribute(attribute("name", "of the column").once().text());
+  return tag(name, doc).multiple().attribute(attribute("name", "name of the column").once().text());
 }
 
 TagSpec table_tag() {
@@ -82,7 +82,7 @@ TagSpec adiabatic_table_tag() {
           .boolean()
           .by_default("false");
   const TagSpec constants =
-      tag("constants", "of the mixture fraction").with_children(diffusion_tags());
+      tag("constants", "constants of the mixture fraction").with_children(diffusion_tags());
   std::vector<TagSpec> of_mixture = mixture_tags("the mixture fraction", {test, constants});
   of_mixture.insert(of_mixture.begin() + 1, table_tag());
   return tag("AdiabaticTable",

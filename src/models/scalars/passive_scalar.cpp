@@ -40,7 +40,7 @@ constexpr std::array profiles = {
                "product over x and y of coeff exp(-1/(x (1 - x)))"}};
 
 TagSpec constants() {
-  return tag("constants", "of the scalar")
+  return tag("constants", "constants of the scalar")
       .with_children(
           {tag("diffusivity", "coefficient D of the flux rho D grad q")
                .real()
@@ -67,9 +67,9 @@ TagSpec scalar_region_tag() {
           .attribute(attribute("name", "name of the region").text())
           .group("geometry_piece")
           .with_children({tag("scalar", "the scalar in it, if no profile is chosen").once().real(),
-                          tag("slope", "of the linear profile").vector(),
+                          tag("slope", "slope of the linear profile").vector(),
                           tag("freq", "periods of the sinusoidal profile").vector(),
-                          tag("coeff", "of the other profiles").vector()});
+                          tag("coeff", "coefficients of the other profiles").vector()});
   for (const ProfileTag& p : profiles)
     region = region.child(
         tag(p.name, std::string("profile ") + p.doc + ", x from 0 to 1 across the region")

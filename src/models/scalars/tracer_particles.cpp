@@ -55,7 +55,7 @@ TagSpec tracer_particles_tag() {
   const TagSpec tracer =
       tag("tracer", "regions of particles and of sources")
           .once()
-          .attribute(attribute("name", "their name, in the run report").once().text())
+          .attribute(attribute("name", "name of these particles in the run report").once().text())
           .with_children(
               {tag("initialization", "particles at the start")
                    .once()

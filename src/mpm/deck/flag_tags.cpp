@@ -57,8 +57,8 @@ std::vector<TagSpec> scheme_tags() {
           .at_most(20)
           .by_default("2"),
       tag("affine_damping",
-          "transfer affine: the fraction kappa dt c/h of the grid's velocity is used in a step; 0: "
-          "no damping")
+          "transfer affine: rate kappa; every step replaces the fraction kappa dt c/h of a "
+          "particle's velocity by that of the grid (c: speed of sound, h: spacing); 0: no damping")
           .real()
           .at_least(0)
           .by_default("1"),

@@ -190,7 +190,7 @@ const std::vector<Part>& damages() {
   static const std::vector<Part> list = [] {
     Tags johnson_cook = scalar_tags();
     for (const char* name : {"D1", "D2", "D3", "D4", "D5"})
-      johnson_cook.push_back(number(name, "of the strain at failure"));
+      johnson_cook.push_back(number(name, "coefficient of the strain at failure"));
     johnson_cook.push_back(number("D0", "accepted without effect", 0));
     johnson_cook.push_back(number("Dc", "accepted without effect", 0));
     return std::vector<Part>{
@@ -208,12 +208,12 @@ const std::vector<Part>& damages() {
               .once()
               .words({"MaximumPrincipalStress", "MaximumPrincipalStrain", "MohrCoulomb",
                       "MohrColoumb"}),
-          number("friction_angle", "of MohrCoulomb, degrees", 0),
+          number("friction_angle", "friction angle of MohrCoulomb, degrees", 0),
           number("tensile_cutoff_fraction_of_cohesion", "largest tension divided by cohesion",
                  1e10),
-          number("exponent", "of the scaling by volume; absent: failure_std", 0),
+          number("exponent", "exponent of the scaling by volume; absent: failure_std", 0),
           number("reference_volume", "volume at which the scaling is 1, m^3", 0),
-          tag("scaling", "of the threshold by the particle's volume")
+          tag("scaling", "scaling of the threshold by the particle's volume")
               .words({"none", "kayenta"})
               .by_default("none"),
           choice("LocalizeParticles", "whether particles fail", true)}},

@@ -78,9 +78,9 @@ Tags arena_tags() {
              1e-9)
           .at_least(0),
       positive_or("time_at_failure", "time of plastic flow where C is 1/2, s", 1e9),
-      choice("use_disaggregation_algorithm", "true is not supported", false),
-      tag("reference_porosity", "initial_porosity; other values are not supported").real(),
-      number("p1_density_scale_fac", "0; other values are not supported", 0),
+      choice("use_disaggregation_algorithm", "must be false", false),
+      tag("reference_porosity", "must be equal to initial_porosity").real(),
+      number("p1_density_scale_fac", "must be 0", 0),
       tag("eq_plastic_strain_at_failure", "not supported").real(),
       tag("K0_Murnaghan_EOS", "not supported").real(),
       tag("n_Murnaghan_EOS", "not supported").real()};

@@ -33,8 +33,8 @@ Tags common_tags() {
       number("T2_rate_dependence", "its exponent", 0),
       number("subcycling_characteristic_number", "largest number of parts of a step; at least 1",
              256),
-      number("gruneisen_parameter", "0; other values are not supported", 0),
-      choice("Use_Disaggregation_Algorithm", "true is not supported", false)};
+      number("gruneisen_parameter", "must be 0", 0),
+      choice("Use_Disaggregation_Algorithm", "must be false", false)};
 }
 
 bool only_zero(const Parameters& p, const std::vector<const char*>& names) {
@@ -154,7 +154,7 @@ Tags tags_of_3() {
         number("B4", "its scale", 0).at_least(0)})
     tags.push_back(t);
   for (const char* name : {"G1", "G2", "G3", "G4", "p2_crush_curve"})
-    tags.push_back(number(name, "0; other values are not supported", 0));
+    tags.push_back(number(name, "must be 0", 0));
   return tags;
 }
 
@@ -177,7 +177,7 @@ MaterialModel Arenisca_model() {
   tags.push_back(number("hardening_modulus", "H of J2^(1/2) = F + H e_q, Pa", 0).at_least(0));
   tags.push_back(number("kinematic_hardening_constant", "c of d xi = c d e^p, Pa", 0).at_least(0));
   tags.push_back(number("p4_fluid_effect", "accepted without effect", 0));
-  tags.push_back(number("gruneisen_parameter", "0; other values are not supported", 0));
+  tags.push_back(number("gruneisen_parameter", "must be 0", 0));
   tags.push_back(copy_of_the_cap());
   return {"Arenisca",
           {"arenisca"},
@@ -198,7 +198,7 @@ MaterialModel Arenisca3_model() {
 MaterialModel Arenisca4_model() {
   Tags tags = tags_of_3();
   for (const char* name : {"J3_type", "J3_psi", "principal_stress_cutoff"})
-    tags.push_back(number(name, "0; other values are not supported", 0));
+    tags.push_back(number(name, "must be 0", 0));
   return {"Arenisca4", {}, "as Arenisca3", tags, make_4};
 }
 

@@ -31,7 +31,7 @@ struct ZerilliArmstrong {
     return {tag("c_0", "part without temperature and rate, Pa").real(),
             number("sigma_g",
                    "without <c_0>: part of solutes and the initial density of dislocations, Pa", 0),
-            number("k_H", "without <c_0>: of the grain boundaries, Pa m^(1/2)", 0),
+            number("k_H", "without <c_0>: coefficient of the grain boundaries, Pa m^(1/2)", 0),
             number("sqrt_l_inv", "without <c_0>: 1/(size of grains)^(1/2), m^(-1/2)", 0),
             number("K", "hardening, Pa", 0),
             number("n", "exponent of hardening", 0),

@@ -90,7 +90,7 @@ const std::vector<Part>& shear_parts() {
       {"np_shear",
        {positive("mu_0", "shear modulus at 0 K, Pa"), positive("zeta", "width of melting"),
         number("slope_mu_p_over_mu0", "increase with pressure, 1/Pa"),
-        positive("C", "of Lindemann's law"), positive("m", "mass of an atom, u")}},
+        positive("C", "constant of Lindemann's law"), positive("m", "mass of an atom, u")}},
       {"ptw_shear",
        {positive("mu_0", "shear modulus at 0 K, Pa"), number("alpha", "without effect", 0),
         number("alphap", "decrease up to the melting temperature"),
