@@ -231,7 +231,8 @@ void declare_tune_command(Command& command) {
                  "Draw residual against time of the best (.png, .svg or .pdf)");
   command.option("--json", o->json, "Write all measurements to this file; -: to standard output");
   command.option("--set", o->overrides, "Override PATH=VALUE (may be repeated)").repeatable();
-  command.option("--threads", o->threads, "Threads of the run (solvers take one)");
+  command.option("--threads", o->threads,
+                 "Threads of the run; the solvers are measured with one thread");
   command.flag("--quiet", o->quiet, "Do not print warnings of the deck and the progress line");
   command.action([o] { return tune(*o); });
 }

@@ -21,8 +21,8 @@ TagSpec named_value(const char* name, const char* doc) {
 TagSpec table_tag() {
   return tag("table", "the table")
       .once()
-      .attribute(attribute("name", "its name").once().text())
-      .attribute(attribute("type", "its format").once().words({"Arches"}))
+      .attribute(attribute("name", "name of the table").once().text())
+      .attribute(attribute("type", "format of the table").once().words({"Arches"}))
       .with_children(
           {tag("filename",
                "file of the table, compressed with gzip or not, relative to the working folder or "

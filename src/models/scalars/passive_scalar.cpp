@@ -91,18 +91,19 @@ TagSpec passive_scalar_tag() {
           {tag("material", "name of the material; absent: the only one").text(),
            tag("scalar", "the scalar")
                .once()
-               .attribute(
-                   attribute("name", "its name; variables are called scalar-NAME").once().text())
-               .with_children(
-                   {tag("test_conservation", "its total is written as totalSum_scalar-NAME")
-                        .boolean()
-                        .by_default("false"),
-                    tag("reinitializeDomain", "reset at a restart").boolean(), constants(),
-                    exponential_decay_tag(),
-                    tag("initialization", "the scalar at the start; nothing: 0")
-                        .once()
-                        .child(scalar_region_tag()),
-                    tag("interiorSources", "regions with sources").child(source)})});
+               .attribute(attribute("name", "name of the scalar; variables are called scalar-NAME")
+                              .once()
+                              .text())
+               .with_children({tag("test_conservation",
+                                   "the total of the scalar is written as totalSum_scalar-NAME")
+                                   .boolean()
+                                   .by_default("false"),
+                               tag("reinitializeDomain", "reset at a restart").boolean(),
+                               constants(), exponential_decay_tag(),
+                               tag("initialization", "the scalar at the start; nothing: 0")
+                                   .once()
+                                   .child(scalar_region_tag()),
+                               tag("interiorSources", "regions with sources").child(source)})});
 }
 
 namespace {

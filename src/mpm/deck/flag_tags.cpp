@@ -109,11 +109,11 @@ std::vector<TagSpec> physics_tags() {
           "the work of the artificial viscosity becomes heat; absent: the value of "
           "artificial_viscosity")
           .boolean(),
-      tag("artificial_viscosity_coeff1", "its linear coefficient")
+      tag("artificial_viscosity_coeff1", "linear coefficient of the artificial viscosity")
           .real()
           .at_least(0)
           .by_default("0.2"),
-      tag("artificial_viscosity_coeff2", "its quadratic coefficient")
+      tag("artificial_viscosity_coeff2", "quadratic coefficient of the artificial viscosity")
           .real()
           .at_least(0)
           .by_default("2.0"),

@@ -280,8 +280,10 @@ MaterialModel visco_trans_iso_hyper_model() {
   for (int k = 1; k <= shares; ++k) {
     tags.push_back(
         number("y" + std::to_string(k), "relaxing fraction of the stress", 0).at_least(0));
-    tags.push_back(
-        number("t" + std::to_string(k), "its relaxation time, s; 0: none", 0).at_least(0));
+    tags.push_back(number("t" + std::to_string(k),
+                          "relaxation time of the fraction y" + std::to_string(k) + ", s; 0: none",
+                          0)
+                       .at_least(0));
   }
   return {"visco_trans_iso_hyper",
           {},

@@ -179,7 +179,8 @@ class MaterialWithFailure final : public Material {
 
 Tags scalar_tags() {
   return {number("initial_mean_scalar_damage", "initial damage", 0).at_least(0),
-          number("initial_std_scalar_damage", "its deviation", 0).at_least(0),
+          number("initial_std_scalar_damage", "standard deviation of the initial damage", 0)
+              .at_least(0),
           tag("initial_scalar_damage_distrib", "distribution of the random values")
               .words({"constant", "gauss"})
               .by_default("constant"),
@@ -199,7 +200,9 @@ const std::vector<Part>& damages() {
         {"hancock_mackenzie", scalar_tags()},
         {"Threshold",
          {positive("failure_mean", "mean threshold: Pa, or a strain"),
-          number("failure_std", "its deviation; weibull: the modulus", 0).at_least(0),
+          number("failure_std", "standard deviation of the threshold; weibull: the Weibull modulus",
+                 0)
+              .at_least(0),
           number("failure_seed", "seed of the random thresholds", 0),
           tag("failure_distrib", "distribution of the thresholds")
               .once()

@@ -41,7 +41,7 @@ const std::vector<Part>& yield_parts() {
         positive("BETA", "1: associated flow; less: less dilatancy; more: more"),
         number("CR", "shape of the cap: (PEAKI1 - kappa)/(PEAKI1 - X)").above(0).at_most(1),
         not_negative("T1", "tau = T1 |D|^-T2, s^(1 - T2); 0: no rate dependence"),
-        not_negative("T2", "its exponent"),
+        not_negative("T2", "exponent T2 of the rate dependence"),
         number("PEAKI1_failed", "PEAKI1 of failed soil, Pa", 1e-5).at_least(0),
         tag("FSLOPE_failed", "FSLOPE of failed soil; absent: FSLOPE/2").real().at_least(0),
         tag("STREN_failed", "STREN of failed soil, Pa; absent: STREN/10").real().at_least(0),

@@ -36,11 +36,11 @@ struct ZerilliArmstrong {
             number("K", "hardening, Pa", 0),
             number("n", "exponent of hardening", 0),
             number("B", "thermal part of body-centred metals, Pa", 0),
-            number("beta_0", "its decrease with temperature, 1/K", 0),
-            number("beta_1", "its reduction with ln rate, 1/K", 0),
+            number("beta_0", "decrease of the thermal part B with temperature, 1/K", 0),
+            number("beta_1", "reduction of the decrease beta_0 with ln rate, 1/K", 0),
             number("B_0", "thermal part of face-centred metals, Pa", 0),
-            number("alpha_0", "its decrease with temperature, 1/K", 0),
-            number("alpha_1", "its reduction with ln rate, 1/K", 0)};
+            number("alpha_0", "decrease of the thermal part B_0 with temperature, 1/K", 0),
+            number("alpha_1", "reduction of the decrease alpha_0 with ln rate, 1/K", 0)};
   }
   static ZerilliArmstrong read(const Parameters& p) {
     const double c_0 =
