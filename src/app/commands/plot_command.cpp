@@ -11,7 +11,8 @@ void declare_plot_command(Command& command) {
   command.option("UDA", request->archive, "Archive (folder or link)").required();
   command
       .option("--var", request->variables,
-              "Label, or a component of it: vel_CC.x, p.stress.xy (of stresses else: von Mises)")
+              "Label, or a component of it: vel_CC.x, p.stress.xy (a stress without a component: "
+              "von Mises)")
       .quietly_repeatable();
   command
       .option("--history", request->histories,
