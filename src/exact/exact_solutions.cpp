@@ -212,10 +212,10 @@ const ParameterHelp origin_help{"origin", "centre, axis or plane of symmetry ([0
 const ParameterHelp axis_help{"axis",
                               "direction of a plane flow, or the axis of a cylindrical one"};
 const ParameterHelp dimension_help{"dimension", "1 plane, 2 cylinder, 3 sphere"};
-const ParameterHelp density_help{"density", "of the mean or undisturbed gas (1)"};
-const ParameterHelp velocity_help{"velocity", "of the mean or undisturbed gas ([0,0,0])"};
-const ParameterHelp pressure_help{"pressure", "of the mean or undisturbed gas"};
-const ParameterHelp amplitude_help{"amplitude", "of the density, relative"};
+const ParameterHelp density_help{"density", "density of the mean or undisturbed gas (1)"};
+const ParameterHelp velocity_help{"velocity", "velocity of the mean or undisturbed gas ([0,0,0])"};
+const ParameterHelp pressure_help{"pressure", "pressure of the mean or undisturbed gas"};
+const ParameterHelp amplitude_help{"amplitude", "relative amplitude of the density"};
 const ParameterHelp wave_vector_help{"wave_vector", "periods per unit length ([1,0,0])"};
 const ParameterHelp sense_help{"sense", "1 along the wave vector, -1 against it (1)"};
 
@@ -229,7 +229,7 @@ std::vector<ParameterHelp> sides_help(std::vector<ParameterHelp> more) {
       {"eos_right", "law and parameters of the right material"},
       {"temperature_left", "K, for laws whose pressure depends on density only"},
       {"temperature_right", "K, for laws whose pressure depends on density only"},
-      {"position", "of the interface at t = 0"},
+      {"position", "position of the interface at t = 0"},
       {"direction", "normal of the interface ([1,0,0])"},
       {"materials", "numbers in the deck of the left and the right material ([0, 1])"}};
   all.insert(all.end(), more.begin(), more.end());
@@ -243,11 +243,11 @@ const std::vector<Kind>& kinds() {
         "two uniform gases side by side (Toro, ch. 4)",
         {{"left", "[density, velocity, pressure]"},
          {"right", "[density, velocity, pressure]"},
-         {"position", "of the interface at t = 0"},
+         {"position", "position of the interface at t = 0"},
          {"direction", "normal of the interface ([1,0,0])"},
          gamma_help,
-         {"gamma_left", "of the left gas (gamma)"},
-         {"gamma_right", "of the right gas (gamma)"}}},
+         {"gamma_left", "ratio of specific heats of the left gas (gamma)"},
+         {"gamma_right", "ratio of specific heats of the right gas (gamma)"}}},
        make_riemann},
       {{"two_materials", "two uniform materials side by side, each with its equation of state",
         sides_help({})},
@@ -256,15 +256,15 @@ const std::vector<Kind>& kinds() {
         "a shock in the left material runs to the interface with the right one, at rest relative "
         "to "
         "it and at its pressure, or to a rigid wall when there is no <right>",
-        sides_help(
-            {{"shock_pressure", "behind the shock"}, {"shock_position", "of the shock at t = 0"}})},
+        sides_help({{"shock_pressure", "pressure behind the shock"},
+                    {"shock_position", "position of the shock at t = 0"}})},
        make_shock},
       {{"noh",
         "cold gas running onto a plane, axis or point",
         {dimension_help,
          {"gamma", "ratio of specific heats (5/3)"},
          density_help,
-         {"speed", "of the inflow (1)"},
+         {"speed", "speed of the inflow (1)"},
          pressure_help,
          origin_help,
          axis_help}},
@@ -285,11 +285,11 @@ const std::vector<Kind>& kinds() {
          gamma_help,
          velocity_help,
          origin_help,
-         {"period", "of the square domain (0: none)"}}},
+         {"period", "period of the square domain (0: not periodic)"}}},
        make_isentropic_vortex},
       {{"gresho",
         "steady triangular vortex of peak speed 1",
-        {{"mach", "of the peak speed"}, gamma_help, origin_help}},
+        {{"mach", "Mach number of the peak speed"}, gamma_help, origin_help}},
        make_gresho},
       {{"radial",
         "reference run with plane, cylindrical or spherical symmetry, cells moving with the gas",
@@ -297,16 +297,16 @@ const std::vector<Kind>& kinds() {
          gamma_help,
          {"low", "lower end (0)"},
          {"high", "upper end"},
-         {"cells", "of the reference (2000)"},
-         {"cfl", "of the reference (0.8)"},
+         {"cells", "number of cells of the reference run (2000)"},
+         {"cfl", "CFL number of the reference run (0.8)"},
          {"outflow", "1: open upper end, 0: wall (0)"},
          {"states", "density, velocity, pressure of each piece in turn"},
-         {"edges", "between the pieces (none)"},
+         {"edges", "positions of the edges between the pieces (none)"},
          {"deposit_energy",
           "internal energy on top, spread as exp(-(r/deposit_radius)^2): both sides of a plane, "
           "per "
           "length of an axis, in all (0)"},
-         {"deposit_radius", "of the deposit (1)"},
+         {"deposit_radius", "radius of the deposit (1)"},
          origin_help,
          axis_help}},
        make_radial},
@@ -329,13 +329,13 @@ const std::vector<Kind>& kinds() {
        make_wave<SimpleWave>},
       {{"vortex_ring",
         "manufactured motion of a ring whose circles turn there and back",
-        {{"amplitude", "of the angle, in radians at the mean radius (1)"}}},
+        {{"amplitude", "amplitude of the angle, in radians at the mean radius (1)"}}},
        make_vortex_ring},
       {{"axis_aligned",
         "manufactured vibration of a cube along its axes",
-        {{"amplitude", "of the displacement (0.05)"},
-         {"speed", "of waves: two over the period"},
-         {"directions", "that move, 1 to 3 (3)"}}},
+        {{"amplitude", "amplitude of the displacement (0.05)"},
+         {"speed", "speed of waves, two over the period"},
+         {"directions", "number of directions that move, 1 to 3 (3)"}}},
        make_axis_aligned},
       {{"hydrostatic",
         "gas at rest in gravity, its state given at the origin",

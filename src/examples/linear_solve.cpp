@@ -160,7 +160,7 @@ StepLimit SolverTest::step_limit(const std::vector<double>& /*maxima*/) const {
 
 void add_solver_test_tags(Schema& schema) {
   schema.add(
-      tag("SolverTest", "one linear solve a step, of a Laplacian with one source")
+      tag("SolverTest", "one linear solve per step, of a Laplacian with one source")
           .with_children({tag("delt", "length of a step").once().real().above(0).unit("time"),
                           tag("X_Laplacian", "present: derivatives along x"),
                           tag("Y_Laplacian", "present: derivatives along y"),

@@ -39,8 +39,8 @@ void add_poisson_tags(Schema& schema) {
       tag("Poisson", "Laplace's equation by sweeps of Jacobi's method, on nodes")
           .with_children({tag("delt", "length of a step").once().real().above(0).unit("time"),
                           tag("maxresidual",
-                              "the sum of squared changes at which the sweeps of a step end; "
-                              "poisson1 and benchmark take one sweep a step")
+                              "sweeps of a step end when the sum of the squared changes is below "
+                              "this value; poisson1 and benchmark make one sweep per step")
                               .once()
                               .real()
                               .above(0)}));

@@ -277,7 +277,7 @@ void add_wave_tags(Schema& schema) {
   schema.add(
       tag("Wave", "the wave equation in cells")
           .with_children(
-              {tag("radius", "of the bump at the start")
+              {tag("radius", "radius of the initial bump")
                    .real()
                    .above(0)
                    .unit("length")

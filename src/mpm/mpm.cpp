@@ -237,7 +237,7 @@ Label Mpm::refine_flag() const {
 
 Label Mpm::mask_label() const {
   return declare_label({"state.slope_mask", ValueType::real, Centring::cell, "1",
-                        "marks of a repeated step; solids set none"});
+                        "1 where a repeated step uses slopes; not used by solids"});
 }
 
 std::string Mpm::describe_fault(int /*kind*/) const {

@@ -30,7 +30,8 @@ void declare_export_command(Command& command) {
   command.option("-o,--output", r->folder, "Folder to write into; NAME.uda.NNN.vtk");
   command.option("--vars", r->only, "Only these labels: a,b,c");
   command.option("--ignore", r->ignore, "All labels but these: a,b,c");
-  command.option("--time", r->options.time, "One output: last, first, a time, #N; else all");
+  command.option("--time", r->options.time,
+                 "Only this output: last, first, a time, #N; absent: all outputs");
   command.action([r] {
     export_archive(*r);
     return 0;

@@ -80,7 +80,8 @@ void declare_norms_command(Command& command) {
   command.option("B", r->second, "An archive that has values at the same points").required();
   command.option("--vars", r->only, "Only these labels: a,b,c");
   command.option("--ignore", r->ignore, "All labels but these: a,b,c");
-  command.option("--time", r->options.time, "One output: last, first, a time, #N; else all");
+  command.option("--time", r->options.time,
+                 "Only this output: last, first, a time, #N; absent: all outputs");
   command.option("--time-tolerance", r->options.time_tolerance, "Relative, between outputs")
       .at_least_zero();
   command.option("--csv", r->csv, "Write CSV to a file, - for standard output");

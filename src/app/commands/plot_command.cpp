@@ -11,14 +11,15 @@ void declare_plot_command(Command& command) {
   command.option("UDA", request->archive, "Archive (folder or link)").required();
   command
       .option("--var", request->variables,
-              "Label, or a component of it: vel_CC.x, p.stress.xy (of stresses else: von Mises)")
+              "Label, or a component of it: vel_CC.x, p.stress.xy (a stress without a component: "
+              "von Mises)")
       .quietly_repeatable();
   command
       .option("--history", request->histories,
               "A .dat file by its label; levels: the cells of each level over time")
       .quietly_repeatable();
   command.option("--material", request->material,
-                 "Material index (lines: all; else the first stored)");
+                 "Material index; absent: all in line plots, otherwise the first stored");
   command.option("--time", request->time, "last, first, #N (N-th output) or a time");
   command.option("--slice", request->slice, "Plane of a 3-D run, z=0.5 (the middle)");
   command.flag("--radius", request->radius,

@@ -123,9 +123,10 @@ CapturedSystems capture(const LoadedScene& loaded, const TuneRequest& o, TuneRep
   const double spent = processor_seconds() - before;
   CapturedSystems systems = captured.take();
   if (systems.empty())
-    throw PhysicsError(run.message.empty()
-                           ? "the deck's first steps solve no system with a right-hand side"
-                           : run.message);
+    throw PhysicsError(
+        run.message.empty()
+            ? "the first steps of the deck solve no linear system with a nonzero right-hand side"
+            : run.message);
   if (run.status == RunStatus::failed && !o.quiet)
     fmt::print(stderr, "sluice: warning: the run ended: {}\n", run.message);
   report.own = captured.settings();
@@ -222,16 +223,18 @@ void declare_tune_command(Command& command) {
   auto o = std::make_shared<TuneRequest>();
   command.option("DECK", o->deck, "Deck (.ups) with <ImplicitSolver>").required();
   command.option("--budget", o->budget, "Seconds for the search (60)");
-  command.option("--steps", o->steps, "Steps of the deck to run for systems (20)");
-  command.option("--systems", o->systems,
-                 "Systems to keep: the first, the last, and others evenly between (3)");
+  command.option("--steps", o->steps, "Time steps to run while linear systems are collected (20)");
+  command.option(
+      "--systems", o->systems,
+      "Linear systems to keep: the first, the last, and others evenly spaced between them (3)");
   command.option("--apply", o->apply,
                  "Write a copy of the deck with the best solver; all other bytes are unchanged");
   command.option("--picture", o->picture,
                  "Draw residual against time of the best (.png, .svg or .pdf)");
   command.option("--json", o->json, "Write all measurements to this file; -: to standard output");
   command.option("--set", o->overrides, "Override PATH=VALUE (may be repeated)").repeatable();
-  command.option("--threads", o->threads, "Threads of the run (solvers take one)");
+  command.option("--threads", o->threads,
+                 "Threads of the run; the solvers are measured with one thread");
   command.flag("--quiet", o->quiet, "Do not print warnings of the deck and the progress line");
   command.action([o] { return tune(*o); });
 }

@@ -56,7 +56,7 @@ void check_boxes(const Group& g) {
   }
   if (!good)
     throw std::logic_error("archive: the pieces of " + g.variable.name +
-                           " are not one a component over the same cells");
+                           " must be one per component, over the same cells");
 }
 
 std::vector<Group> plan(std::span<const FieldPiece> pieces, const StorageOptions& options) {

@@ -152,8 +152,9 @@ std::vector<IntVec3> DeckNode::as_int_vectors() const {
 const DeckNode& DeckNode::need(std::string_view child_name) const {
   const DeckNode* found = child(child_name);
   if (found == nullptr) {
-    throw std::logic_error(fmt::format("{}: <{}> has no child <{}>, and the schema gives none",
-                                       to_string(where), name, child_name));
+    throw std::logic_error(
+        fmt::format("{}: <{}> has no child <{}>, and the schema defines no default for it",
+                    to_string(where), name, child_name));
   }
   return *found;
 }

@@ -25,7 +25,7 @@ struct Row {
 
 constexpr const char* measured_cost = "boxes are dealt out to ranks by measured cost";
 constexpr const char* all_materials = "materials are all in the deck";
-constexpr const char* renamed = "its name of today";
+constexpr const char* renamed = "the present name";
 constexpr const char* tiles = "flagged tiles are refined";
 constexpr const char* cracks_at_the_flux = "cracks burn at the mass flux of surfaces";
 

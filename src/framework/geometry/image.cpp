@@ -25,8 +25,9 @@ ImagePiece::ImagePiece(std::string voxels, IntVec3 res, int least, int most, con
     : voxels_(std::move(voxels)), res_(res), least_(least), most_(most), box_(box) {
   const double wanted = static_cast<double>(res.x) * res.y * res.z;
   if (res.x < 1 || res.y < 1 || res.z < 1 || static_cast<double>(voxels_.size()) != wanted)
-    throw InputError(fmt::format("image: {} bytes; res [{}, {}, {}] asks for {}, one a voxel",
-                                 voxels_.size(), res.x, res.y, res.z, wanted));
+    throw InputError(
+        fmt::format("image: the file has {} bytes, but res [{}, {}, {}] needs {}, one per voxel",
+                    voxels_.size(), res.x, res.y, res.z, wanted));
   if (least > most || least > 255 || most < 0)
     throw InputError(
         fmt::format("image: no grey value lies in the threshold [{}, {}]; values are "

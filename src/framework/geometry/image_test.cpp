@@ -47,7 +47,7 @@ TEST(ImagePiece, RefusesWhatDoesNotFit) {
       [] {
         ImagePiece("abc", {2, 2, 1}, 0, 255, box);
       },
-      ThrowsMessage<InputError>(HasSubstr("3 bytes; res [2, 2, 1] asks for 4")));
+      ThrowsMessage<InputError>(HasSubstr("3 bytes, but res [2, 2, 1] needs 4")));
   EXPECT_THAT(
       [] {
         ImagePiece("abcd", {2, 2, 1}, 9, 3, box);

@@ -45,7 +45,8 @@ TagSpec preconditioner_name() {
   std::vector<std::string> names = hypre_preconditioners();
   names.emplace_back("amg");
   return with_spellings(
-      tag("preconditioner", "of hypre's cg, gmres, bicgstab and hybrid; amg: of cg only")
+      tag("preconditioner",
+          "preconditioner of hypre's cg, gmres, bicgstab and hybrid; amg: only with cg")
           .words(names)
           .not_built({"fac", "FAC"})
           .by_default("pfmg"),
@@ -59,7 +60,7 @@ TagSpec preconditioner_name() {
 
 std::vector<TagSpec> goal_tags() {
   return {
-      tag("tolerance", "of the residual's norm, see criteria")
+      tag("tolerance", "tolerance for the norm of the residual, see criteria")
           .real()
           .at_least(0)
           .by_default("1e-10"),
@@ -67,7 +68,7 @@ std::vector<TagSpec> goal_tags() {
           .integer()
           .at_least(1)
           .by_default("75"),
-      with_spellings(tag("norm", "of the residual; hypre has L2 only")
+      with_spellings(tag("norm", "norm of the residual; hypre supports only L2")
                          .words({"L2", "L1", "LInfinity"})
                          .spelling("l2", "L2")
                          .spelling("l1", "L1"),
@@ -248,7 +249,7 @@ const DeckNode* parameters_for(const DeckNode* parent, const std::string& variab
 }  // namespace
 
 TagSpec solver_parameters_tag() {
-  return tag("Parameters", "of the linear solver")
+  return tag("Parameters", "parameters of the linear solver")
       .multiple()
       .attribute(attribute("variable", "what is solved for; absent: anything").text())
       .with_children(goal_tags())

@@ -39,7 +39,7 @@ TagSpec profile_tag() {
            tag("exponent", "power law: value times min(height/maxHeight, 1)^exponent")
                .real()
                .at_least(0),
-           tag("maxHeight", "height of the profile; absent: of the domain")
+           tag("maxHeight", "height of the profile; absent: height of the domain")
                .real()
                .above(0)
                .unit("length"),

@@ -12,22 +12,23 @@ namespace sluice::ice {
 TagSpec implicit_solver_tag() {
   return tag("ImplicitSolver",
              "semi-implicit pressure: the time step is limited by the flow, not by sound")
-      .with_children({tag("max_outer_iterations",
-                          "maximum number of solves in a step; 1: the remaining volume error of "
-                          "cells is corrected in the next step")
-                          .once()
-                          .integer()
-                          .at_least(1),
-                      tag("outer_iteration_tolerance",
-                          "largest relative error of the volume of a cell after the last solve")
-                          .once()
-                          .real()
-                          .at_least(0),
-                      tag("iters_before_timestep_restart",
-                          "number of solves after which a step is repeated with a smaller step if "
-                          "a solve does not reduce its error to a third")
-                          .integer()
-                          .at_least(1)})
+      .with_children(
+          {tag("max_outer_iterations",
+               "maximum number of solves in a step; 1: the remaining volume error of "
+               "cells is corrected in the next step")
+               .once()
+               .integer()
+               .at_least(1),
+           tag("outer_iteration_tolerance",
+               "largest relative error of the volume of a cell after the last solve")
+               .once()
+               .real()
+               .at_least(0),
+           tag("iters_before_timestep_restart",
+               "after this number of pressure solves a step is repeated with a smaller time step, "
+               "if a solve has reduced the error by less than a factor of three")
+               .integer()
+               .at_least(1)})
       .child(solve::solver_parameters_tag());
 }
 

@@ -123,16 +123,18 @@ std::optional<CustomStart> read_one(const DeckNode& node) {
 std::vector<TagSpec> custom_start_tags() {
   std::vector<TagSpec> tags = {
       tag("vortices", "Gaussian vortices, truncated at their radius")
-          .child(tag("vortex", "one vortex")
-                     .at_least_once()
-                     .with_children({axis_tag(),
-                                     tag("origin", "its middle").once().vector().unit("length"),
-                                     tag("strength",
-                                         "strength C of u = C r w/(rho R^2), "
-                                         "w = exp(-r^2/(2 R^2))")
-                                         .once()
-                                         .real(),
-                                     length_tag("radius", "R")})),
+          .child(
+              tag("vortex", "one vortex")
+                  .at_least_once()
+                  .with_children(
+                      {axis_tag(),
+                       tag("origin", "centre of the vortex").once().vector().unit("length"),
+                       tag("strength",
+                           "strength C of u = C r w/(rho R^2), "
+                           "w = exp(-r^2/(2 R^2))")
+                           .once()
+                           .real(),
+                       length_tag("radius", "R")})),
       tag("vortexPairs",
           "vortices of alternating sense across the domain: u += S sin^2(pi y) cos(2 pi n z) from "
           "side to side, divergence-free and at rest at both sides")
@@ -144,7 +146,7 @@ std::vector<TagSpec> custom_start_tags() {
                               .at_least(1)}),
       tag("gaussianTemperature", "a spot of another temperature, added to the geometry objects")
           .with_children(
-              {tag("origin", "its middle").once().vector().unit("length"),
+              {tag("origin", "centre of the spot").once().vector().unit("length"),
                length_tag("spread_x", "width along x"), length_tag("spread_y", "width along y"),
                tag("amplitude", "increase of the temperature").once().real().unit("temperature")}),
       tag("manufacturedSolution", "state of a manufactured solution at time 0")

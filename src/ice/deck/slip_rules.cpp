@@ -147,7 +147,8 @@ class SlipRules {
       add_error(faults_, condition.where,
                 fmt::format("slip of Temperature on side {} that is no wall: its Velocity is {}",
                             face.side, face.any_velocity->attribute("var").value_or("missing")),
-                "write slip, creep or Dirichlet without a part across the side for Velocity");
+                "set Velocity to slip, creep, or a Dirichlet value without a component normal to "
+                "the side");
   }
 
   static bool is_wall(const SlipFace& face, const DeckNode& condition) {

@@ -180,9 +180,11 @@ void declare_primitives(Labels& l) {
       cell("turb_viscosity_CC", "Pa s", "Subgrid viscosity of the turbulence model.");
   l.total_viscosity = cell("total_viscosity_CC", "Pa s", "Sum of viscosity and turb_viscosity_CC.");
   l.subgrid_normal = cell_vector("SGS_uu_vv_ww", "m^2/s^2",
-                                 "Decks with a turbulence model: modelled covariances uu, vv, ww "
-                                 "of the subgrid velocity, without their mean.");
-  l.subgrid_shear = cell_vector("SGS_uv_vw_wu", "m^2/s^2", "The same of uv, vw, wu.");
+                                 "Decks with a turbulence model: deviatoric part of the modelled "
+                                 "covariances uu, vv, ww of the subgrid velocity.");
+  l.subgrid_shear = cell_vector(
+      "SGS_uv_vw_wu", "m^2/s^2",
+      "Decks with a turbulence model: modelled covariances uv, vw, wu of the subgrid velocity.");
   l.thermal_conductivity = cell("thermalCond", "W/(m K)", "Thermal conductivity.");
   l.specific_heat = cell("specific_heat", "J/(kg K)", "Specific heat at constant volume.");
   l.gamma = cell("gamma", "1", "Ratio of specific heats.");

@@ -19,8 +19,9 @@ constexpr double min_of_most = 1e-2;
 // threshold: volume, of that of the cell, that enters a cell without the material in any case:
 //   less would leave an open side share by share, without end; unit: 1; test: none
 constexpr double min_of_all = 1e-32;
-// threshold: share of the volume fraction ahead below which the last cell of a trail leaves as
-//   densely as what is ahead; unit: 1; test: CompactSupport.FragmentsStayTogether
+// threshold: share of the volume fraction downstream below which the trailing end of a material
+//   leaves its cell with the volume fraction found downstream; unit: 1; test:
+//   CompactSupport.FragmentsStayTogether
 constexpr double thinned = 0.1;
 
 // Without a branch, so that rows vectorise.

@@ -16,27 +16,30 @@ TagSpec intervals(TagSpec of) {
   const auto interval = [](const char* name, const char* text) {
     return tag(name, text).once().real().above(0).unit("time");
   };
-  return of.child(interval("newOutputInterval", "interval of outputs after that"))
-      .child(interval("newCheckPointInterval", "interval of checkpoints after that"));
+  return of.child(interval("newOutputInterval", "interval of outputs after the event"))
+      .child(interval("newCheckPointInterval", "interval of checkpoints after the event"));
 }
 
 TagSpec intervals_tag() {
   return tag("adjust_IO_intervals",
              "other intervals of outputs and checkpoints after an event, each once")
+      .child(
+          intervals(tag("PressureSwitch",
+                        "intervals from the time when the pressure in a cell with explosive "
+                        "exceeds a threshold")
+                        .child(tag("PressureThreshold", "pressure above which the intervals change")
+                                   .once()
+                                   .real()
+                                   .above(0)
+                                   .unit("pressure"))))
       .child(intervals(
-          tag("PressureSwitch", "when the pressure of a cell with explosive is above a threshold")
-              .child(tag("PressureThreshold", "that pressure")
-                         .once()
-                         .real()
-                         .above(0)
-                         .unit("pressure"))))
-      .child(intervals(tag("DetonationDetected", "when explosive detonates anywhere")
-                           .child(tag("remainingTimesteps",
-                                      "the run ends this number of steps later; 0: the end of the "
-                                      "run is not changed")
-                                      .integer()
-                                      .at_least(0)
-                                      .by_default("0"))));
+          tag("DetonationDetected", "intervals from the time when explosive detonates in any cell")
+              .child(tag("remainingTimesteps",
+                         "the run ends this number of steps later; 0: the end of the "
+                         "run is not changed")
+                         .integer()
+                         .at_least(0)
+                         .by_default("0"))));
 }
 
 constexpr const char* of_flames[] = {"IgnitionConst", "PressureShift", "PreexpoConst",

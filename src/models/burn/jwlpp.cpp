@@ -10,7 +10,7 @@ TagSpec jwlpp_tag() {
   return tag("JWLpp", "JWL++: an explosive becomes its products, dF/dt = G (1 - F) p^b")
       .with_children(
           {tag("fromMaterial", "name of the explosive, a fluid or a solid").once().text(),
-           tag("toMaterial", "name of the fluid of its products").once().text(),
+           tag("toMaterial", "name of the fluid that the reaction products form").once().text(),
            tag("Active", "accepted without effect").boolean(),
            tag("ThresholdPressure", "burns above this pressure")
                .once()

@@ -10,7 +10,7 @@ TagSpec light_time_tag() {
   return tag("LightTime", "a prescribed detonation: a front of given speed burns the explosive")
       .with_children(
           {tag("fromMaterial", "name of the explosive, a fluid").once().text(),
-           tag("toMaterial", "name of the fluid of its products").once().text(),
+           tag("toMaterial", "name of the fluid that the reaction products form").once().text(),
            tag("starting_location", "position of the front at time 0")
                .once()
                .vector()

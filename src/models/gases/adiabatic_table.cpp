@@ -15,14 +15,14 @@ namespace sluice::models {
 namespace {
 
 TagSpec named_value(const char* name, const char* doc) {
-  return tag(name, doc).multiple().attribute(attribute("name", "of the column").once().text());
+  return tag(name, doc).multiple().attribute(attribute("name", "name of the column").once().text());
 }
 
 TagSpec table_tag() {
   return tag("table", "the table")
       .once()
-      .attribute(attribute("name", "its name").once().text())
-      .attribute(attribute("type", "its format").once().words({"Arches"}))
+      .attribute(attribute("name", "name of the table").once().text())
+      .attribute(attribute("type", "format of the table").once().words({"Arches"}))
       .with_children(
           {tag("filename",
                "file of the table, compressed with gzip or not, relative to the working folder or "
@@ -82,7 +82,7 @@ TagSpec adiabatic_table_tag() {
           .boolean()
           .by_default("false");
   const TagSpec constants =
-      tag("constants", "of the mixture fraction").with_children(diffusion_tags());
+      tag("constants", "constants of the mixture fraction").with_children(diffusion_tags());
   std::vector<TagSpec> of_mixture = mixture_tags("the mixture fraction", {test, constants});
   of_mixture.insert(of_mixture.begin() + 1, table_tag());
   return tag("AdiabaticTable",

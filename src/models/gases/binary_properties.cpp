@@ -33,7 +33,7 @@ TagSpec constants() {
   const auto needed = [](const char* name, const char* doc) {
     return tag(name, doc).once().real().above(0).unit("energy/(mass temperature)");
   };
-  TagSpec c = tag("constants", "of the scalar and of both gases")
+  TagSpec c = tag("constants", "constants of the scalar and of both gases")
                   .once()
                   .with_children(diffusion_tags())
                   .with_children({needed("cv_A", "specific heat at constant volume where f is 0"),

@@ -22,7 +22,7 @@ TagSpec flame_sheet_tag() {
     return tag(name, doc).once().real().above(0).unit("temperature");
   };
   const TagSpec constants =
-      tag("reaction_constants", "of the flame")
+      tag("reaction_constants", "constants of the flame")
           .once()
           .with_children(
               {tag("f_stoichometric", "mass fraction of fuel at which both streams are used up")
@@ -35,8 +35,9 @@ TagSpec flame_sheet_tag() {
                    .real()
                    .at_least(0)
                    .unit("energy/mass"),
-               temperature("oxidizer_temp_infinity", "of the oxidizer, in the law T(f)"),
-               temperature("initial_fuel_temp", "of the fuel, in the law T(f)"),
+               temperature("oxidizer_temp_infinity",
+                           "temperature of the oxidizer, in the law T(f)"),
+               temperature("initial_fuel_temp", "temperature of the fuel, in the law T(f)"),
                tag("diffusivity", "coefficient D of the flux rho D grad f")
                    .once()
                    .real()

@@ -164,7 +164,7 @@ TransportedScalar species(const kinetics::SpeciesGas& gas, std::size_t k) {
 
 TagSpec gas_combustion_tag() {
   const auto unit = [](const char* name, const std::vector<std::string>& words) {
-    return tag(name, "of the deck; SI is supported").words(words);
+    return tag(name, "unit of the deck; only SI is supported").words(words);
   };
   return tag("gasCombustion",
              "a gas of reacting and diffusing species, with a mechanism from a file")

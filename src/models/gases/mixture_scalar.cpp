@@ -11,14 +11,17 @@
 namespace sluice::models {
 
 std::vector<TagSpec> mixture_tags(const char* scalar_doc, const std::vector<TagSpec>& further) {
-  return {
-      tag("material", "name of the material").once().text(),
-      tag("scalar", scalar_doc)
-          .once()
-          .attribute(attribute("name", "its name; variables are called scalar-NAME").once().text())
-          .child(tag("test_conservation", "its total is written").boolean().by_default("false"))
-          .with_children(further)
-          .child(scalar_region_tag())};
+  return {tag("material", "name of the material").once().text(),
+          tag("scalar", scalar_doc)
+              .once()
+              .attribute(attribute("name", "name of the scalar; variables are called scalar-NAME")
+                             .once()
+                             .text())
+              .child(tag("test_conservation", "the total of the scalar is written")
+                         .boolean()
+                         .by_default("false"))
+              .with_children(further)
+              .child(scalar_region_tag())};
 }
 
 std::vector<TagSpec> diffusion_tags() {

@@ -40,7 +40,7 @@ constexpr std::array profiles = {
                "product over x and y of coeff exp(-1/(x (1 - x)))"}};
 
 TagSpec constants() {
-  return tag("constants", "of the scalar")
+  return tag("constants", "constants of the scalar")
       .with_children(
           {tag("diffusivity", "coefficient D of the flux rho D grad q")
                .real()
@@ -67,9 +67,9 @@ TagSpec scalar_region_tag() {
           .attribute(attribute("name", "name of the region").text())
           .group("geometry_piece")
           .with_children({tag("scalar", "the scalar in it, if no profile is chosen").once().real(),
-                          tag("slope", "of the linear profile").vector(),
+                          tag("slope", "slope of the linear profile").vector(),
                           tag("freq", "periods of the sinusoidal profile").vector(),
-                          tag("coeff", "of the other profiles").vector()});
+                          tag("coeff", "coefficients of the other profiles").vector()});
   for (const ProfileTag& p : profiles)
     region = region.child(
         tag(p.name, std::string("profile ") + p.doc + ", x from 0 to 1 across the region")
@@ -91,18 +91,19 @@ TagSpec passive_scalar_tag() {
           {tag("material", "name of the material; absent: the only one").text(),
            tag("scalar", "the scalar")
                .once()
-               .attribute(
-                   attribute("name", "its name; variables are called scalar-NAME").once().text())
-               .with_children(
-                   {tag("test_conservation", "its total is written as totalSum_scalar-NAME")
-                        .boolean()
-                        .by_default("false"),
-                    tag("reinitializeDomain", "reset at a restart").boolean(), constants(),
-                    exponential_decay_tag(),
-                    tag("initialization", "the scalar at the start; nothing: 0")
-                        .once()
-                        .child(scalar_region_tag()),
-                    tag("interiorSources", "regions with sources").child(source)})});
+               .attribute(attribute("name", "name of the scalar; variables are called scalar-NAME")
+                              .once()
+                              .text())
+               .with_children({tag("test_conservation",
+                                   "the total of the scalar is written as totalSum_scalar-NAME")
+                                   .boolean()
+                                   .by_default("false"),
+                               tag("reinitializeDomain", "reset at a restart").boolean(),
+                               constants(), exponential_decay_tag(),
+                               tag("initialization", "the scalar at the start; nothing: 0")
+                                   .once()
+                                   .child(scalar_region_tag()),
+                               tag("interiorSources", "regions with sources").child(source)})});
 }
 
 namespace {

@@ -55,7 +55,7 @@ TagSpec tracer_particles_tag() {
   const TagSpec tracer =
       tag("tracer", "regions of particles and of sources")
           .once()
-          .attribute(attribute("name", "their name, in the run report").once().text())
+          .attribute(attribute("name", "name of these particles in the run report").once().text())
           .with_children(
               {tag("initialization", "particles at the start")
                    .once()
@@ -85,7 +85,7 @@ TagSpec tracer_particles_tag() {
            tag("cloneVariables", "scalars of which particles have copies, called p.clone-NAME")
                .child(tag("CCVarLabel", "a scalar of the deck's models, of the particle's cell")
                           .multiple()
-                          .attribute(attribute("label", "its variable").once().text())),
+                          .attribute(attribute("label", "name of the scalar").once().text())),
            tag("scalar", "a variable of each particle")
                .attribute(attribute("name", "name of the variable, begins with p.").once().text())
                .with_children(

@@ -83,7 +83,10 @@ TagSpec contact_tag() {
                .child(tag("entry", "one colour")
                           .multiple()
                           .with_children({tag("color", "the colour").once().real(),
-                                          tag("mu", "its friction").once().real().at_least(0)}))})
+                                          tag("mu", "coefficient of friction of this colour")
+                                              .once()
+                                              .real()
+                                              .at_least(0)}))})
       .with_children(specified_tags());
 }
 

@@ -57,8 +57,8 @@ std::vector<TagSpec> scheme_tags() {
           .at_most(20)
           .by_default("2"),
       tag("affine_damping",
-          "transfer affine: the fraction kappa dt c/h of the grid's velocity is used in a step; 0: "
-          "no damping")
+          "transfer affine: rate kappa; every step replaces the fraction kappa dt c/h of a "
+          "particle's velocity by that of the grid (c: speed of sound, h: spacing); 0: no damping")
           .real()
           .at_least(0)
           .by_default("1"),
@@ -109,11 +109,11 @@ std::vector<TagSpec> physics_tags() {
           "the work of the artificial viscosity becomes heat; absent: the value of "
           "artificial_viscosity")
           .boolean(),
-      tag("artificial_viscosity_coeff1", "its linear coefficient")
+      tag("artificial_viscosity_coeff1", "linear coefficient of the artificial viscosity")
           .real()
           .at_least(0)
           .by_default("0.2"),
-      tag("artificial_viscosity_coeff2", "its quadratic coefficient")
+      tag("artificial_viscosity_coeff2", "quadratic coefficient of the artificial viscosity")
           .real()
           .at_least(0)
           .by_default("2.0"),

@@ -8,7 +8,10 @@ TagSpec load_curve(const std::string& unit) {
   return tag("load_curve", "the load over time: linear between points, constant after the last")
       .once()
       .with_children(
-          {tag("id", "number used in point files").once().integer().at_least(0),
+          {tag("id", "number by which p.loadCurveID in point files refers to this curve")
+               .once()
+               .integer()
+               .at_least(0),
            tag("material", "index of the material it acts on; absent: all").integer().at_least(-99),
            tag("time_point", "one point of the curve")
                .at_least_once()

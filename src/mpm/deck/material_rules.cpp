@@ -54,7 +54,8 @@ void check_object(const DeckNode& object, std::vector<Fault>& faults) {
   }
   if (file != nullptr && pieces > 1)
     add_error(faults, file->where,
-              "<file> with other pieces in one <geom_object>: its points are the particles",
+              "<file> cannot be combined with other pieces in one <geom_object>: its points are "
+              "the particles",
               "give it a separate <geom_object>");
   const auto levels = integer_of(&object, "numLevelsParticleFilling");
   if (is_true(&object, "cut_cells") && levels && (*levels < 0 || *levels > 1))

@@ -33,8 +33,8 @@ TagSpec geom_object() {
                .above(0)
                .at_most(1),
            tag("numLevelsParticleFilling",
-               "further sizes of particles, each half the previous one, fill gaps at the surface; "
-               "negative: particles cut by the surface are omitted")
+               "number of smaller particle sizes, each half the previous one, that fill gaps at "
+               "the surface; negative: particles cut by the surface are omitted")
                .integer()
                .at_least(-8)
                .at_most(8)
@@ -118,27 +118,27 @@ std::vector<TagSpec> role_tags() {
 
 // Read where <DoGranularMPM> is true.
 std::vector<TagSpec> grain_tags() {
-  return {
-      tag("critical_density",
-          "DoGranularMPM: grains of smaller density have lost contact; absent: density over "
-          "GranularMPMVcrix, y and z")
-          .real()
-          .above(0)
-          .unit("mass/length^3"),
-      tag("stress_free", "DoGranularMPM: grains that have lost contact have no stress")
-          .boolean()
-          .by_default("false"),
-      tag("MatTypeIdx",
-          "DoGranularMPM: materials with the same number and type of law exchange particles")
-          .integer(),
-      tag("allow_DWIndex_correction", "DoGranularMPM: it exchanges particles with other materials")
-          .boolean()
-          .by_default("true"),
-      tag("applied_contact_model",
-          "DoGranularMPM: contact rules act on it; false: it gets a cluster only last, and has no "
-          "contact")
-          .boolean()
-          .by_default("true")};
+  return {tag("critical_density",
+              "DoGranularMPM: grains of smaller density have lost contact; absent: density over "
+              "GranularMPMVcrix, y and z")
+              .real()
+              .above(0)
+              .unit("mass/length^3"),
+          tag("stress_free", "DoGranularMPM: grains that have lost contact have no stress")
+              .boolean()
+              .by_default("false"),
+          tag("MatTypeIdx",
+              "DoGranularMPM: materials with the same number and type of law exchange particles")
+              .integer(),
+          tag("allow_DWIndex_correction",
+              "DoGranularMPM: whether the material exchanges particles with others of its family")
+              .boolean()
+              .by_default("true"),
+          tag("applied_contact_model",
+              "DoGranularMPM: whether contact rules act on the material; false: clusters are "
+              "assigned to it only when no other material is left, and they have no contact")
+              .boolean()
+              .by_default("true")};
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ TagSpec driver_tag() {
   const TagSpec material =
       tag("material", "as in <MaterialProperties>, without its bodies")
           .once()
-          .attribute(attribute("name", "for people").text())
+          .attribute(attribute("name", "free text, without effect").text())
           .child(positive("density", "initial temperature").unit("kg/m^3"))
           .child(positive_or("specific_heat", "c_v", 1000).unit("J/kg/K"))
           .child(tag("thermal_conductivity", "without effect here").real())
@@ -30,8 +30,11 @@ TagSpec driver_tag() {
   const TagSpec piece =
       tag("piece", "a part of the path; consecutive pieces")
           .at_least_once()
-          .child(positive("duration", "of the piece").unit("s"))
-          .child(tag("steps", "equal steps of it").integer().at_least(1).by_default("100"))
+          .child(positive("duration", "duration of the piece").unit("s"))
+          .child(tag("steps", "number of equal time steps in the piece")
+                     .integer()
+                     .at_least(1)
+                     .by_default("100"))
           .child(tag("velocity_gradient", "L, nine numbers row after row, for the whole piece")
                      .reals()
                      .unit("1/s"))
@@ -86,8 +89,9 @@ PathPiece read_piece(const DeckNode& node, std::vector<Fault>& faults) {
 
 Schema driver_schema() {
   Schema schema;
-  schema.root = schema.root.child(driver_tag())
-                    .child(tag("Meta", "for people").child(tag("title", "heading").text()));
+  schema.root =
+      schema.root.child(driver_tag())
+          .child(tag("Meta", "free text, without effect").child(tag("title", "heading").text()));
   return schema;
 }
 

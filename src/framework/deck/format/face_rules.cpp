@@ -81,8 +81,8 @@ void check_shape(const DeckNode& face, const Shape& shape, std::vector<Fault>& f
 void check_conditions(const DeckNode& face, std::vector<Fault>& faults) {
   for (const DeckNode* condition : face.all("BCType")) {
     if (condition->attribute("value") && condition->child("value") != nullptr) {
-      add_error(faults, condition->where, "<BCType> has the attribute value and the tag <value>",
-                "keep one of them");
+      add_error(faults, condition->where,
+                "<BCType> has both the attribute value and the tag <value>", "keep one of them");
     }
     if (condition->attribute("id") && condition->attribute("ids")) {
       add_error(faults, condition->where, "<BCType> has both id and ids", "keep one of them");

@@ -21,7 +21,8 @@ TagSpec save() {
           {attribute("label", "name of the variable").once().text(),
            attribute("material", "indices of the materials; absent: all").index_set(),
            attribute("levels", "indices of the levels, -1 the finest; absent: all").index_set(),
-           attribute("compression", "gzip or empty; absent: compression of the archive")
+           attribute("compression",
+                     "gzip or empty (no compression); absent: as chosen for the archive")
                .words({"gzip", ""}),
            attribute("table_lookup", "accepted without effect").boolean()});
 }

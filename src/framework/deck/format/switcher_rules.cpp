@@ -52,25 +52,27 @@ TagSpec component_in_turn(const std::vector<ComponentWord>& components) {
   return tag("subcomponent", "a component of the run; they run in the order of the deck")
       .multiple()
       .only_for("type", {switcher_word})
-      .with_children({tag("SimulationComponent", "which component runs; absent: that of the deck")
-                          .attribute(type_of_part(components)),
-                      tag("input_file",
-                          "deck of the component: materials, limits of the time step and "
-                          "everything else except Meta, Grid, DataArchiver and the times of the "
-                          "run, which are taken from this deck")
-                          .once()
-                          .text(),
-                      criterion(),
-                      tag("init",
-                          "a variable that is initialised when the component starts; in fact all "
-                          "variables that the previous component does not carry are")
-                          .multiple()
-                          .with_attributes({attribute("var", "label").once().text(),
-                                            attribute("matls", "of which materials")
-                                                .once()
-                                                .words({"mpm_matls", "all_matls"})
-                                                .not_built({"ice_matls"}),
-                                            attribute("levels", "of which levels").index_set()})});
+      .with_children(
+          {tag("SimulationComponent", "which component runs; absent: that of the deck")
+               .attribute(type_of_part(components)),
+           tag("input_file",
+               "deck of the component: materials, limits of the time step and "
+               "everything else except Meta, Grid, DataArchiver and the times of the "
+               "run, which are taken from this deck")
+               .once()
+               .text(),
+           criterion(),
+           tag("init",
+               "a variable that is initialised when the component starts; in fact all "
+               "variables that the previous component does not carry are")
+               .multiple()
+               .with_attributes({attribute("var", "label").once().text(),
+                                 attribute("matls", "materials whose variable it is")
+                                     .once()
+                                     .words({"mpm_matls", "all_matls"})
+                                     .not_built({"ice_matls"}),
+                                 attribute("levels", "levels on which the variable is initialised")
+                                     .index_set()})});
 }
 
 // Each component but the last says when its turn ends, each later than the one before.
@@ -131,8 +133,8 @@ std::vector<TagSpec> switcher_tags(const std::vector<ComponentWord>& components)
               .multiple()
               .only_for("type", {switcher_word})
               .with_attributes({attribute("var", "label").once().text(),
-                                attribute("matls", "of which materials").index_set(),
-                                attribute("level", "of which level").words({"finest"})}),
+                                attribute("matls", "materials whose variable it is").index_set(),
+                                attribute("level", "level of the variable").words({"finest"})}),
           component_in_turn(components)};
 }
 

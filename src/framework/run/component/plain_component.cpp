@@ -39,7 +39,7 @@ Label PlainComponent::refine_flag() const {
 
 Label PlainComponent::mask_label() const {
   return declare_label({"state.slope_mask", ValueType::real, Centring::cell, "1",
-                        "marks of a repeated step; no example sets any"});
+                        "1 where a repeated step uses slopes; not used by this component"});
 }
 
 // Nothing is conserved: the mass of "material" 0 stays 0.

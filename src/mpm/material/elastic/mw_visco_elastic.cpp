@@ -149,8 +149,10 @@ MaterialModel mw_visco_elastic_model() {
            modulus("e_bulk_modulus", "K_e of the spring, Pa"),
            modulus("ve_shear_modulus", "G_v of the Maxwell element, Pa"),
            modulus("ve_bulk_modulus", "K_v of the Maxwell element, Pa"),
-           positive("ve_deviatoric_viscosity", "eta_s, Pa s: its shear relaxes in eta_s/G_v"),
-           positive("ve_volumetric_viscosity", "eta_v, Pa s: its pressure relaxes in eta_v/K_v"),
+           positive("ve_deviatoric_viscosity",
+                    "eta_s, Pa s: shear stress relaxes within the time eta_s/G_v"),
+           positive("ve_volumetric_viscosity",
+                    "eta_v, Pa s: pressure relaxes within the time eta_v/K_v"),
            objective_tag()},
           make};
 }

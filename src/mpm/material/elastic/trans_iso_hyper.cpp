@@ -222,7 +222,7 @@ Tags fibre_tags() {
           tag("c1", "constant c1 of the matrix, Pa").once().real().at_least(0),
           tag("c2", "constant c2 of the matrix, Pa").once().real().at_least(0),
           number("c3", "constant of curled fibres, Pa"),
-          number("c4", "their exponent"),
+          number("c4", "exponent of the stress in curled fibres"),
           number("c5", "constant of straight fibres, Pa"),
           positive("fiber_stretch", "stretch l* at which fibres are straight"),
           tag("direction_of_symm", "initial direction of the fibres").once().vector(),
@@ -280,8 +280,10 @@ MaterialModel visco_trans_iso_hyper_model() {
   for (int k = 1; k <= shares; ++k) {
     tags.push_back(
         number("y" + std::to_string(k), "relaxing fraction of the stress", 0).at_least(0));
-    tags.push_back(
-        number("t" + std::to_string(k), "its relaxation time, s; 0: none", 0).at_least(0));
+    tags.push_back(number("t" + std::to_string(k),
+                          "relaxation time of the fraction y" + std::to_string(k) + ", s; 0: none",
+                          0)
+                       .at_least(0));
   }
   return {"visco_trans_iso_hyper",
           {},

@@ -259,7 +259,7 @@ std::shared_ptr<const Material> make(const Parameters& p) {
 MaterialModel visco_scram_model() {
   Tags tags = {
       tag("PR", "Poisson's ratio, below 1/2").once().real().above(-1),
-      number("CoeffThermalExpansion", "linear, 1/K", 0),
+      number("CoeffThermalExpansion", "coefficient of linear thermal expansion, 1/K", 0),
       positive("CrackParameterA", "a, radius where cracks have halved the stiffness, m"),
       positive("CrackPowerValue", "m, exponent of slow growth"),
       tag("CrackMaxGrowthRate", "m/s").once().real().at_least(0),
@@ -269,12 +269,12 @@ MaterialModel visco_scram_model() {
       tag("CrackGrowthRate", "coefficient of crack growth in tension").once().real().at_least(0),
       number("Beta", "fraction of the cracks' work that becomes heat", 0),
       number("Gamma", "Grueneisen coefficient", 0),
-      number("T0", "temperature of reference of the relaxation times, K", 298),
-      number("C1", "constant C1 of their shift with temperature", 6.5),
-      number("C2", "constant C2 of their shift with temperature, K", 120),
+      number("T0", "reference temperature of the relaxation times, K", 298),
+      number("C1", "constant C1 of the shift of the relaxation times with temperature", 6.5),
+      number("C2", "constant C2 of the shift of the relaxation times with temperature, K", 120),
       choice("use_time_temperature_equation", "whether temperature shifts the relaxation times",
              false),
-      choice("randomize_parameters", "false; true is not supported", false),
+      choice("randomize_parameters", "must be false", false),
       choice("useObjectiveRate", "accepted without effect: determined by <objective>", true),
       objective_tag()};
   for (int n = 1; n <= 5; ++n) {
@@ -290,7 +290,8 @@ MaterialModel visco_scram_model() {
   for (const char* name :
        {"DCp_DTemperature", "Chi", "delH", "Z", "EoverR", "dynamic_coeff_friction", "A", "B", "C",
         "Cv", "R1", "R2", "om", "rho0", "P0", "bulkPrime", "gamma"})
-    tags.push_back(number(name, "accepted without effect: of hot spots and equations of state", 0));
+    tags.push_back(number(
+        name, "accepted without effect: parameter of hot spots or of an equation of state", 0));
   tags.push_back(tag("volfracHE", "accepted without effect").text());
   for (const char* name :
        {"useModifiedEOS", "useJWLEOS", "useJWLCEOS", "useMurnaghanEOS", "useBirchMurnaghanEOS"})

@@ -179,7 +179,8 @@ class MaterialWithFailure final : public Material {
 
 Tags scalar_tags() {
   return {number("initial_mean_scalar_damage", "initial damage", 0).at_least(0),
-          number("initial_std_scalar_damage", "its deviation", 0).at_least(0),
+          number("initial_std_scalar_damage", "standard deviation of the initial damage", 0)
+              .at_least(0),
           tag("initial_scalar_damage_distrib", "distribution of the random values")
               .words({"constant", "gauss"})
               .by_default("constant"),
@@ -190,7 +191,7 @@ const std::vector<Part>& damages() {
   static const std::vector<Part> list = [] {
     Tags johnson_cook = scalar_tags();
     for (const char* name : {"D1", "D2", "D3", "D4", "D5"})
-      johnson_cook.push_back(number(name, "of the strain at failure"));
+      johnson_cook.push_back(number(name, "coefficient of the strain at failure"));
     johnson_cook.push_back(number("D0", "accepted without effect", 0));
     johnson_cook.push_back(number("Dc", "accepted without effect", 0));
     return std::vector<Part>{
@@ -199,7 +200,9 @@ const std::vector<Part>& damages() {
         {"hancock_mackenzie", scalar_tags()},
         {"Threshold",
          {positive("failure_mean", "mean threshold: Pa, or a strain"),
-          number("failure_std", "its deviation; weibull: the modulus", 0).at_least(0),
+          number("failure_std", "standard deviation of the threshold; weibull: the Weibull modulus",
+                 0)
+              .at_least(0),
           number("failure_seed", "seed of the random thresholds", 0),
           tag("failure_distrib", "distribution of the thresholds")
               .once()
@@ -208,12 +211,12 @@ const std::vector<Part>& damages() {
               .once()
               .words({"MaximumPrincipalStress", "MaximumPrincipalStrain", "MohrCoulomb",
                       "MohrColoumb"}),
-          number("friction_angle", "of MohrCoulomb, degrees", 0),
+          number("friction_angle", "friction angle of MohrCoulomb, degrees", 0),
           number("tensile_cutoff_fraction_of_cohesion", "largest tension divided by cohesion",
                  1e10),
-          number("exponent", "of the scaling by volume; absent: failure_std", 0),
+          number("exponent", "exponent of the scaling by volume; absent: failure_std", 0),
           number("reference_volume", "volume at which the scaling is 1, m^3", 0),
-          tag("scaling", "of the threshold by the particle's volume")
+          tag("scaling", "scaling of the threshold by the particle's volume")
               .words({"none", "kayenta"})
               .by_default("none"),
           choice("LocalizeParticles", "whether particles fail", true)}},

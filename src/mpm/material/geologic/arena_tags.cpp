@@ -41,7 +41,7 @@ const std::vector<Part>& yield_parts() {
         positive("BETA", "1: associated flow; less: less dilatancy; more: more"),
         number("CR", "shape of the cap: (PEAKI1 - kappa)/(PEAKI1 - X)").above(0).at_most(1),
         not_negative("T1", "tau = T1 |D|^-T2, s^(1 - T2); 0: no rate dependence"),
-        not_negative("T2", "its exponent"),
+        not_negative("T2", "exponent T2 of the rate dependence"),
         number("PEAKI1_failed", "PEAKI1 of failed soil, Pa", 1e-5).at_least(0),
         tag("FSLOPE_failed", "FSLOPE of failed soil; absent: FSLOPE/2").real().at_least(0),
         tag("STREN_failed", "STREN of failed soil, Pa; absent: STREN/10").real().at_least(0),
@@ -78,9 +78,9 @@ Tags arena_tags() {
              1e-9)
           .at_least(0),
       positive_or("time_at_failure", "time of plastic flow where C is 1/2, s", 1e9),
-      choice("use_disaggregation_algorithm", "true is not supported", false),
-      tag("reference_porosity", "initial_porosity; other values are not supported").real(),
-      number("p1_density_scale_fac", "0; other values are not supported", 0),
+      choice("use_disaggregation_algorithm", "must be false", false),
+      tag("reference_porosity", "must be equal to initial_porosity").real(),
+      number("p1_density_scale_fac", "must be 0", 0),
       tag("eq_plastic_strain_at_failure", "not supported").real(),
       tag("K0_Murnaghan_EOS", "not supported").real(),
       tag("n_Murnaghan_EOS", "not supported").real()};

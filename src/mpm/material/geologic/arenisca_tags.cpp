@@ -30,11 +30,11 @@ Tags common_tags() {
       number("fluid_pressure_initial", "initial pressure of fluid and body, Pa", 0).at_least(0),
       number("T1_rate_dependence", "tau = T1 |D|^T2, s^(1 + T2); 0: no rate dependence", 0)
           .at_least(0),
-      number("T2_rate_dependence", "its exponent", 0),
+      number("T2_rate_dependence", "exponent T2 of the rate dependence", 0),
       number("subcycling_characteristic_number", "largest number of parts of a step; at least 1",
              256),
-      number("gruneisen_parameter", "0; other values are not supported", 0),
-      choice("Use_Disaggregation_Algorithm", "true is not supported", false)};
+      number("gruneisen_parameter", "must be 0", 0),
+      choice("Use_Disaggregation_Algorithm", "must be false", false)};
 }
 
 bool only_zero(const Parameters& p, const std::vector<const char*>& names) {
@@ -149,12 +149,12 @@ Tags tags_of_3() {
             .above(0)
             .at_most(1),
         number("B1", "stiffening by pressure, Pa", 0).at_least(0),
-        number("B2", "its scale, Pa", 0).at_least(0),
+        number("B2", "pressure scale of the stiffening B1, Pa", 0).at_least(0),
         number("B3", "softening by pore collapse, Pa", 0).at_least(0),
-        number("B4", "its scale", 0).at_least(0)})
+        number("B4", "scale of the softening B3", 0).at_least(0)})
     tags.push_back(t);
   for (const char* name : {"G1", "G2", "G3", "G4", "p2_crush_curve"})
-    tags.push_back(number(name, "0; other values are not supported", 0));
+    tags.push_back(number(name, "must be 0", 0));
   return tags;
 }
 
@@ -162,7 +162,7 @@ Tags tags_of_3() {
 TagSpec copy_of_the_cap() {
   TagSpec copy =
       tag("internal_variable_model", "accepted without effect: repeats the numbers of the cap")
-          .attribute(attribute("type", "its name").text());
+          .attribute(attribute("type", "name of the model").text());
   for (const char* name : {"arenisca_fSlope", "arenisca_peakI1", "arenisca_Cr", "arenisca_B0",
                            "arenisca_p0", "arenisca_p1", "arenisca_p3", "arenisca_p4"})
     copy = copy.child(tag(name, "accepted without effect").real());
@@ -177,7 +177,7 @@ MaterialModel Arenisca_model() {
   tags.push_back(number("hardening_modulus", "H of J2^(1/2) = F + H e_q, Pa", 0).at_least(0));
   tags.push_back(number("kinematic_hardening_constant", "c of d xi = c d e^p, Pa", 0).at_least(0));
   tags.push_back(number("p4_fluid_effect", "accepted without effect", 0));
-  tags.push_back(number("gruneisen_parameter", "0; other values are not supported", 0));
+  tags.push_back(number("gruneisen_parameter", "must be 0", 0));
   tags.push_back(copy_of_the_cap());
   return {"Arenisca",
           {"arenisca"},
@@ -198,7 +198,7 @@ MaterialModel Arenisca3_model() {
 MaterialModel Arenisca4_model() {
   Tags tags = tags_of_3();
   for (const char* name : {"J3_type", "J3_psi", "principal_stress_cutoff"})
-    tags.push_back(number(name, "0; other values are not supported", 0));
+    tags.push_back(number(name, "must be 0", 0));
   return {"Arenisca4", {}, "as Arenisca3", tags, make_4};
 }
 

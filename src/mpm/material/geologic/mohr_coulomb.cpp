@@ -166,14 +166,13 @@ MaterialModel MohrCoulomb_model() {
                tag("Phi", "angle of friction, degrees").once().real().at_least(0).at_most(89),
                number("Psi", "angle of dilatancy, degrees", 0).at_least(0).at_most(89),
                number("Version", "accepted without effect: there is one return algorithm", 11)};
-  for (const std::string& name : extensions)
-    tags.push_back(number(name, "0; other values are not supported", 0));
+  for (const std::string& name : extensions) tags.push_back(number(name, "must be 0", 0));
   for (const char* name : {"A1",         "B1",           "W",          "beta",      "beta_rate",
                            "strain_ref", "St",           "strain_95",  "m_modul",   "nuy",
                            "a",          "y_ref",        "y",          "n",         "tFE",
                            "tShear",     "n_nonlocalMC", "l_nonlocal", "PhiB",      "suction",
                            "SpecVol",    "WR_Param1",    "WR_Param2",  "WR_Param3", "WR_Param4"})
-    tags.push_back(number(name, "of an extension that is not supported", 0));
+    tags.push_back(number(name, "parameter of an extension that is not supported", 0));
   return {"MohrCoulomb",
           {"MohrColoumb", "mohr_coulomb"},
           "soil and rock with cohesion and friction, perfectly plastic",

@@ -306,7 +306,7 @@ MaterialModel p_alpha_model() {
       tag("alpha0", "compared with <rhoS>/<density>, which is used").real().at_least(1),
       tag("Ks", "compared with <rhoS> <C_0>^2, which is used, Pa").real().above(0)};
   tags.push_back(number("shear_modulus", "G of the porous body, Pa; 0: none", 0).at_least(0));
-  tags.push_back(number("yield_stress", "of von Mises, at the start, Pa", 0).at_least(0));
+  tags.push_back(number("yield_stress", "initial von Mises yield stress, Pa", 0).at_least(0));
   tags.push_back(number("hardening_modulus", "sigma_Y over plastic strain, Pa", 0).at_least(0));
   return {"p_alpha", {}, "porous solid with pore collapse under pressure", tags, make};
 }

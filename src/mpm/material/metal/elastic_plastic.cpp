@@ -378,7 +378,9 @@ Tags tags() {
   Tags list = {
       positive("bulk_modulus", "K, Pa: for the first time step, and the default of the parts"),
       positive("shear_modulus", "mu, Pa: for the first time step, and the default of the parts"),
-      number("coeff_thermal_expansion", "linear, 1/K; of default_hypo and default_hyper", 0),
+      number("coeff_thermal_expansion",
+             "coefficient of linear thermal expansion, 1/K; used by default_hypo and default_hyper",
+             0),
       number("taylor_quinney_coeff", "chi, fraction of the plastic work that becomes heat", 0.9)
           .at_least(0)
           .at_most(1),

@@ -46,12 +46,12 @@ struct PrestonTonksWallace {
             number("y0", "largest yield stress, relative to mu"),
             number("yinf", "smallest yield stress, relative to mu"),
             number("y1", "coefficient of the yield stress at high rates"),
-            number("y2", "its exponent"),
+            number("y2", "exponent of the yield stress at high rates"),
             number("beta", "exponent of overdriven shocks"),
             positive("M", "mass of an atom, u"),
-            number("G0", "of the shear modulus, for <shear_modulus_model>", 0),
-            number("alpha", "of the shear modulus, for <shear_modulus_model>", 0),
-            number("alphap", "of the shear modulus, for <shear_modulus_model>", 0)};
+            number("G0", "coefficient of the shear modulus, used by <shear_modulus_model>", 0),
+            number("alpha", "coefficient of the shear modulus, used by <shear_modulus_model>", 0),
+            number("alphap", "coefficient of the shear modulus, used by <shear_modulus_model>", 0)};
   }
   static PrestonTonksWallace read(const Parameters& q) {
     return {q.real("theta"), q.real("p"),     q.real("s0"),   q.real("sinf"),

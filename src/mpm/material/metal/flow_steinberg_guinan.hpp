@@ -41,22 +41,23 @@ struct SteinbergGuinan {
   }
 
   static Tags tags() {
-    return {positive("mu_0", "reference shear modulus, Pa"),
-            tag("sigma_0", "yield stress, Pa").once().real().at_least(0),
-            positive("Y_max", "largest yield stress, Pa"),
-            number("beta", "hardening"),
-            number("n", "exponent of hardening"),
-            number("epsilon_p0", "initial plastic strain", 0),
-            number("A", "of the shear modulus, for <shear_modulus_model>", 0),
-            number("B", "of the shear modulus, for <shear_modulus_model>", 0),
-            number("T_m0", "of melting, for <melting_temp_model>", 0),
-            number("Gamma_0", "of melting, for <melting_temp_model>", 0),
-            number("a", "of melting, for <melting_temp_model>", 0),
-            number("C1", "largest rate of the thermal part, 1/s; absent: no thermal part", 0),
-            number("C2", "drag, Pa s", 0),
-            number("energy_to_form_kink_pair", "U_k, eV", 0.31),
-            number("Boltzmann_constant", "k, eV/K", 8.617385e-5),
-            number("Peierls_stress", "sigma_P, Pa", 0)};
+    return {
+        positive("mu_0", "reference shear modulus, Pa"),
+        tag("sigma_0", "yield stress, Pa").once().real().at_least(0),
+        positive("Y_max", "largest yield stress, Pa"),
+        number("beta", "hardening"),
+        number("n", "exponent of hardening"),
+        number("epsilon_p0", "initial plastic strain", 0),
+        number("A", "coefficient of the shear modulus, used by <shear_modulus_model>", 0),
+        number("B", "coefficient of the shear modulus, used by <shear_modulus_model>", 0),
+        number("T_m0", "parameter of the melting temperature, used by <melting_temp_model>", 0),
+        number("Gamma_0", "parameter of the melting temperature, used by <melting_temp_model>", 0),
+        number("a", "parameter of the melting temperature, used by <melting_temp_model>", 0),
+        number("C1", "largest rate of the thermal part, 1/s; absent: no thermal part", 0),
+        number("C2", "drag, Pa s", 0),
+        number("energy_to_form_kink_pair", "U_k, eV", 0.31),
+        number("Boltzmann_constant", "k, eV/K", 8.617385e-5),
+        number("Peierls_stress", "sigma_P, Pa", 0)};
   }
   static SteinbergGuinan read(const Parameters& p) {
     SteinbergGuinan g = {p.real("mu_0"), p.real("sigma_0"), p.real("Y_max"),

@@ -31,16 +31,16 @@ struct ZerilliArmstrong {
     return {tag("c_0", "part without temperature and rate, Pa").real(),
             number("sigma_g",
                    "without <c_0>: part of solutes and the initial density of dislocations, Pa", 0),
-            number("k_H", "without <c_0>: of the grain boundaries, Pa m^(1/2)", 0),
+            number("k_H", "without <c_0>: coefficient of the grain boundaries, Pa m^(1/2)", 0),
             number("sqrt_l_inv", "without <c_0>: 1/(size of grains)^(1/2), m^(-1/2)", 0),
             number("K", "hardening, Pa", 0),
             number("n", "exponent of hardening", 0),
             number("B", "thermal part of body-centred metals, Pa", 0),
-            number("beta_0", "its decrease with temperature, 1/K", 0),
-            number("beta_1", "its reduction with ln rate, 1/K", 0),
+            number("beta_0", "decrease of the thermal part B with temperature, 1/K", 0),
+            number("beta_1", "reduction of the decrease beta_0 with ln rate, 1/K", 0),
             number("B_0", "thermal part of face-centred metals, Pa", 0),
-            number("alpha_0", "its decrease with temperature, 1/K", 0),
-            number("alpha_1", "its reduction with ln rate, 1/K", 0)};
+            number("alpha_0", "decrease of the thermal part B_0 with temperature, 1/K", 0),
+            number("alpha_1", "reduction of the decrease alpha_0 with ln rate, 1/K", 0)};
   }
   static ZerilliArmstrong read(const Parameters& p) {
     const double c_0 =

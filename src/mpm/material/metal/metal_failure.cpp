@@ -72,16 +72,17 @@ TagSpec stability_tag() {
                   checks(), checks_not_supported);
 }
 Tags pore_tags() {
-  return {choice("evolve_porosity", "whether pores grow", true),
-          number("initial_mean_porosity", "initial porosity", 0.002).at_least(0),
-          number("initial_std_porosity", "its deviation", 0).at_least(0),
-          tag("initial_porosity_distrib", "distribution of the random values")
-              .words({"constant", "gauss"})
-              .by_default("constant"),
-          positive_or("critical_porosity", "porosity at which the particle fails", 0.5),
-          number("frac_nucleation", "f_n, porosity of nucleated pores", 0.1),
-          number("meanstrain_nucleation", "eps_n, mean plastic strain of nucleation", 0.3),
-          positive_or("stddevstrain_nucleation", "s_n, its standard deviation", 0.1)};
+  return {
+      choice("evolve_porosity", "whether pores grow", true),
+      number("initial_mean_porosity", "initial porosity", 0.002).at_least(0),
+      number("initial_std_porosity", "standard deviation of the initial porosity", 0).at_least(0),
+      tag("initial_porosity_distrib", "distribution of the random values")
+          .words({"constant", "gauss"})
+          .by_default("constant"),
+      positive_or("critical_porosity", "porosity at which the particle fails", 0.5),
+      number("frac_nucleation", "f_n, porosity of nucleated pores", 0.1),
+      number("meanstrain_nucleation", "eps_n, mean plastic strain of nucleation", 0.3),
+      positive_or("stddevstrain_nucleation", "s_n, its standard deviation", 0.1)};
 }
 
 YieldCondition read_yield_condition(const Parameters& model) {

@@ -82,7 +82,8 @@ const std::vector<Part>& shear_parts() {
   static const std::vector<Part> parts = {
       {"constant_shear", {tag("shear_modulus", "Pa; absent: that of the model").real().above(0)}},
       {"mts_shear",
-       {positive("mu_0", "shear modulus at 0 K, Pa"), number("D", "its decrease, Pa"),
+       {positive("mu_0", "shear modulus at 0 K, Pa"),
+        number("D", "coefficient of the decrease of the shear modulus with temperature, Pa"),
         positive("T_0", "temperature of its decrease, K")}},
       {"scg_shear",
        {positive("mu_0", "shear modulus at 300 K, Pa"), number("A", "increase with pressure, 1/Pa"),
@@ -90,7 +91,7 @@ const std::vector<Part>& shear_parts() {
       {"np_shear",
        {positive("mu_0", "shear modulus at 0 K, Pa"), positive("zeta", "width of melting"),
         number("slope_mu_p_over_mu0", "increase with pressure, 1/Pa"),
-        positive("C", "of Lindemann's law"), positive("m", "mass of an atom, u")}},
+        positive("C", "constant of Lindemann's law"), positive("m", "mass of an atom, u")}},
       {"ptw_shear",
        {positive("mu_0", "shear modulus at 0 K, Pa"), number("alpha", "without effect", 0),
         number("alphap", "decrease up to the melting temperature"),
@@ -108,7 +109,7 @@ const std::vector<Part>& melting_parts() {
       {"scg_Tm",
        {positive("T_m0", "melting temperature without pressure, K"),
         number("Gamma_0", "Grueneisen coefficient"),
-        number("a", "its dependence on compression")}}};
+        number("a", "coefficient of the change of Gamma_0 with compression")}}};
   return parts;
 }
 

@@ -46,7 +46,8 @@ const std::vector<Part>& parts() {
        {positive("C_0", "sound speed of weak shocks, m/s"),
         tag("Gamma_0", "Grueneisen coefficient").once().real().at_least(0),
         tag("S_alpha", "slope of shock speed against particle speed").once().real().at_least(0),
-        number("S_2", "its second coefficient", 0), number("S_3", "its third coefficient", 0)}}};
+        number("S_2", "second coefficient of the shock speed", 0),
+        number("S_3", "third coefficient of the shock speed", 0)}}};
   return list;
 }
 const std::vector<std::string> not_supported = {"mie_gruneisen_energy"};
