@@ -59,7 +59,7 @@ TEST(Effects, OneVelocityNeedsEveryPair) {
   EXPECT_FALSE(scene.one_velocity());
   EXPECT_EQ(scene.exchange.momentum(2, 0), 1e9);
   const EffectList e = find_effects(tube(), scene);
-  EXPECT_EQ(e[effect_momentum_exchange].reason.find("one velocity"), std::string::npos);
+  EXPECT_EQ(e[effect_momentum_exchange].reason.find("one velocity,"), std::string::npos);
   EXPECT_THAT(e[effect_momentum_exchange].reason, HasSubstr("one velocity per material"));
   EXPECT_TRUE(e.on(effect_heat_exchange));
   EXPECT_FALSE(materials(2, 0, 0).one_velocity());

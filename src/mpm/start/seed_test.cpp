@@ -361,7 +361,7 @@ TEST(SeedFaults, BodiesOfOneMaterialThatLieCloserThanACellAreTold) {
     return fmt::format("<sphere><origin>[{},0.5,0.5]</origin><radius>{}</radius></sphere>", x,
                        radius);
   };
-  EXPECT_THAT(told(object(sphere(0.26, 0.2)) + object(sphere(0.74, 0.2))), HasSubstr("lies 0.8"));
+  EXPECT_THAT(told(object(sphere(0.26, 0.2)) + object(sphere(0.74, 0.2))), HasSubstr("is 0.8"));
   EXPECT_EQ(told(object(sphere(0.3, 0.2)) + object(sphere(0.7, 0.2))), "");
   // In one object, and held together by a third body.
   const std::string both = slab(0.1, 0.4) + slab(0.45, 0.8);
