@@ -143,7 +143,7 @@ TEST_F(Switcher, PlanSaysWhatPassesOn) {
 
 TEST_F(SwitcherFaults, OfFiles) {
   expect_refused(deck_of(part("nowhere.ups", 5) + part("nowhere.ups", 0)),
-                 "switcher.ups:14:19: error: <input_file>: the deck 'nowhere.ups' does not exist "
+                 "switcher.ups:15:19: error: <input_file>: the deck 'nowhere.ups' does not exist "
                  "(searched in the folder of this deck");
   expect_refused(deck_of(part("", 0)), "<input_file>: the deck '' does not exist");
   expect_refused(deck_of("<subcomponent/>"), "<subcomponent> needs <input_file>");
@@ -180,7 +180,7 @@ TEST_F(SwitcherFaults, OfAMultiplierOfZero) {
                     "<timestep_multiplier>0<");
   };
   const std::string zero = write("zero.ups", with(text_of(bar), "0.4"));
-  expect_refused(deck_of(part(zero, 0)), "zero.ups:20:5: error: <timestep_multiplier>: '0' is out");
+  expect_refused(deck_of(part(zero, 0)), "zero.ups:21:5: error: <timestep_multiplier>: '0' is out");
   const std::string whole = deck_of(part(bar, 0));
   write("switcher.ups", with(text_of(whole), "1"));
   const Outcome outcome = run_sluice({"check", whole});

@@ -171,7 +171,7 @@ TEST_F(PlanLevels, ARestartWithOtherRatiosOrTilesIsRefusedByName) {
   EXPECT_THAT(restart_with("cell_refinement_ratio=[[4,4,1]]"),
               HasSubstr("contains a grid of [128, 128, 1] cells on level 1"));
   EXPECT_THAT(restart_with("min_patch_size=[[4,4,1]]"),
-              HasSubstr("holds 1024 cells on level 1, where this deck has 256"));
+              HasSubstr("contains 1024 cells on level 1, where this deck has 256"));
 }
 
 TEST_F(PlanLevels, ARunTellsWhatItsLevelsSaved) {

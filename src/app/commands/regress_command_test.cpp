@@ -181,7 +181,7 @@ TEST(GoldenDifference, NaNIsADifference) {
   Golden b = a;
   EXPECT_EQ(golden_difference(a, b, 1e-9), "");
   b.tables[0].rows[1].values[0] = std::nan("");
-  EXPECT_THAT(golden_difference(a, b, 1e-9), HasSubstr("differs in 1 of 2 places"));
+  EXPECT_THAT(golden_difference(a, b, 1e-9), HasSubstr("differs in 1 of 2 values"));
 }
 
 }  // namespace

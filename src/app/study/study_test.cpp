@@ -103,7 +103,7 @@ TEST_F(StudyFolder, SaysWhatIsWrongWithAStudy) {
               HasSubstr("unknown entry \"resolutions\" (did you mean 'resolution'?"));
   EXPECT_THAT(refusal(head + R"("resolution": [[0,1,1]]})"), HasSubstr("whole numbers from 1 on"));
   EXPECT_THAT(refusal(head + R"("resolution": [[1,1,1]], "set": "cfl"})"),
-              HasSubstr("\"cfl\" is no override"));
+              HasSubstr("\"cfl\" is not an override"));
   EXPECT_THAT(refusal(head + R"("resolution": [[1,1,1]], "variable": "vel_CC.u"})"),
               HasSubstr("must be x, y or z"));
   EXPECT_THAT(refusal(head + R"("resolution": [[1,1,1]],

@@ -155,7 +155,7 @@ TEST(OldWords, ADensityInsideALawIsToldWhereItDiffers) {
   deck.further = metal("8930.0");
   EXPECT_THAT(Loaded(deck).told, HasSubstr("<rho_0> in <equation_of_state> is obsolete; dropped"));
   deck.further = metal("8900");
-  EXPECT_THAT(Loaded(deck).told, HasSubstr("the material's <density> 8930 counts"));
+  EXPECT_THAT(Loaded(deck).told, HasSubstr("the material's <density> 8930 is used"));
   EXPECT_TRUE(Loaded(deck).deck.good()) << Loaded(deck).told;
 }
 
