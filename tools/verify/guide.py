@@ -12,8 +12,9 @@ by these lines:
     **At the end of `PATH`**                   the block is added
 
 TEXT stands in one line of the file alone, OLD at one place. A block of the language `sh` holds
-commands for the root of the checkout, one per line; `# exit N` at the end of a line is the exit
-status that is expected, 0 where there is none.
+commands for the root of the checkout, one per line, run with `pipefail`: what stands behind a pipe
+must read all of it. `# exit N` at the end of a line is the exit status that is expected, 0 where
+there is none.
 """
 import dataclasses
 import re
