@@ -123,10 +123,9 @@ struct CutCellViews {
   SchemeVariables moving;    // of the volume, which moves as its materials do together
   SchemeVariables fluid;     // faces between cells of fluid alone
   mixture::Variables open;   // stress and heat of whole faces, before their open share is taken
-  mixture::Variables whole;  // faces of full cells
+  mixture::Variables flow;   // velocity of the faces: of the volume that passes their open share
   mixture::Variables bases;  // donors of the remap
   mixture::Variables cells;  // amounts, as the update takes them
-  mixture::Variables sides;  // what passes the sides of the domain
   SchemeVariables saved;     // the state as outputs see it
 };
 
@@ -136,14 +135,13 @@ CutCellViews views_of(const mixture::Variables& m, const cut_cells::MaterialVari
   CutCellViews s;
   s.moving = apart ? cut_cells::volume_variables(m) : v;
   s.fluid = cut_cells::fluid_face_variables(s.moving);
-  s.open = s.whole = s.bases = s.cells = s.sides = m;
+  s.open = s.flow = s.bases = s.cells = m;
   s.open.common.stress = v.walls.whole_stress;
   s.open.common.heat_flux = v.walls.whole_heat_flux;
   s.open.heat_flux = x.whole_heat_of_each;
-  s.whole.common.face_velocity = v.walls.flow;
+  s.flow.common.face_velocity = v.walls.flow;
   s.bases.common = cut_cells::base_variables(v);
   s.cells.common.momentum = v.walls.momentum;
-  s.sides.common.face_velocity = v.walls.flow;
   s.saved = v;
   if (!m.mass.empty()) return s;
   s.saved.rho_new = v.walls.after_rho;
@@ -272,25 +270,25 @@ void declare_step_of_cut_cells(TaskList& list, const SchemeOptions& o, const Eff
   cut_cells::add_shares(list, s.open.common, v, o, solids);         // t_f, q_f, a -> of open faces
   if (apart) cut_cells::add_stress_of_open_faces(list, s.open, m, o, solids);
   if (several) cut_cells::add_heat_of_open_faces(list, m, x, o, solids);
-  row(several, mixture::add_transported_heat, m, heat);          // t_f, q_f -> heat of each
-  row(true, cut_cells::add_lagrangian, v, solids);               // faces -> Lagrange, donors
-  row(apart, mixture::add_slip_phase, m, drag);                  // p_f -> w_mL, drift, work
-  row(several, mixture::add_lagrangian_of_each, s.whole, flow);  // Lagrange -> E_mL, full cells
+  row(several, mixture::add_transported_heat, m, heat);         // t_f, q_f -> heat of each
+  row(true, cut_cells::add_lagrangian, v, solids);              // faces -> Lagrange, donors
+  row(apart, mixture::add_slip_phase, m, drag);                 // p_f -> w_mL, drift, work
+  row(several, mixture::add_lagrangian_of_each, s.flow, flow);  // Lagrange -> E_mL, full cells
   if (several) cut_cells::add_shares_of_each(list, m, x, o, solids);  // Lagrange -> E_mL, cut cells
-  row(apart, mixture::add_slip_faces, s.whole, drag);                 // drift -> u_fm, outflow
+  row(apart, mixture::add_slip_faces, s.flow, drag);                  // drift -> u_fm, outflow
   masked_row(one, add_remap_bases, s.bases.common, second_order);     // Lagrange -> bases
   masked_row(several, mixture::add_remap_bases, s.bases, second_order);  // Lagrange -> bases
   masked_row(apart, mixture::add_slip_bases, s.bases, drag);             // Lagrange -> bases of u_m
   add_cut_remap_fluxes(list, m, x, masked);  // bases -> fluxes, full faces
   if (several) cut_cells::add_fluxes_of_cut_cells(list, m, x, o, solids);  // E_mL -> fluxes
-  row(one, cut_cells::add_update, v, solids);                       // fluxes -> new state, rates
-  row(together, mixture::add_update, s.cells, equilibrium);         // fluxes -> new state, rates
-  row(apart, mixture::add_slip_update, s.cells, equilibrium);       // fluxes -> new state, rates
-  add_end_of_solve(list, m, s.moving, o);                           // X, new state -> R, new Y
-  row(true, cut_cells::add_scalar_walls, v, solids);                // theta, open -> M, weights
-  row(!apart, scalars::add_tasks, s.sides.common, effect_scalars);  // w, F, 1/J -> new scalars
-  if (apart) add_scalars_of_each(list, s.sides, o);                 // u_m, fluxes -> new scalars
-  add_budgets(list, s.sides.common, o, effects);                    // fluxes, m, dp -> sums
+  row(one, cut_cells::add_update, v, solids);                      // fluxes -> new state, rates
+  row(together, mixture::add_update, s.cells, equilibrium);        // fluxes -> new state, rates
+  row(apart, mixture::add_slip_update, s.cells, equilibrium);      // fluxes -> new state, rates
+  add_end_of_solve(list, m, s.moving, o);                          // X, new state -> R, new Y
+  row(true, cut_cells::add_scalar_walls, v, solids);               // theta, open -> M, weights
+  row(!apart, scalars::add_tasks, s.flow.common, effect_scalars);  // w, F, 1/J -> new scalars
+  if (apart) add_scalars_of_each(list, s.flow, o);                 // u_m, fluxes -> new scalars
+  add_budgets(list, s.flow.common, o, effects);                    // fluxes, m, dp -> sums
   row(apart, mixture::add_relative_velocity_force_budget, m, effect_of_forces(o));
   declare_step_outputs(
       list, s.saved, o,
