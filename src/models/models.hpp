@@ -1,7 +1,7 @@
 // The block <Models>: which models there are, how a deck names them, what a deck asks of them.
 //
 // A model's law, tags, checks and reader stand in a file of its own; its row in the table of
-// models.cpp makes it known. What the laws do to a state is the component's part.
+// model_table.cpp makes it known. What the laws do to a state is the component's part.
 #pragma once
 #include <memory>
 #include <optional>

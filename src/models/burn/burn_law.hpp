@@ -4,7 +4,7 @@
 // A law has one of three forms, by where mass leaves the solid: over surfaces that face the fluid
 // (SurfaceLaw), throughout a cell (CellLaw), or in the order of an explosive that detonates, burns
 // at its surface and in its cracks (Ddt1). A new law derives from one of the first two in a file of
-// its own, and has a row in models.cpp; what it leaves undefined does not compile.
+// its own, and has a row in model_table.cpp; what it leaves undefined does not compile.
 #pragma once
 #include <string>
 #include <vector>
