@@ -106,7 +106,7 @@ TEST(LevelsEverywhere, SleepWhereNothingHappens) {
     EventLedger ledger;
     double time = 0;
     for (int step = 1; step <= 4; ++step) {
-      const double dt = h.step_limit().dt;
+      const double dt = h.rates().limit().dt;
       ASSERT_TRUE(h.attempt(step, time, dt, {}, control, ledger).good);
       h.accept();
       time += dt;
@@ -114,11 +114,11 @@ TEST(LevelsEverywhere, SleepWhereNothingHappens) {
     ASSERT_EQ(h.level_count(), 3);
     for (int l = 0; l < 3; ++l) {
       const LevelSolver& level = h.level(l);
-      EXPECT_GT(level.blocks_run(), 0) << l;
+      EXPECT_GT(level.graphs().blocks_run(), 0) << l;
       if (force_all)
-        EXPECT_EQ(level.blocks_skipped(), 0) << l;
+        EXPECT_EQ(level.graphs().blocks_skipped(), 0) << l;
       else  // blocks of the finer levels are smaller
-        EXPECT_GT(level.blocks_skipped(), l * level.blocks_run() / 4) << l;
+        EXPECT_GT(level.graphs().blocks_skipped(), l * level.graphs().blocks_run() / 4) << l;
     }
   }
 }
@@ -227,7 +227,7 @@ TEST(LevelsThatVanish, ComeBackAndGiveTheirMemoryBack) {
   int vanished = 0, came_back = 0;
   double time = 0;
   for (int step = 1; step <= 400 && came_back == 0; ++step) {
-    const double dt = h.step_limit().dt;
+    const double dt = h.rates().limit().dt;
     ASSERT_TRUE(h.attempt(step, time, dt, {}, control, ledger).good);
     h.accept();
     time += dt;

@@ -72,8 +72,8 @@ TEST_P(RejectedSubstep, LeavesNoTrace) {
     for (int substep = 0; substep<substeps; substep += substeps> 8 ? 3 : 1) {
       ++step;
       ASSERT_GT(a.level_count(), level);
-      const double dt = a.step_limit().dt, own = dt / substeps;
-      ASSERT_EQ(dt, b.step_limit().dt);
+      const double dt = a.rates().limit().dt, own = dt / substeps;
+      ASSERT_EQ(dt, b.rates().limit().dt);
       const std::vector<double> before = values_of(a);
       PlantedFault& fault = faulty.component->fault;
       fault = {level,

@@ -127,9 +127,9 @@ TEST(RejectedStep, LeavesTheOldStateAndTheNextAttemptAlone) {
   const ice::Ice component(scene, ice::read_ice_scene(deck, scene, faults));
   const RunControl control;
   const auto start = [&](LevelSolver& solver) {
-    component.initialise(solver.state());
+    component.state().initialise(solver.state());
     solver.fill_ghosts(0);
-    return component.step_limit(solver.initial_rates()).dt;
+    return component.step().limit(solver.initial_rates()).dt;
   };
   LevelSolver solver(component, scene.grid.levels.front(), world(), {});
   const double dt = start(solver);

@@ -16,19 +16,20 @@ struct PlantedFault {
   bool excused = false;     // not where slopes are masked
 };
 
-class FaultyIce final : public ice::Ice {
+// The step of the fluid, and a fault in it.
+class FaultyStep final : public ice::FluidStep {
  public:
-  using ice::Ice::Ice;
+  FaultyStep(const ice::Ice& ice, const PlantedFault& planted)
+      : FluidStep(ice.part(), ice.blocks(), ice.levels()), planted_(&planted) {}
 
-  PlantedFault fault;  // may change between steps
-
-  void declare_step(TaskList& list, const StepVariant& variant) const override {
-    Ice::declare_step(list, variant);
+  void declare(TaskList& list, const StepVariant& variant) const override {
+    FluidStep::declare(list, variant);
     TaskBuilder task = list.task("planted fault", ice::effect_flow);
     task.read(old_state_of(list));
     task.write(list.temporary("nothing"));
-    task.always().kernel([this, variant](const Row& row) {
+    task.always().kernel([planted = planted_, variant](const Row& row) {
       const StepConstants& step = row.step();
+      const PlantedFault& fault = *planted;
       if (variant.level != fault.level || step.time < fault.from || step.time >= fault.to ||
           step.dt <= fault.longest || (fault.excused && variant.masked))
         return;
@@ -45,6 +46,18 @@ class FaultyIce final : public ice::Ice {
       if (list.variables()[n].storage == Storage::old_state) return {static_cast<int>(n)};
     throw std::logic_error("a step without a state");
   }
+  const PlantedFault* planted_;
+};
+
+class FaultyIce final : public ice::Ice {
+ public:
+  using ice::Ice::Ice;
+  const ice::FluidStep& step() const override { return step_; }
+
+  PlantedFault fault;  // may change between steps
+
+ private:
+  FaultyStep step_{*this, fault};
 };
 
 // A deck ready to run with it.

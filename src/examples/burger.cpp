@@ -33,6 +33,7 @@ struct Variables {
   VariableId old_u, new_u;
   VariableId slope, half;  // slope: a component for each axis
   VariableId flux[3];      // by axis
+  MaximumGroup rates;      // of the step
 };
 
 // 1 and 2.
@@ -94,7 +95,7 @@ void add_update(TaskList& list, int effect, const Variables& v, const Axes& axes
     }
     double fastest = 0;
     for (int i = 0; i < row.count(); ++i) fastest = std::max(fastest, std::abs(to[i]));
-    row.reductions().maximum(0, ordered_bits(fastest * slowness));
+    row.reductions().maximum(v.rates, ordered_bits(fastest * slowness));
   });
 }
 
@@ -117,7 +118,7 @@ Burger::Burger(const Scene& scene, double dt)
 }
 
 // A step reads two nodes away: fluxes at both sides of a node, from slopes on either side of them.
-std::vector<SlotInfo> Burger::state_slots() const {
+std::vector<SlotInfo> Burger::slots() const {
   return {{label(), 0, 1, 2}};
 }
 
@@ -152,9 +153,10 @@ void Burger::fill_boundary(Warehouse& state, double /*time*/, std::span<const do
   }
 }
 
-void Burger::declare_step(TaskList& list, const StepVariant& variant) const {
+void Burger::declare(TaskList& list, const StepVariant& variant) const {
   const Axes axes = active_axes(level(variant.level));
   Variables v;
+  v.rates = rate_;
   v.old_u = list.old_state(label(), 0, 1);
   v.new_u = list.new_state(label(), 0, 1);
   v.slope = list.temporary("slope", axes.count);
@@ -176,12 +178,12 @@ void Burger::measure_rates(const Warehouse& state, Reductions& rates) const {
     double fastest = 0;
     for_each_cell(state.local_boxes()[b].cells,
                   [&](IntVec3 i) { fastest = std::max(fastest, std::abs(u(i))); });
-    rates.maximum(0, ordered_bits(fastest * slowness));
+    rates.maximum(rate_, ordered_bits(fastest * slowness));
   }
 }
 
-StepLimit Burger::step_limit(const std::vector<double>& maxima) const {
-  const double stable = largest_courant / maxima[0];
+StepLimit Burger::limit(const std::vector<double>& maxima) const {
+  const double stable = largest_courant / rate_.of(maxima).front();
   if (stable < dt_) return {stable, "scheme: 1/2 / sum |u|/dx"};
   return {dt_, "deck: delt"};
 }

@@ -26,20 +26,20 @@ class Burger : public PlainComponent {
  public:
   Burger(const Scene& scene, double dt);
 
-  std::vector<SlotInfo> state_slots() const override;
+  std::vector<SlotInfo> slots() const override;
   void initialise(Warehouse& state) const override;
   void fill_boundary(Warehouse& state, double time, std::span<const double> sums,
                      const ThreadTeam& team) const override;
-  void declare_step(TaskList& list, const StepVariant& variant) const override;
-  int reduction_maxima() const override { return 1; }  // sum over d of |u| / dx_d
+  void declare(TaskList& list, const StepVariant& variant) const override;
   void measure_rates(const Warehouse& state, Reductions& rates) const override;
-  StepLimit step_limit(const std::vector<double>& maxima) const override;
+  StepLimit limit(const std::vector<double>& maxima) const override;
 
   static Label label();                // u
   static double start(const Vec3& x);  // u at time 0
 
  private:
   double dt_;
+  MaximumGroup rate_ = add_maxima(1);  // sum over d of |u| / dx_d
 };
 
 void add_burger_tags(Schema& schema);

@@ -115,7 +115,7 @@ SolverTest::SolverTest(const Scene& scene, const SolverTestScene& settings)
       solution_(declare_label({"work.solution", ValueType::real, Centring::cell, "1",
                                "solution before it is the state"})) {}
 
-std::vector<SlotInfo> SolverTest::state_slots() const {
+std::vector<SlotInfo> SolverTest::slots() const {
   return {{labels_.pressure, 0, 1, 0}};
 }
 
@@ -123,7 +123,7 @@ std::vector<SlotInfo> SolverTest::work_slots() const {
   return {{solution_, 0, 1, 0}};
 }
 
-void SolverTest::shape_step(StepShape& shape) const {
+void SolverTest::shape(StepShape& shape) const {
   const auto stage =
       std::make_shared<PressureSolve>(PressureSolve{settings_, labels_.pressure, solution_});
   shape.solve("pressure", [stage](const StageScope& scope) { return (*stage)(scope); });
@@ -131,7 +131,7 @@ void SolverTest::shape_step(StepShape& shape) const {
   shape.commit();
 }
 
-void SolverTest::declare_step(TaskList& list, const StepVariant& /*variant*/) const {
+void SolverTest::declare(TaskList& list, const StepVariant& /*variant*/) const {
   TaskBuilder task = list.task("pressure", equation);
   const In solution = task.read(list.old_state(solution_, 0, 1));
   const Out pressure = task.write(list.new_state(labels_.pressure, 0, 1));
@@ -154,7 +154,7 @@ void SolverTest::declare_diagnostics(TaskList& list, int l) const {
   system.kernel([=](const Row& row) { std::fill_n(row(matrix), row.count(), on_diagonal); });
 }
 
-StepLimit SolverTest::step_limit(const std::vector<double>& /*maxima*/) const {
+StepLimit SolverTest::limit(const std::vector<double>& /*maxima*/) const {
   return {settings_.dt, "deck: delt"};
 }
 

@@ -33,15 +33,15 @@ class SolverTest : public PlainComponent {
  public:
   SolverTest(const Scene& scene, const SolverTestScene& settings);
 
-  std::vector<SlotInfo> state_slots() const override;
+  std::vector<SlotInfo> slots() const override;
   std::vector<SlotInfo> work_slots() const override;
   void initialise(Warehouse& state) const override { fill_state(state, 0.0); }
   void fill_boundary(Warehouse& /*state*/, double /*time*/, std::span<const double> /*sums*/,
                      const ThreadTeam& /*team*/) const override {}  // nobody reads ghosts
-  void shape_step(StepShape& shape) const override;
-  void declare_step(TaskList& list, const StepVariant& variant) const override;
+  void shape(StepShape& shape) const override;
+  void declare(TaskList& list, const StepVariant& variant) const override;
   void declare_diagnostics(TaskList& list, int level) const override;
-  StepLimit step_limit(const std::vector<double>& maxima) const override;
+  StepLimit limit(const std::vector<double>& maxima) const override;
 
  private:
   SolverTestScene settings_;

@@ -38,7 +38,7 @@ Poisson::Poisson(const Scene& scene, const PoissonScene& settings)
     : PlainComponent(scene, scene.component, "Jacobi's method"), settings_(settings) {}
 
 // One ghost layer: the neighbours of a box's own nodes, and the nodes that close the domain.
-std::vector<SlotInfo> Poisson::state_slots() const {
+std::vector<SlotInfo> Poisson::slots() const {
   return {{labels_.phi, 0, 1, 1}};
 }
 
@@ -59,7 +59,7 @@ void Poisson::fill_boundary(Warehouse& state, double /*time*/, std::span<const d
   }
 }
 
-void Poisson::declare_step(TaskList& list, const StepVariant& variant) const {
+void Poisson::declare(TaskList& list, const StepVariant& variant) const {
   const Level& grid = level(variant.level);
   const Axes axes = active_axes(grid);
   const IndexBox inner = inner_nodes(grid);
@@ -67,7 +67,7 @@ void Poisson::declare_step(TaskList& list, const StepVariant& variant) const {
   TaskBuilder sweep = list.task("Jacobi sweep", equation);
   const In phi = sweep.read(list.old_state(labels_.phi, 0, 1), Stencil::box(1));
   const Out next = sweep.write(list.new_state(labels_.phi, 0, 1));
-  const auto relax = [=](const Row& row, RowPart part) {
+  const auto relax = [=, of_nodes = residual_](const Row& row, RowPart part) {
     double* to = row(next);
     for (int i = part.begin; i < part.end; ++i) to[i] = 0;
     for (int a = 0; a < axes.count; ++a) {
@@ -77,7 +77,7 @@ void Poisson::declare_step(TaskList& list, const StepVariant& variant) const {
       for (int i = part.begin; i < part.end; ++i) to[i] += w * (below[i] + above[i]);
     }
     // Exact sums: the same bits however the nodes are shared out.
-    ExactSum& residual = row.reductions().sum(0);
+    ExactSum& residual = row.reductions().sum(of_nodes);
     const double* from = row(phi);
     for (int i = part.begin; i < part.end; ++i) residual.add((to[i] - from[i]) * (to[i] - from[i]));
   };
@@ -95,13 +95,13 @@ void Poisson::declare_step(TaskList& list, const StepVariant& variant) const {
   });
 }
 
-StepLimit Poisson::step_limit(const std::vector<double>& /*maxima*/) const {
+StepLimit Poisson::limit(const std::vector<double>& /*maxima*/) const {
   return {settings_.dt, "deck: delt"};
 }
 
 double Poisson::history_value(Label label, const Totals& totals) const {
-  if (label == labels_.residual) return totals.sweep_sums.empty() ? 0.0 : totals.sweep_sums.front();
-  return PlainComponent::history_value(label, totals);
+  if (label != labels_.residual) return PlainComponent::history_value(label, totals);
+  return totals.sweep_sums.empty() ? 0.0 : residual_.of(totals.sweep_sums).front();
 }
 
 std::unique_ptr<Component> make_poisson(const Deck& deck, const Scene& scene,

@@ -26,13 +26,12 @@ class Poisson : public PlainComponent {
  public:
   Poisson(const Scene& scene, const PoissonScene& settings);
 
-  std::vector<SlotInfo> state_slots() const override;
+  std::vector<SlotInfo> slots() const override;
   void initialise(Warehouse& state) const override;
   void fill_boundary(Warehouse& state, double time, std::span<const double> sums,
                      const ThreadTeam& team) const override;
-  void declare_step(TaskList& list, const StepVariant& variant) const override;
-  StepLimit step_limit(const std::vector<double>& maxima) const override;
-  int reduction_sums() const override { return 1; }  // the residual
+  void declare(TaskList& list, const StepVariant& variant) const override;
+  StepLimit limit(const std::vector<double>& maxima) const override;
   double history_value(Label label, const Totals& totals) const override;
 
  protected:
@@ -41,6 +40,7 @@ class Poisson : public PlainComponent {
  private:
   PoissonScene settings_;
   PoissonLabels labels_ = claim_poisson_labels();
+  SumGroup residual_ = add_sums(1);
 };
 
 std::unique_ptr<Component> make_poisson(const Deck& deck, const Scene& scene,

@@ -55,6 +55,7 @@ void add_laplacian(const Row& row, const Fields& y, const Axes& axes, double sha
 struct Variables {
   VariableId old_phi, old_pi, new_phi, new_pi;
   VariableId stage[stages];  // from 1 on
+  MaximumGroup rates;        // of the step
 };
 
 Fields read_state(TaskBuilder& task, const Variables& v, int stage, Stencil of_phi) {
@@ -103,7 +104,7 @@ void add_last_stage(TaskList& list, int effect, const Variables& v, const Axes& 
 #pragma GCC ivdep
     for (int i = 0; i < row.count(); ++i) to[i] += sixth * speed[i];
     add_laplacian(row, y4, axes, sixth, row(pi));
-    row.reductions().maximum(0, ordered_bits(rate));
+    row.reductions().maximum(v.rates, ordered_bits(rate));
   });
 }
 
@@ -125,7 +126,7 @@ void add_euler(TaskList& list, int effect, const Variables& v, const Axes& axes,
     std::copy_n(row(phi), row.count(), row(new_phi));
     std::copy_n(row(pi), row.count(), row(new_pi));
     add_laplacian(row, {phi, phi}, axes, row.step().dt, row(new_pi));
-    row.reductions().maximum(0, ordered_bits(rate));
+    row.reductions().maximum(v.rates, ordered_bits(rate));
   });
 }
 
@@ -168,7 +169,7 @@ Wave::Wave(const Scene& scene, const WaveScene& settings)
     : PlainComponent(scene, "wave", "wave equation"), settings_(settings) {}
 
 // States 2 to 4 and the step itself each read one cell further.
-std::vector<SlotInfo> Wave::state_slots() const {
+std::vector<SlotInfo> Wave::slots() const {
   const int ghosts = settings_.runge_kutta ? stages : 1;
   return {{labels_.phi, 0, 1, ghosts}, {labels_.pi, 0, 1, ghosts}};
 }
@@ -222,11 +223,12 @@ double Wave::step_of(const Vec3& spacing) const {
   return std::min(smallest, stable / (2 * std::sqrt(sum)) / scene().time.timestep_multiplier);
 }
 
-void Wave::declare_step(TaskList& list, const StepVariant& variant) const {
+void Wave::declare(TaskList& list, const StepVariant& variant) const {
   const Level& grid = level(variant.level);
   const Axes axes = active_axes(grid);
   const double rate = 1 / step_of(grid.spacing);
   Variables v;
+  v.rates = rate_;
   v.old_phi = list.old_state(labels_.phi, 0, 1);
   v.old_pi = list.old_state(labels_.pi, 0, 1);
   v.new_phi = list.new_state(labels_.phi, 0, 1);
@@ -266,11 +268,11 @@ void Wave::declare_diagnostics(TaskList& list, int l) const {
 }
 
 void Wave::measure_rates(const Warehouse& state, Reductions& rates) const {
-  rates.maximum(0, ordered_bits(1 / step_of(state.level().spacing)));
+  rates.maximum(rate_, ordered_bits(1 / step_of(state.level().spacing)));
 }
 
-StepLimit Wave::step_limit(const std::vector<double>& maxima) const {
-  return {1 / maxima[0], "smallest spacing, or the longest stable step"};
+StepLimit Wave::limit(const std::vector<double>& maxima) const {
+  return {1 / rate_.of(maxima).front(), "smallest spacing, or the longest stable step"};
 }
 
 void add_wave_tags(Schema& schema) {

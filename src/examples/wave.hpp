@@ -40,16 +40,15 @@ class Wave : public PlainComponent {
  public:
   Wave(const Scene& scene, const WaveScene& settings);
 
-  std::vector<SlotInfo> state_slots() const override;
+  std::vector<SlotInfo> slots() const override;
   void initialise(Warehouse& state) const override;
   void fill_boundary(Warehouse& state, double time, std::span<const double> sums,
                      const ThreadTeam& team) const override;
-  void declare_step(TaskList& list, const StepVariant& variant) const override;
+  void declare(TaskList& list, const StepVariant& variant) const override;
   void declare_diagnostics(TaskList& list, int level) const override;
   const TransferOperators& transfer() const override { return transfer_; }
-  int reduction_maxima() const override { return 1; }  // 1 / the step that is wanted
   void measure_rates(const Warehouse& state, Reductions& rates) const override;
-  StepLimit step_limit(const std::vector<double>& maxima) const override;
+  StepLimit limit(const std::vector<double>& maxima) const override;
 
  private:
   double step_of(const Vec3& spacing) const;
@@ -57,6 +56,7 @@ class Wave : public PlainComponent {
   WaveScene settings_;
   WaveLabels labels_ = claim_wave_labels();
   CellTransfer transfer_;
+  MaximumGroup rate_ = add_maxima(1);  // 1 / the step that is wanted
 };
 
 void add_wave_tags(Schema& schema);

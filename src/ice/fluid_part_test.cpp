@@ -1,5 +1,5 @@
 // The fluid as a part among others: wherever its numbers begin, the same bits.
-#include "ice/fluid_part.hpp"
+#include "ice/ice.hpp"
 
 #include <gtest/gtest.h>
 
@@ -31,20 +31,35 @@ struct Outcome {
   std::vector<int> effects;  // of the tasks, counted from the part's first
 };
 
-// One step of the only part of `places`.
-Outcome step(const DeckScene& deck, const IndexOffsets& places, double dt) {
+// Where the numbers of the fluid begin: those of another part come before them.
+struct Begin {
+  IndexOffsets places;
+  int maxima = 0, sums = 0;
+};
+
+std::shared_ptr<ReductionLayout> layout_of(const Begin& begin) {
+  auto layout = std::make_shared<ReductionLayout>();
+  layout->add_maxima(begin.maxima);
+  layout->add_sums(begin.sums);
+  return layout;
+}
+
+// One step of the fluid.
+Outcome step(const DeckScene& deck, const Begin& begin, double dt) {
   std::vector<Fault> none;
-  const FluidPart part(deck.scene, read_ice_scene(deck.deck, deck.scene, none), places);
+  const IndexOffsets& places = begin.places;
+  const Ice ice(deck.scene, read_ice_scene(deck.deck, deck.scene, none), places, layout_of(begin));
+  const FluidPart& part = ice.part();
   const Level& level = deck.scene.grid.levels.front();
   Warehouse old_state(level, 0), next(level, 0);
-  for (const SlotInfo& slot : part.state_slots()) {
+  for (const SlotInfo& slot : ice.state().slots()) {
     old_state.add(slot);
     next.add(slot);
   }
-  part.initialise(old_state);
+  ice.state().initialise(old_state);
   part.boundary(0).fill(old_state, ThreadTeam(1));
   TaskList list;
-  part.declare_step(list, {});
+  ice.step().declare(list, {});
   EffectList effects;
   for (int n = 0; n < places.effect; ++n) effects.add({"of another part", true, "", {}});
   for (int n = 0; n < part.effects().size(); ++n) effects.add(part.effects()[n]);
@@ -52,27 +67,36 @@ Outcome step(const DeckScene& deck, const IndexOffsets& places, double dt) {
   for (std::size_t n = 0; n < list.variables().size(); ++n)
     if (list.variables()[n].storage == Storage::new_state) wanted.push_back({static_cast<int>(n)});
   SweepOptions options;
-  options.maxima = places.maximum + StepSlots::maxima;
-  options.sums = places.sum + part.reduction_sums();
+  options.maxima = part.reductions().maxima();
+  options.sums = part.reductions().sums();
   SweepExecutor sweep(list, compile(list, effects, wanted, active_axes(level)), level, options);
   sweep.bind(old_state, next, nullptr);
   const Reductions& r = sweep.run({0, dt, level.spacing, 0});
   Outcome out;
-  for (std::size_t s = 0; s < part.state_slots().size(); ++s)
-    for (int c = 0; c < part.state_slots()[s].components; ++c)
+  for (std::size_t s = 0; s < ice.state().slots().size(); ++s)
+    for (int c = 0; c < ice.state().slots()[s].components; ++c)
       for_each_cell(level.domain, [&](IntVec3 cell) {
         out.state.push_back(next.view(static_cast<int>(s), c, 0)(cell));
       });
-  for (int n = 0; n < places.maximum; ++n) EXPECT_EQ(r.maximum(n), 0) << "of another part";
-  for (int n = 0; n < places.sum; ++n) EXPECT_EQ(r.sum(n).value(), 0) << "of another part";
-  for (int n = 0; n < StepSlots::maxima; ++n) out.maxima.push_back(r.maximum(places.maximum + n));
-  for (int n = 0; n < part.reduction_sums(); ++n) out.sums.push_back(r.sum(places.sum + n).value());
+  for (int n = 0; n < begin.maxima; ++n) EXPECT_EQ(r.maximum(n), 0) << "of another part";
+  for (int n = 0; n < begin.sums; ++n) EXPECT_EQ(r.sum(n).value(), 0) << "of another part";
+  for (int n = 0; n < part.maxima().count(); ++n)
+    out.maxima.push_back(r.maximum(part.maxima().first() + n));
+  for (int n = 0; n < part.sums().count(); ++n)
+    out.sums.push_back(r.sum(part.sums().first() + n).value());
   out.faults = r.faults();
   for (const Task& t : list.tasks()) out.effects.push_back(t.effect - places.effect);
   return out;
 }
 
-const IndexOffsets elsewhere{7, 3, 5, 100, {4}, {}};
+IndexOffsets places_elsewhere() {
+  IndexOffsets places;
+  places.effect = 7;
+  places.fault = 100;
+  places.material = {4};
+  return places;
+}
+const Begin elsewhere{places_elsewhere(), 3, 5};
 
 TEST(FluidPart, IsTheSameWhereverItStands) {
   const DeckScene deck(deck_text(stirred()));
@@ -92,7 +116,7 @@ TEST(FluidPart, ItsFaultsNameTheScenesMaterial) {
   ASSERT_FALSE(alone.faults.empty()) << "a step so long that cells are emptied";
   ASSERT_EQ(alone.faults.size(), beside.faults.size());
   for (std::size_t n = 0; n < alone.faults.size(); ++n) {
-    EXPECT_EQ(beside.faults[n].kind, alone.faults[n].kind + elsewhere.fault);
+    EXPECT_EQ(beside.faults[n].kind, alone.faults[n].kind + elsewhere.places.fault);
     EXPECT_EQ(alone.faults[n].material, 0);
     EXPECT_EQ(beside.faults[n].material, 4);
     EXPECT_EQ(beside.faults[n].cell, alone.faults[n].cell);
@@ -102,8 +126,9 @@ TEST(FluidPart, ItsFaultsNameTheScenesMaterial) {
 TEST(FluidPart, StoresUnderTheScenesNumbers) {
   const DeckScene deck(deck_text(stirred()));
   std::vector<Fault> none;
-  const FluidPart part(deck.scene, read_ice_scene(deck.deck, deck.scene, none), elsewhere);
-  for (const SlotInfo& slot : part.state_slots()) EXPECT_EQ(slot.material, 4);
+  const Ice ice(deck.scene, read_ice_scene(deck.deck, deck.scene, none), elsewhere.places,
+                layout_of(elsewhere));
+  for (const SlotInfo& slot : ice.state().slots()) EXPECT_EQ(slot.material, 4);
 }
 
 }  // namespace

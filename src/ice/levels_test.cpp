@@ -34,9 +34,9 @@ class TwoLevels : public testing::Test {
     ice_ = std::make_unique<Ice>(scene_, std::move(ice_scene));
     for (const Level& level : scene_.grid.levels) {
       states_.push_back(std::make_unique<Warehouse>(level, 0));
-      for (const SlotInfo& slot : ice_->state_slots()) states_.back()->add(slot);
-      ice_->initialise(*states_.back());
-      ice_->fill_boundary(*states_.back(), 0, {}, ThreadTeam());
+      for (const SlotInfo& slot : ice_->state().slots()) states_.back()->add(slot);
+      ice_->state().initialise(*states_.back());
+      ice_->state().fill_boundary(*states_.back(), 0, {}, ThreadTeam());
     }
   }
   double value(int level, Label label, IntVec3 cell, int c = 0) const {
@@ -92,21 +92,21 @@ TEST_F(TwoLevels, CountEveryPlaceOnce) {
   box.velocity[1] = "3";
   build(box);
   Totals totals;
-  ice_->add_totals(*states_[0], LevelCoverage(scene_.grid.levels[0], &scene_.grid.levels[1], 0),
-                   totals);
+  ice_->budgets().add_totals(
+      *states_[0], LevelCoverage(scene_.grid.levels[0], &scene_.grid.levels[1], 0), totals);
   EXPECT_DOUBLE_EQ(totals.mass[0].sum.value(), 2.0 * 40 / 64);
-  ice_->add_totals(*states_[1], LevelCoverage(scene_.grid.levels[1], nullptr, 0), totals);
+  ice_->budgets().add_totals(*states_[1], LevelCoverage(scene_.grid.levels[1], nullptr, 0), totals);
   EXPECT_DOUBLE_EQ(totals.mass[0].sum.value(), 2.0);
   EXPECT_DOUBLE_EQ(totals.momentum[1].sum.value(), 6.0);
   EXPECT_DOUBLE_EQ(totals.kinetic_energy.sum.value(), 9.0);
-  EXPECT_EQ(ice_->reduction_sums(), StepSlots::sums);
+  EXPECT_EQ(ice_->step().reductions().sums(), StepSlots::sums);
 }
 
 TEST_F(TwoLevels, SumWhatGravityDoesOnlyWhereItActs) {
   GasBox box;
   box.gravity = "[0,-0.3,0]";
   build(box);
-  EXPECT_EQ(ice_->reduction_sums(), StepSlots::sums_with_gravity);
+  EXPECT_EQ(ice_->step().reductions().sums(), StepSlots::sums_with_gravity);
   EXPECT_TRUE(ice_->effects().on(effect_flux_record));
 }
 

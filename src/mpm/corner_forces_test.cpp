@@ -37,7 +37,8 @@ class PushedSolids final : public Mpm {
   PushedSolids(const Scene& scene, const MpmScene& solids, Seen& seen)
       : Mpm(scene, solids), scene_(scene), solids_(solids), seen_(seen) {}
 
-  void shape_step(StepShape& shape) const override {
+  const MpmStep& step() const override { return own_; }
+  void shape(StepShape& shape) const {
     const auto& particles = static_cast<const SolidParticles&>(*this->particles());
     const auto step =
         std::make_shared<SolidLevels>(scene_, solids_, particles.carried(), particles.kinds());
@@ -73,6 +74,12 @@ class PushedSolids final : public Mpm {
   }
 
  private:
+  struct Step final : MpmStep {
+    explicit Step(const PushedSolids& of) : MpmStep(of), pushed(&of) {}
+    void shape(StepShape& stages) const override { pushed->shape(stages); }
+    const PushedSolids* pushed;
+  };
+  Step own_{*this};
   const Scene& scene_;
   MpmScene solids_;
   Seen& seen_;

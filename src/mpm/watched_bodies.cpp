@@ -1,6 +1,8 @@
 // The bodies that a run watches: solids that deform and are free.
 #include <fmt/format.h>
 
+#include <span>
+
 #include "framework/base/lowest_text.hpp"
 #include "framework/run/levels/particle_cloud.hpp"
 #include "mpm/mpm.hpp"
@@ -8,17 +10,19 @@
 
 namespace sluice::mpm {
 
-std::vector<BodyEnergy> Mpm::body_energies(const std::vector<double>& sums) const {
+std::vector<BodyEnergy> MpmBudgets::body_energies(const std::vector<double>& sums) const {
+  const std::span<const double> own = mpm_->sums().of(sums);
   std::vector<BodyEnergy> bodies;
   // Prescribed deformation has its work by definition; cohesive zones keep energy between bodies.
-  if (!solids_.prescribed_file.empty() || !solids_.cohesive_zones.empty()) return bodies;
-  for (std::size_t m = 0; m < solids_.materials.size(); ++m) {
-    const SolidMaterial& material = solids_.materials[m];
+  if (!mpm_->scene().prescribed_file.empty() || !mpm_->scene().cohesive_zones.empty())
+    return bodies;
+  for (std::size_t m = 0; m < mpm_->scene().materials.size(); ++m) {
+    const SolidMaterial& material = mpm_->scene().materials[m];
     // Water in pores has a velocity and an energy of its own.
     if (material.rigid || material.water) continue;
     using Of = BodyEnergySums;
-    const std::size_t first = StepSums::of_body(solids_.materials.size(), m);
-    const auto of = [&](Of::Index n) { return sums[first + n]; };
+    const std::size_t first = StepSums::of_body(mpm_->scene().materials.size(), m);
+    const auto of = [&](Of::Index n) { return own[first + n]; };
     BodyEnergy b;
     b.name = material.name;
     b.material = static_cast<int>(m);
@@ -42,10 +46,11 @@ std::vector<BodyEnergy> Mpm::body_energies(const std::vector<double>& sums) cons
 }
 
 // Beside a fluid all particles carry corners: there is no choice.
-std::string Mpm::better_for_energy() const {
-  if (solids_.midpoint() || solids_.total_lagrangian || solids_.implicit || solids_.any_water())
+std::string MpmBudgets::better_for_energy() const {
+  if (mpm_->scene().midpoint() || mpm_->scene().total_lagrangian || mpm_->scene().implicit ||
+      mpm_->scene().any_water())
     return "";
-  if (solids_.basis == Basis::linear)
+  if (mpm_->scene().basis == Basis::linear)
     return "<interpolator> gimp or cpdi: particles of the interpolator linear are points, which "
            "convert rotation into strain";
   return "the default transfer midpoint (no <transfer>, <musl> and similar tags), which preserves "
@@ -53,9 +58,9 @@ std::string Mpm::better_for_energy() const {
 }
 
 // The particle of a material whose energy has grown most in an attempted step, on all ranks.
-std::string Mpm::place_of_gain(const ParticleCloud& cloud, int material,
-                               Communicator& ranks) const {
-  const Columns& c = particles_.carried()[material].columns;
+std::string MpmBudgets::place_of_gain(const ParticleCloud& cloud, int material,
+                                      Communicator& ranks) const {
+  const Columns& c = mpm_->carried()[material].columns;
   const ParticleStore& store = cloud.store(material);
   double most = 0;
   std::string text;

@@ -3,7 +3,7 @@
 
 docs/developer_guide.md has the tables that tools/docs/room_pages.py writes, one of each folder of
 rooms that is not inside another. In pages below docs/ and at the root, what stands in `code` and
-looks like a file of ours (src/ice/ice.cpp, `runs.hpp`), or like a function or member of a class of
+looks like a file of ours (src/ice/ice.hpp, `runs.hpp`), or like a function or member of a class of
 ours (`Class::function`), exists. So does each folder below src/ that is named there.
 
     check_pages.py [FOLDER]      exit 0: no fault, 1: faults, each with file and line

@@ -8,6 +8,7 @@
 
 #include "app/command/command_line.hpp"
 #include "app/command/option_values.hpp"
+#include "app/plan/planned_graph.hpp"
 #include "app/plan/run_plan.hpp"
 #include "app/process/study_process.hpp"
 #include "framework/base/error.hpp"
@@ -21,7 +22,7 @@ struct PlanRequest {
   RunOptionValues run;
   std::string deck, graph;
   int ranks = 1;
-  bool json = false;
+  bool json = false, every_graph = false;
 };
 
 void write_file(const fs::path& path, const std::string& text) {
@@ -56,6 +57,8 @@ void write_graph(const std::string& file, const std::string& dot) {
 }
 
 int plan(const PlanRequest& o) {
+  if (o.every_graph && o.graph.empty())
+    throw InputError("--every-graph takes effect with --graph FILE alone");
   if (o.ranks < 1) throw InputError("--ranks takes a number of at least 1");
   check_run_options(o.run);
   const auto loaded =
@@ -67,7 +70,10 @@ int plan(const PlanRequest& o) {
   options.output = !o.run.no_output;
   options.block = o.run.block_extents();
   const RunPlan plan = plan_run(*loaded, options);
-  if (!o.graph.empty()) write_graph(o.graph, plan.dot);
+  if (!o.graph.empty())
+    write_graph(o.graph, o.every_graph ? to_dot(every_graph(*loaded->component, loaded->scene),
+                                                loaded->component->effects())
+                                       : plan.dot);
   fmt::print("{}", o.json ? plan_json(plan) : plan_text(plan));
   return 0;
 }
@@ -79,6 +85,8 @@ void declare_plan_command(Command& command) {
   command.option("DECK", o->deck, "Deck (.ups)").required();
   command.flag("--json", o->json, "As JSON, for scripts");
   command.option("--graph", o->graph, "Write the task graph to FILE.dot or FILE.svg");
+  command.flag("--every-graph", o->every_graph,
+               "With --graph: the graphs of each level, kind of blocks and variant of the step");
   command.option("--ranks", o->ranks, "Plan for this number of ranks");
   add_run_options(command, o->run);
   command.action([o] { return plan(*o); });

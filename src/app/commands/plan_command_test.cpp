@@ -252,6 +252,10 @@ TEST_F(PlanCommand, WritesTheGraph) {
   if (!has_graphviz) {
     EXPECT_THAT(said_, HasSubstr("apt-get install graphviz"));
   }
+  ASSERT_EQ(sluice({"plan", deck("shock_tube"), "--graph", file, "--every-graph"}), 0) << said_;
+  EXPECT_THAT(text_of(file), HasSubstr("level 0, blocks of kind 0: repeated step"));
+  EXPECT_THAT(text_of(file), HasSubstr("level 0: labels of a state"));
+  EXPECT_EQ(sluice({"plan", deck("shock_tube"), "--every-graph"}), 2);
   EXPECT_EQ(sluice({"plan", deck("shock_tube"), "--graph", "graph.txt"}), 2);
   EXPECT_THAT(said_, HasSubstr(".dot or .svg"));
 }

@@ -17,8 +17,8 @@
 #include "mpm/deck/schema.hpp"
 #include "mpm/declare_labels.hpp"
 #include "mpm/histories.hpp"
-#include "mpm/implicit_mpm.hpp"
 #include "mpm/loads/check_motions.hpp"
+#include "mpm/mpm.hpp"
 #include "mpm/start/seed_faults.hpp"
 #include "mpmice/make_component.hpp"
 
@@ -39,7 +39,7 @@ std::unique_ptr<Component> make_mpm(const Deck& deck, const Scene& scene,
   mpm::check_motions(*deck.root, solids, faults);
   mpm::check_seeds(solids, scene.grid, faults);
   if (any_error(faults)) return nullptr;
-  std::unique_ptr<mpm::Mpm> component = mpm::make_solids(scene, std::move(solids));
+  std::unique_ptr<mpm::Mpm> component = std::make_unique<mpm::Mpm>(scene, std::move(solids));
   component->warn_of_absent_labels(faults);
   return component;
 }

@@ -112,7 +112,7 @@ constexpr std::int64_t max_cells_to_make = 250'000;
 void make_ready(const Scene& scene, const Component& component, std::vector<Fault>& faults) {
   Hierarchy hierarchy(scene, component, world(), {});
   for (int l = 0; l < hierarchy.level_count(); ++l)
-    component.initialise(hierarchy.level(l).state());
+    component.state().initialise(hierarchy.level(l).state());
   const AnalysisRecorder analysis(scene, hierarchy, world());
   faults.insert(faults.end(), analysis.warnings().begin(), analysis.warnings().end());
   sort_saves(scene.output, hierarchy, analysis.field_labels());

@@ -7,7 +7,7 @@ namespace sluice {
 
 StepLimit first_step_limit(const Component& component, const Level& level) {
   constexpr std::int64_t slab_cells = 1'000'000;
-  Reductions rates(component.reduction_maxima(), component.reduction_sums());
+  Reductions rates(component.step().reductions().maxima(), component.step().reductions().sums());
   int along = 2;
   while (along > 0 && level.domain.size()[along] == 1) --along;
   const auto pieces = static_cast<int>(std::clamp<std::int64_t>(
@@ -18,16 +18,16 @@ StepLimit first_step_limit(const Component& component, const Level& level) {
     Level part = level;
     part.boxes = {{slab, 0, 0}};
     Warehouse state(part, 0);
-    for (SlotInfo s : component.state_slots()) {
+    for (SlotInfo s : component.state().slots()) {
       s.ghosts = 0;
       state.add(s);
     }
-    component.initialise(state);
-    component.measure_rates(state, rates);
+    component.state().initialise(state);
+    component.step().measure_rates(state, rates);
   }
   std::vector<double> maxima;
   for (int m = 0; m < rates.maxima_count(); ++m) maxima.push_back(rates.maximum(m));
-  return component.step_limit(maxima);
+  return component.step().limit(maxima);
 }
 
 }  // namespace sluice

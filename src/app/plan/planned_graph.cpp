@@ -1,6 +1,8 @@
 // Declaring and compiling the graphs that a plan counts.
 #include "app/plan/planned_graph.hpp"
 
+#include <fmt/format.h>
+
 #include "framework/refine/face_table.hpp"
 
 namespace sluice {
@@ -24,8 +26,8 @@ PlannedGraph plan_step_graph(const Component& component, const Level& level,
                              const std::set<Label>& wanted, int kind) {
   PlannedGraph g;
   StepVariant variant;
-  variant.kind = kind < 0 ? component.step_kinds() - 1 : kind;
-  component.declare_step(g.list, variant);
+  variant.kind = kind < 0 ? component.blocks().kinds() - 1 : kind;
+  component.step().declare(g.list, variant);
   compile_wanted(g, component, level, wanted);
   return g;
 }
@@ -33,9 +35,41 @@ PlannedGraph plan_step_graph(const Component& component, const Level& level,
 PlannedGraph plan_diagnostic_graph(const Component& component, const Level& level,
                                    const std::set<Label>& wanted) {
   PlannedGraph g;
-  component.declare_diagnostics(g.list, 0);
+  component.outputs().declare_diagnostics(g.list, 0);
   compile_wanted(g, component, level, wanted);
   return g;
+}
+
+std::vector<TitledGraph> every_graph(const Component& component, const Scene& scene) {
+  std::vector<TitledGraph> graphs;
+  const auto add = [&](const std::string& title, const Level& level, bool stores, auto declare) {
+    PlannedGraph g;
+    declare(g.list);
+    compile_wanted(g, component, level, stores ? output_labels(g.list) : std::set<Label>());
+    graphs.push_back({title, std::move(g.list), std::move(g.plan)});
+  };
+  for (const Level& level : scene.grid.levels) {
+    const auto step = [&](bool masked, int kind) {
+      return [&component, &level, masked, kind](TaskList& list) {
+        StepVariant variant;
+        variant.level = level.index;
+        variant.masked = masked;
+        variant.kind = kind;
+        component.step().declare(list, variant);
+      };
+    };
+    const std::string where = fmt::format("level {}", level.index);
+    for (int kind = 0; kind < component.blocks().kinds(); ++kind) {
+      const std::string blocks = fmt::format("{}, blocks of kind {}", where, kind);
+      add(blocks + ": step", level, false, step(false, kind));
+      add(blocks + ": repeated step", level, false, step(true, kind));
+      add(blocks + ": step with all its labels", level, true, step(false, kind));
+    }
+    add(where + ": labels of a state", level, true, [&component, &level](TaskList& list) {
+      component.outputs().declare_diagnostics(list, level.index);
+    });
+  }
+  return graphs;
 }
 
 void add_outputs(const TaskList& list, MaterialsOfLabels& materials) {
@@ -52,7 +86,7 @@ std::set<Label> output_labels(const TaskList& list) {
 
 double state_components(const Component& component) {
   double n = 0;
-  for (const SlotInfo& s : component.state_slots()) n += s.components;
+  for (const SlotInfo& s : component.state().slots()) n += s.components;
   return n;
 }
 

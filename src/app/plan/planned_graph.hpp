@@ -4,6 +4,7 @@
 #include <set>
 
 #include "framework/run/component/component.hpp"
+#include "framework/scene/scene.hpp"
 #include "framework/task/graph.hpp"
 
 namespace sluice {
@@ -20,6 +21,11 @@ PlannedGraph plan_step_graph(const Component& component, const Level& level,
 // Of what is computed from a state.
 PlannedGraph plan_diagnostic_graph(const Component& component, const Level& level,
                                    const std::set<Label>& wanted);
+
+// Every graph that a run of this component may compile, but for choices of outputs: of each level
+// and kind of blocks the plain step, a repeated one, one that stores all its labels; of each level
+// what is computed from a state.
+std::vector<TitledGraph> every_graph(const Component& component, const Scene& scene);
 
 // The materials that have each label among the outputs of these tasks.
 using MaterialsOfLabels = std::map<Label, std::set<int>>;

@@ -98,11 +98,11 @@ void settle(const LoadedScene& loaded, int ranks, int threads, PlannedHierarchy&
     for (GridBox& box : level.boxes) box.owner = 0;
   Hierarchy hierarchy(scene, *loaded.component, world(), {});
   hierarchy.initialise();
-  p.limit = hierarchy.first_step_limit();
-  p.cycle = hierarchy.describe_cycle();
+  p.limit = hierarchy.rates().first_limit();
+  p.cycle = hierarchy.coarse_step().describe();
   if (!p.adaptive) return;
   Regridder regridder(scene.refinement, scene.grid.levels, ranks, threads);
-  regridder.restore(regrid_state_from_json_text(hierarchy.regrid_state()));
+  regridder.restore(regrid_state_from_json_text(hierarchy.regridding().state()));
   for (std::size_t l = 1; l < p.levels.size(); ++l)
     p.levels[l].level.boxes = regridder.boxes(static_cast<int>(l));
 }

@@ -95,7 +95,7 @@ class MemoryPlanner {
     for (const Level& level : levels_) {
       // Old and new; with substeps also the state at the start of the coarse step.
       const int copies = r_.hierarchy.levels[level.index].substeps > 1 ? 3 : 2;
-      for (const SlotInfo& s : r_.component.state_slots())
+      for (const SlotInfo& s : r_.component.state().slots())
         m.states +=
             copies * s.components * word * static_cast<double>(framed_cells(level, rank, s.ghosts));
       for (Label l : kept)
@@ -110,7 +110,7 @@ class MemoryPlanner {
   // By a rank in a step; `most` keeps those of the one that sends most.
   double bytes_sent(int rank, PlannedMessages& most) const {
     int width = 0, components = 0;
-    for (const SlotInfo& s : r_.component.state_slots()) {
+    for (const SlotInfo& s : r_.component.state().slots()) {
       width = std::max(width, s.ghosts);
       components += s.components;
     }

@@ -66,7 +66,7 @@ void lay_out(const LoadedScene& loaded, PlannedParticles& p) {
     for (GridBox& box : level.boxes) box.owner = 0;
   Hierarchy hierarchy(scene, *loaded.component, world(), {});
   hierarchy.initialise();
-  p.limit = hierarchy.first_step_limit();
+  p.limit = hierarchy.rates().first_limit();
   const std::vector<ParticleCount> counts = hierarchy.particles()->counts();
   for (std::size_t k = 0; k < counts.size(); ++k) p.kinds[k].count = counts[k].here;
 }
@@ -102,7 +102,7 @@ PlannedParticles plan_particles(const LoadedScene& loaded, std::int64_t max_cell
   PlannedParticles p = count_particles(loaded);
   if (!p.any()) return p;
   StepShape shape;
-  loaded.component->shape_step(shape);
+  loaded.component->step().shape(shape);
   for (const StepShape::Stage& stage : shape.stages()) p.stages.push_back(name_of(stage));
   const auto there = static_cast<double>(available_memory().bytes);
   const bool fits = there == 0 || p.bytes() < 0.5 * there;

@@ -44,14 +44,14 @@ class Planner {
       node_labels_ = method->grid_labels();
     }
     TaskList diagnostics;
-    component_.declare_diagnostics(diagnostics, 0);
+    component_.outputs().declare_diagnostics(diagnostics, 0);
     diagnostic_labels_ = output_labels(diagnostics);
     add_outputs(all_step.list, materials_of_);
     add_outputs(diagnostics, materials_of_);
     plain_ = plan_step_graph(component_, level_, {});
     plan_.dot = to_dot(plain_.list, component_.effects(), plain_.plan);
     plan_.halo = plain_.plan.halo;
-    plan_.reductions = component_.boundary_sums() > 0 ? 2 : 1;
+    plan_.reductions = component_.state().boundary_sums() > 0 ? 2 : 1;
     describe_effects();
     describe_kinds();
     if (options_.output) describe_outputs();
@@ -77,7 +77,7 @@ class Planner {
 
   // What a block of each kind runs.
   void describe_kinds() {
-    for (int kind = 0; kind < component_.step_kinds(); ++kind)
+    for (int kind = 0; kind < component_.blocks().kinds(); ++kind)
       plan_.kind_tasks.push_back(
           static_cast<int>(plan_step_graph(component_, level_, {}, kind).plan.tasks.size()));
   }
@@ -270,7 +270,7 @@ class Planner {
   }
 
   void describe_quiet() {
-    plan_.skipping_allowed = component_.skipping_allowed() && !options_.force_all;
+    plan_.skipping_allowed = component_.blocks().skipping_allowed() && !options_.force_all;
     const bool gravity = !(scene_.constants.gravity == Vec3{});
     plan_.skipping_reason = options_.force_all ? "--force-all"
                             : plan_.skipping_allowed
@@ -325,7 +325,7 @@ class Planner {
   }
 
   void predict_memory() {
-    if (plan_.hierarchy.adaptive) computed_.insert(component_.refine_flag());
+    if (plan_.hierarchy.adaptive) computed_.insert(component_.levels().refine_flag());
     std::tie(plan_.memory, plan_.messages) = plan_memory({.scene = scene_,
                                                           .component = component_,
                                                           .hierarchy = plan_.hierarchy,

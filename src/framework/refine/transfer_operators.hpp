@@ -2,7 +2,7 @@
 //
 // The framework finds the cells, moves the data and interpolates in time; the component knows what
 // the numbers mean. All operators see the whole conserved state of one box (or of a scratch copy)
-// as one view a component, in the order of Component::state_slots(): StateViews.
+// as one view a component, in the order of StateFacet::slots(): StateViews.
 #pragma once
 #include <span>
 #include <vector>

@@ -65,4 +65,13 @@ SweepPlan compile(const TaskList& list, const EffectList& effects,
 // The graph as DOT for `sluice plan --graph`.
 std::string to_dot(const TaskList& list, const EffectList& effects, const SweepPlan& plan);
 
+// Several graphs in one file, each in a frame with its title, with all that tells one graph from
+// another: stencils of reads, components, windows and depths of buffers.
+struct TitledGraph {
+  std::string title;
+  TaskList list;
+  SweepPlan plan;
+};
+std::string to_dot(const std::vector<TitledGraph>& graphs, const EffectList& effects);
+
 }  // namespace sluice

@@ -1,4 +1,6 @@
 // Passes 5 to 7 of the graph compiler: windows, buffers, halo.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <bit>
 #include <limits>
@@ -132,6 +134,41 @@ std::string to_dot(const TaskList& list, const EffectList& effects, const SweepP
       dot += "  \"" + list[a.variable].name + "\" -> \"" + t.name + "\";\n";
     for (VariableId v : t.writes) dot += node + " -> \"" + list[v].name + "\";\n";
   }
+  return dot + "}\n";
+}
+
+namespace {
+
+std::string text_of(const IntVec3& low, const IntVec3& high) {
+  return fmt::format("[{},{},{}] to [{},{},{}]", -low.x, -low.y, -low.z, high.x, high.y, high.z);
+}
+
+std::string frame_of(const TitledGraph& g, const EffectList& effects, std::size_t number) {
+  std::string dot = fmt::format("  subgraph cluster_{} {{\n    label=\"{}\";\n", number, g.title);
+  const auto task = [&](const Task& t) { return fmt::format("\"{}: {}\"", number, t.name); };
+  const auto variable = [&](VariableId v) {
+    return fmt::format("\"{}: {} ({})\"", number, g.list[v].name, g.list[v].components);
+  };
+  for (const PlannedTask& p : g.plan.tasks) {
+    const Task& t = g.list.tasks()[p.task];
+    dot += fmt::format("    {} [shape=box, tooltip=\"{}, {}, {} planes ahead\"];\n", task(t),
+                       effects[t.effect].name, text_of(p.window.low, p.window.high), p.lead);
+    for (const Access& a : t.reads)
+      dot += fmt::format("    {} -> {} [label=\"{}\"];\n", variable(a.variable), task(t),
+                         text_of(a.stencil.low, a.stencil.high));
+    for (const VariableId v : t.writes) dot += fmt::format("    {} -> {};\n", task(t), variable(v));
+  }
+  for (const PlannedBuffer& b : g.plan.buffers)
+    dot += fmt::format("    {} [tooltip=\"{}, {} planes\"];\n", variable(b.variable),
+                       text_of(b.window.low, b.window.high), b.planes);
+  return dot + "  }\n";
+}
+
+}  // namespace
+
+std::string to_dot(const std::vector<TitledGraph>& graphs, const EffectList& effects) {
+  std::string dot = "digraph steps {\n  rankdir=LR;\n  node [fontname=\"sans-serif\"];\n";
+  for (std::size_t n = 0; n < graphs.size(); ++n) dot += frame_of(graphs[n], effects, n);
   return dot + "}\n";
 }
 

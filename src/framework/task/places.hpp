@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "framework/field/label.hpp"
+#include "framework/task/reduction_layout.hpp"
 
 namespace sluice {
 
@@ -20,7 +21,8 @@ struct ReductionOffsets {
 
 struct IndexOffsets {
   int effect = 0;             // of the part's first effect in the EffectList
-  int maximum = 0, sum = 0;   // of its first maximum and exact sum in the Reductions
+  MaximumGroup maxima;        // its own among those of the step
+  SumGroup sums;              // likewise
   int fault = 0;              // added to the kinds of its faults
   std::vector<int> material;  // the scene's number of each of its own; empty: the same
   std::vector<Label> common;  // what all materials share is saved as of the scene's first
@@ -30,7 +32,7 @@ struct IndexOffsets {
   }
   int material_of(int own) const { return material.empty() ? own : material[own]; }
   ReductionOffsets reduction_offsets() const {
-    return {maximum, sum, fault, material.empty() ? nullptr : &material};
+    return {maxima.first(), sums.first(), fault, material.empty() ? nullptr : &material};
   }
 };
 

@@ -10,6 +10,7 @@
 #include "framework/base/exact_sum.hpp"
 #include "framework/base/vec3.hpp"
 #include "framework/task/places.hpp"
+#include "framework/task/reduction_layout.hpp"
 #include "framework/task/row.hpp"
 
 namespace sluice {
@@ -42,8 +43,10 @@ class Reductions {
     std::int64_t& m = maxima_[slot];
     m = bits > m ? bits : m;
   }
+  void maximum(const MaximumGroup& group, std::int64_t bits) { maximum(group.first(), bits); }
   double maximum(int slot) const { return from_ordered_bits(maxima_[slot]); }
   ExactSum& sum(int slot) { return sums_[slot]; }
+  ExactSum& sum(const SumGroup& group, int n = 0) { return sums_[group.first() + n]; }
   const ExactSum& sum(int slot) const { return sums_[slot]; }
 
   void fault(const CellFault& f);
@@ -61,13 +64,15 @@ class Reductions {
   std::vector<CellFault> faults_;
 };
 
-// What the kernels of one part add to the reductions of all: numbers are the part's own.
+// What the kernels of one part add to the reductions of all: plain numbers are the part's own.
 class PartReductions {
  public:
   PartReductions(Reductions& all, const ReductionOffsets& places) : all_(&all), places_(places) {}
 
   void maximum(int slot, std::int64_t bits) const { all_->maximum(slot + places_.maximum, bits); }
+  void maximum(const MaximumGroup& group, std::int64_t bits) const { all_->maximum(group, bits); }
   ExactSum& sum(int slot) const { return all_->sum(slot + places_.sum); }
+  ExactSum& sum(const SumGroup& group, int n = 0) const { return all_->sum(group, n); }
   void fault(CellFault f) const {
     f.kind += places_.fault;
     if (places_.material != nullptr) f.material = (*places_.material)[f.material];

@@ -42,18 +42,18 @@ class RecordedStep {
 
   double run(double dt) {
     TaskList list;
-    gas_.ice().declare_step(list, StepVariant{0, false, &recorder_, &coverage_});
+    gas_.ice().step().declare(list, StepVariant{0, false, &recorder_, &coverage_});
     std::vector<VariableId> wanted;
     for (std::size_t n = 0; n < list.variables().size(); ++n)
       if (list.variables()[n].storage == Storage::new_state)
         wanted.push_back({static_cast<int>(n)});
     SweepOptions options;
     options.block = {7, 6, 1};
-    options.maxima = gas_.ice().reduction_maxima();
+    options.maxima = gas_.ice().step().reductions().maxima();
     options.sums = StepSlots::sums_with_gravity;
     gas_.solver().fill_ghosts(0);
     next_ = std::make_unique<Warehouse>(gas_.level(), 0);
-    for (const SlotInfo& slot : gas_.ice().state_slots()) next_->add(slot);
+    for (const SlotInfo& slot : gas_.ice().state().slots()) next_->add(slot);
     SweepExecutor sweep(list, compile(list, gas_.ice().effects(), wanted, axes_), gas_.level(),
                         options);
     sweep.bind(gas_.solver().state(), *next_, nullptr);
@@ -151,7 +151,7 @@ TEST_P(FluxRecord, ClosesTheBooksOfTheUncoveredCells) {
        {IndexBox{{6, 4, 0}, {15, 11, 1}}, IndexBox{{0, 3, 0}, {9, 20, 1}}}) {
     RecordedStep step(moving_gas(scheme), covered);
     const double dt = step.run(0.004);
-    const StepBalance b = step.gas().ice().balance(step.sums(), nullptr, dt);
+    const StepBalance b = step.gas().ice().budgets().balance(step.sums(), nullptr, dt);
     const double boundary[] = {b.mass[0], b.momentum.x, b.momentum.y, b.energy};
     const double forces[] = {0, b.momentum_of_forces.x, b.momentum_of_forces.y, b.energy_of_forces};
     const bool total_energy = scheme == "conservative";
@@ -168,7 +168,7 @@ TEST_P(FluxRecord, ClosesTheBooksOfTheUncoveredCells) {
 TEST(FluxRecord, HoldsTheShearAlongShocks) {
   RecordedStep step(sheared_shock(), {{6, 4, 0}, {15, 11, 1}});
   const double dt = step.run(0.0005);
-  const StepBalance b = step.gas().ice().balance(step.sums(), nullptr, dt);
+  const StepBalance b = step.gas().ice().budgets().balance(step.sums(), nullptr, dt);
   const double boundary[] = {b.mass[0], b.momentum.x, b.momentum.y, b.energy};
   for (int q = 0; q < 4; ++q)
     EXPECT_NEAR(step.gain_of_uncovered(q), boundary[q] - step.flow_into_covered(q), 1e-14) << q;

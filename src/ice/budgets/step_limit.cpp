@@ -23,7 +23,7 @@ constexpr double max_cells_of_sound = 2e4;
 
 }  // namespace
 
-StepLimit step_limit(const SchemeOptions& o, const std::vector<double>& maxima) {
+StepLimit step_limit(const SchemeOptions& o, std::span<const double> maxima) {
   const double diffusion_share = o.implicit ? implicit_diffusion_share : explicit_diffusion_share;
   const double sound_share = o.internal_energy_form
                                  ? internal_energy_form::sound_share(o.axes.count)

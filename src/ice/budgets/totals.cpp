@@ -111,7 +111,7 @@ class TotalsOfRows {
   std::vector<double> values_, kinetic_, density_;
 };
 
-void add_source_balance(const SchemeOptions& o, const std::vector<double>& sums, StepBalance& b) {
+void add_source_balance(const SchemeOptions& o, std::span<const double> sums, StepBalance& b) {
   if (o.sources == nullptr) return;
   const std::size_t first = o.first_source_sum;
   const std::size_t beside = first + o.fluids.size();
@@ -142,7 +142,7 @@ std::vector<std::string> tracked_names(const SchemeOptions& o) {
           "exchanged energy", "burned mass",      "released heat"};
 }
 
-std::vector<double> tracked_totals(const SchemeOptions& o, const std::vector<double>& sums) {
+std::vector<double> tracked_totals(const SchemeOptions& o, std::span<const double> sums) {
   if (o.sources == nullptr) return {};
   StepBalance added;
   add_source_balance(o, sums, added);
@@ -163,7 +163,7 @@ std::vector<double> tracked_totals(const SchemeOptions& o, const std::vector<dou
 
 // Gravity acts on the mass at the start of the step and works along the mean momentum of the
 // Lagrangian phase: work = dt g . (P + P_L)/2, P_L = P + pressure impulse + dt g M.
-StepBalance balance(const SchemeOptions& o, const std::vector<double>& sums, const StepStart* start,
+StepBalance balance(const SchemeOptions& o, std::span<const double> sums, const StepStart* start,
                     double dt) {
   StepBalance b;
   for (int m = 0; m < static_cast<int>(o.fluids.size()); ++m)

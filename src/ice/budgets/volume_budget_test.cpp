@@ -47,7 +47,7 @@ class TwoFluids : public testing::Test {
     options.block = {6, 4, 1};  // some hold one of the materials alone
     solver_ = std::make_unique<LevelSolver>(*ice_, level, world(), options);
     volume_ = cells_of(control_volumes(scene_.analysis).front(), level);
-    solver_->watch(VolumeFaces({volume_}, level, level, nullptr, 0));
+    solver_->graphs().watch(VolumeFaces({volume_}, level, level, nullptr, 0));
     for_each_cell(level.domain, [&](IntVec3 c) { fill(c, level.centre(c)); });
     solver_->mark_modified();
   }
@@ -101,14 +101,14 @@ class TwoFluids : public testing::Test {
 TEST_F(TwoFluids, KeepTheirBudgets) {
   constexpr double limit = 4e-15;
   const std::shared_ptr<RunControl> control = shared_control();
-  const VolumeSums slots(ice_->first_volume_sum(), 2);
-  ASSERT_EQ(ice_->reduction_sums(), ice_->first_volume_sum() + slots.count(1));
+  const VolumeSums slots = *ice_->budgets().volume_sums();
+  ASSERT_EQ(ice_->step().reductions().sums(), slots.mass(0, 0, 0) + slots.count(1));
   std::vector<double> rates = solver_->initial_rates();
   const Held before = held();
   Held passed, moved;
   double time = 0;
   for (int step = 0; step < 60; ++step) {
-    const double dt = 0.5 * ice_->step_limit(rates).dt;
+    const double dt = 0.5 * ice_->step().limit(rates).dt;
     solver_->fill_ghosts(time);
     const StepAttempt& a = solver_->attempt(time, dt, {}, control.get());
     ASSERT_EQ(a.faults, 0);

@@ -196,8 +196,8 @@ TEST(ClassicForm, ReadsTheGhostLayersThatItsStateHas) {
     box.cells = {8, 8, 8};
     box.advection = advection;
     Stepper run(box);
-    EXPECT_EQ(run.solver().plain_plan().halo, IntVec3::all(layers));
-    for (const SlotInfo& slot : run.ice().state_slots()) EXPECT_EQ(slot.ghosts, layers);
+    EXPECT_EQ(run.solver().graphs().step(false, {}).plan(-1).halo, IntVec3::all(layers));
+    for (const SlotInfo& slot : run.ice().state().slots()) EXPECT_EQ(slot.ghosts, layers);
   }
 }
 
@@ -212,7 +212,7 @@ TEST(ClassicForm, NamesCellsThatEmpty) {
   EXPECT_EQ(emptied.faults, 16);
   EXPECT_EQ(emptied.first_fault.kind, fault_outflow);
   EXPECT_NEAR(emptied.first_fault.value, 1.6, 1e-12);
-  EXPECT_NE(run.ice().describe_fault(fault_outflow).find("flows out"), std::string::npos);
+  EXPECT_NE(run.ice().step().describe_fault(fault_outflow).find("flows out"), std::string::npos);
 }
 
 // Slopes vanish where the mask is zero: a step redone everywhere is the first-order one.

@@ -1,7 +1,7 @@
 // Where levels meet, for a gas: prolongation, restriction and correction of its conserved state.
 //
-// Views in the order of Ice::state_slots(): mass, the momentum components, internal energy, all per
-// volume. Behind them may stand scalars that are carried by volume, whose amounts, mass times
+// Views in the order of FluidState::slots(): mass, the momentum components, internal energy, all
+// per volume. Behind them may stand scalars that are carried by volume, whose amounts, mass times
 // scalar, are then prolonged like the mass.
 #pragma once
 #include "framework/refine/transfer_operators.hpp"

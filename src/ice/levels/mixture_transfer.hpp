@@ -1,7 +1,7 @@
 // Where levels meet, for several materials: prolongation, restriction and
 // correction of their conserved state.
 //
-// Views in the order of Ice::state_slots(), per volume of the cell: mass of each material, the
+// Views in the order of FluidState::slots(), per volume of the cell: mass of each material, the
 // momentum components of the mixture, internal energy of each material, volume of each material.
 // An absent material has mass, energy and volume exactly zero; one alone has the volume exactly 1.
 // Changes of a flux register, in order: mass of each material, momentum, internal energy of each

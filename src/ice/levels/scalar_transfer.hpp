@@ -1,6 +1,6 @@
 // Where levels meet, with scalars: what the flow's own operators do, and the scalars with it.
 //
-// Views in the order of Ice::state_slots(): those of the flow, then each scalar. Quantities of a
+// Views in the order of FluidState::slots(): those of the flow, then each scalar. Quantities of a
 // flux register: those of the flow, then mass times scalar of each.
 #pragma once
 #include <memory>

@@ -74,7 +74,7 @@ class MixedRun : public MixtureBox {
                    materials(ideal_gas(1 + gases.R[0] / gases.cv[0], gases.cv[0])), start, options,
                    boxes, transport),
         gas_(gas_of(gases)),
-        fraction_(ice().state_slots().back().label) {}
+        fraction_(ice().state().slots().back().label) {}
 
   double& fraction(IntVec3 c) const { return view(fraction_, 0, 0, c)(c); }
   // Fractions by place; density where given, and the energy of the pressure.

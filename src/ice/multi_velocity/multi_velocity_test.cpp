@@ -364,8 +364,8 @@ TEST(Slip, CostsNothingWhereAllMoveTogether) {
         [](Vec3 x) { return pair_at_rest(x.x < 0 ? 1 : 0, 1000, 1.2, 1e5); }, {}, {}, {}, K);
     run.steps(2);
     int slots = 0;
-    for (const SlotInfo& slot : run.ice().state_slots()) slots += slot.label == labels().slip;
-    return std::pair{slots, run.solver().effect_tasks()[effect_momentum_exchange]};
+    for (const SlotInfo& slot : run.ice().state().slots()) slots += slot.label == labels().slip;
+    return std::pair{slots, run.solver().graphs().effect_tasks()[effect_momentum_exchange]};
   };
   EXPECT_EQ(look(one_velocity_coefficient), (std::pair{0, 0}));
   const auto [slots, tasks] = look(1e9);

@@ -284,7 +284,7 @@ TEST(SlipSurface, WhatIsOffAddsNoTask) {
     TaskList list;
     StepVariant variant;
     variant.kind = 3;  // several materials
-    run.ice().declare_step(list, variant);
+    run.ice().step().declare(list, variant);
     int with_surface = 0;
     for (const Task& task : list.tasks())
       with_surface += task.name.find("surface") != std::string::npos;

@@ -40,12 +40,12 @@ class Criteria : public testing::Test {
     scene_.refinement.errors = {{label, 0, 0.1, {}}};
     solver_.reset();
     ice_ = std::make_unique<Ice>(scene_, std::move(gas));
-    ASSERT_EQ(ice_->error_estimates().size(), 1u);
-    const ErrorEstimate e = ice_->error_estimates().front();
+    ASSERT_EQ(ice_->levels().error_estimates().size(), 1u);
+    const ErrorEstimate e = ice_->levels().error_estimates().front();
     solver_ = std::make_unique<LevelSolver>(*ice_, level(), world(), SolverOptions{});
-    ice_->initialise(solver_->state());
+    ice_->state().initialise(solver_->state());
     solver_->fill_ghosts(0);
-    solver_->compute_diagnostics(0, {ice_->refine_flag(), e.value, e.estimate});
+    solver_->compute_diagnostics(0, {ice_->levels().refine_flag(), e.value, e.estimate});
   }
   const Level& level() const { return scene_.grid.levels.front(); }
   double value(Label label, IntVec3 cell, int component = 0) const {
@@ -105,7 +105,7 @@ TEST_F(Criteria, GradientsOfAnyCellVariableFlagWhatIsAboveTheThreshold) {
       build(axes, name, threshold);
       int flagged = 0;
       for_each_cell(level().domain, [&](IntVec3 cell) {
-        const double flag = value(ice_->refine_flag(), cell);
+        const double flag = value(ice_->levels().refine_flag(), cell);
         EXPECT_EQ(flag, gradient(q, cell) > threshold ? 1 : 0);
         flagged += flag != 0;
       });
@@ -119,7 +119,7 @@ TEST_F(Criteria, ErrorsAreWhatFullWeightingChanges) {
     for (const char* name : {"rho_CC", "vel_CC", "mach"}) {
       SCOPED_TRACE(std::string(name) + " on axes " + std::to_string(axes));
       build(axes, name, 1);
-      const ErrorEstimate e = ice_->error_estimates().front();
+      const ErrorEstimate e = ice_->levels().error_estimates().front();
       for_each_cell(level().domain, [&](IntVec3 cell) {
         EXPECT_NEAR(value(e.estimate, cell), error(e.value, cell), 1e-15);
         EXPECT_GE(value(e.estimate, cell), 0);
@@ -130,7 +130,7 @@ TEST_F(Criteria, ErrorsAreWhatFullWeightingChanges) {
 // Of order dx^2 where the flow is smooth: a level finer, a quarter of the estimate.
 TEST_F(Criteria, TheEstimateOfASineIsItsSecondDifference) {
   build(1, "rho_CC", 1);
-  const ErrorEstimate e = ice_->error_estimates().front();
+  const ErrorEstimate e = ice_->levels().error_estimates().front();
   const double angle = 2 * M_PI / 12;
   for_each_cell(level().domain, [&](IntVec3 cell) {
     const double centre = std::sin((cell.x + 0.5) * angle);

@@ -355,8 +355,8 @@ TEST(StepLabels, CostNothingUnsaved) {
                      drag);
       run.save(std::move(saved));
       run.steps(1);
-      return std::pair{run.solver().effect_tasks()[effect_saved_intermediates],
-                       run.solver().effect_doubles()[effect_saved_intermediates]};
+      return std::pair{run.solver().graphs().effect_tasks()[effect_saved_intermediates],
+                       run.solver().graphs().effect_doubles()[effect_saved_intermediates]};
     };
     EXPECT_EQ(tasks({}), (std::pair{0, 0.0}));
   }

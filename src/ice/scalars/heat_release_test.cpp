@@ -34,7 +34,7 @@ struct Amounts {
 };
 Amounts amounts(ScalarRun& run) {
   Totals t;
-  run.ice().add_totals(run.solver().state(), LevelCoverage(), t);
+  run.ice().budgets().add_totals(run.solver().state(), LevelCoverage(), t);
   return {t.internal_energy.sum.value() + t.kinetic_energy.sum.value(), t.amounts[0].sum.value(),
           t.amounts[1].sum.value()};
 }

@@ -209,13 +209,13 @@ TEST(ScalarEffect, IsAbsentWithoutScalars) {
   const auto names = [](const GasBox& box) {
     ScalarRun run(box);
     TaskList list;
-    run.ice().declare_step(list, {});
+    run.ice().step().declare(list, {});
     std::vector<std::string> found;
     for (const Task& task : list.tasks())
       if (task.name.find("scalar") != std::string::npos) found.push_back(task.name);
     for (const Variable& v : list.variables())
       if (v.name.find("scalar") != std::string::npos) found.push_back(v.name);
-    return found.size() + run.ice().state_slots().size();
+    return found.size() + run.ice().state().slots().size();
   };
   GasBox box = tube(8);
   EXPECT_GT(names(box), 4u);

@@ -39,7 +39,7 @@ struct DeckScene {
     TaskList list;
     StepVariant variant;
     variant.kind = kind;
-    ice->declare_step(list, variant);
+    ice->step().declare(list, variant);
     std::vector<std::string> names;
     for (const Task& task : list.tasks())
       if (task.name.find("source account") != std::string::npos || task.effect == effect_sources ||
@@ -61,8 +61,8 @@ TEST(SourceTasks, AreNoneWithoutSources) {
     const DeckScene s(deck);
     EXPECT_FALSE(s.ice->effects().on(effect_sources));
     EXPECT_FALSE(s.ice->effects().on(effect_driving_force));
-    EXPECT_THAT(s.ice->tracked_names(), ::testing::IsEmpty());
-    for (int kind = 0; kind < s.ice->step_kinds(); ++kind)
+    EXPECT_THAT(s.ice->budgets().tracked_names(), ::testing::IsEmpty());
+    for (int kind = 0; kind < s.ice->blocks().kinds(); ++kind)
       EXPECT_THAT(s.of_sources(kind), ::testing::IsEmpty()) << deck << " kind " << kind;
   }
 }
@@ -75,7 +75,7 @@ TEST(SourceTasks, AreNoneWhereNothingIsAdded) {
   EXPECT_THAT(s.ice->effects()[effect_sources].reason,
               HasSubstr("reactant becomes product at 0/s"));
   EXPECT_FALSE(s.ice->effects().on(effect_driving_force));
-  for (int kind = 0; kind < s.ice->step_kinds(); ++kind)
+  for (int kind = 0; kind < s.ice->blocks().kinds(); ++kind)
     EXPECT_THAT(s.of_sources(kind), ::testing::IsEmpty());
 }
 
@@ -84,30 +84,30 @@ TEST(SourceTasks, AreThereWhereTheDeckCallsForThem) {
   EXPECT_TRUE(s.ice->effects().on(effect_sources));
   EXPECT_EQ(s.ice->effects()[effect_sources].reason,
             "reactant becomes product at 20/s, in the update");
-  for (int kind = 0; kind < s.ice->step_kinds(); ++kind)
+  for (int kind = 0; kind < s.ice->blocks().kinds(); ++kind)
     EXPECT_THAT(s.of_sources(kind), Contains("source account"));
   const DeckScene driven("blast_3d", {"CFD/ICE/fixedPressureGradient/x_dir=2"});
   EXPECT_THAT(driven.of_sources(0), Contains("gravity account"));
   EXPECT_THAT(driven.of_sources(0), Not(Contains("source account")));
-  EXPECT_FALSE(driven.ice->skipping_allowed());
-  EXPECT_FALSE(s.ice->skipping_allowed());
+  EXPECT_FALSE(driven.ice->blocks().skipping_allowed());
+  EXPECT_FALSE(s.ice->blocks().skipping_allowed());
 }
 
 // A block of the reactant alone needs the graph where others may come in.
 TEST(SourceTasks, BlocksOfAReactantRunTheGeneralGraph) {
   const DeckScene s("amr_mass_exchange");
   Warehouse state(s.scene.grid.levels.front(), 0);
-  for (const SlotInfo& slot : s.ice->state_slots()) state.add(slot);
+  for (const SlotInfo& slot : s.ice->state().slots()) state.add(slot);
   const IndexBox cells = state.local_boxes().front().cells;
   const auto fill = [&](int material, double mass) {
     const RealView view = state.view(state.find(labels().mass, material), 0, 0);
     for_each_cell(cells, [&](IntVec3 c) { view(c) = mass; });
   };
   fill(0, 1);
-  EXPECT_EQ(s.ice->step_kind(state, 0, cells), 0);
+  EXPECT_EQ(s.ice->blocks().kind_of(state, 0, cells), 0);
   fill(0, 0);
   fill(1, 1);
-  EXPECT_EQ(s.ice->step_kind(state, 0, cells), 2);
+  EXPECT_EQ(s.ice->blocks().kind_of(state, 0, cells), 2);
 }
 
 }  // namespace

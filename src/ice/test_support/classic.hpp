@@ -127,7 +127,7 @@ class Stepper {
   explicit Stepper(const GasBox& box, const SolverOptions& options = {}, IntVec3 boxes = {})
       : scene_(deck_text(box), boxes) {
     solver_ = std::make_unique<LevelSolver>(ice(), level(), world(), options);
-    scene_.ice->initialise(solver_->state());
+    scene_.ice->state().initialise(solver_->state());
   }
 
   // One step that must be admissible.

@@ -31,7 +31,7 @@ class DeckRun {
     return true;
   }
   double time() const { return time_; }
-  double limit() const { return hierarchy_->step_limit().dt; }
+  double limit() const { return hierarchy_->rates().limit().dt; }
   Hierarchy& hierarchy() { return *hierarchy_; }
   const Hierarchy& hierarchy() const { return *hierarchy_; }
   const Ice& ice() const { return *scene_.ice; }

@@ -102,7 +102,7 @@ class MixtureBox {
     return outputs.view(outputs.find(label, material), component, 0)(cell);
   }
   // Of the next step.
-  StepLimit limit() const { return ice_->step_limit(rates_); }
+  StepLimit limit() const { return ice_->step().limit(rates_); }
   // Tries again with masked slopes, then with half the step, as a run does.
   void step(double dt) {
     for (int halvings = 0; halvings < 20; ++halvings, dt *= 0.5) {
@@ -123,7 +123,7 @@ class MixtureBox {
       }
       solver_->reject();
     }
-    throw PhysicsError("inadmissible step: " + ice_->describe_fault(last_fault_.kind) + " " +
+    throw PhysicsError("inadmissible step: " + ice_->step().describe_fault(last_fault_.kind) + " " +
                        std::to_string(last_fault_.value) + " in cell " +
                        std::to_string(last_fault_.cell.x) + " at " + std::to_string(time_));
   }
@@ -162,7 +162,7 @@ class MixtureBox {
   }
   Totals totals() const {
     Totals t;
-    ice_->add_totals(solver_->state(), LevelCoverage(), t);
+    ice_->budgets().add_totals(solver_->state(), LevelCoverage(), t);
     return t;
   }
 

@@ -50,13 +50,13 @@ class ScalarRun : public Stepper {
   int run(double end) {
     int steps = 0;
     for (; time() < end; ++steps) {
-      const double dt = ice().step_limit(rates_).dt;
+      const double dt = ice().step().limit(rates_).dt;
       advance_by(time() + dt > end ? end - time() : dt);
     }
     return steps;
   }
   void steps(int count) {
-    for (int n = 0; n < count; ++n) advance_by(ice().step_limit(rates_).dt);
+    for (int n = 0; n < count; ++n) advance_by(ice().step().limit(rates_).dt);
   }
   // Mean distance from f at the centres.
   double error(const std::string& name, const std::function<double(Vec3)>& f) {
@@ -67,7 +67,7 @@ class ScalarRun : public Stepper {
   }
   double amount() const {
     Totals t;
-    ice().add_totals(const_cast<ScalarRun*>(this)->solver().state(), LevelCoverage(), t);
+    ice().budgets().add_totals(const_cast<ScalarRun*>(this)->solver().state(), LevelCoverage(), t);
     return t.amounts.front().sum.value();
   }
 

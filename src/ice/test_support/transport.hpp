@@ -97,7 +97,7 @@ inline std::string tasks_of(const Transport& transport, int kind) {
   TaskList list;
   StepVariant variant;
   variant.kind = kind;
-  run.ice().declare_step(list, variant);
+  run.ice().step().declare(list, variant);
   std::string names;
   for (const Task& task : list.tasks()) names += task.name + "; ";
   return names;

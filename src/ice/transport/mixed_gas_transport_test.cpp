@@ -71,7 +71,7 @@ TEST(MixedGasTransport, IsThatOfTheGasThatIsAlone) {
       const Fluid gas = ideal_gas(1 + gas_ratio, cv[n]);
       MixtureBox one(box, {gas}, start, {}, {}, alone), plain(box, {gas}, start, {}, {}, without);
       MixtureBox two(with_model, {gas}, start, {}, {}, mixed);
-      const Label fraction = two.ice().state_slots().back().label;
+      const Label fraction = two.ice().state().slots().back().label;
       ASSERT_NE(fraction.name().find('f'), std::string::npos);
       for_each_cell(two.domain(), [&](IntVec3 i) { two.view(fraction, 0, 0, i)(i) = n; });
       two.solver().mark_modified();

@@ -16,7 +16,8 @@ class Watched : public Mpm {
  public:
   Watched(const Scene& scene, const MpmScene& solids, std::vector<NewtonReport>& told)
       : Mpm(scene, solids), told_(&told) {}
-  void shape_step(StepShape& shape) const override {
+  const MpmStep& step() const override { return own_; }
+  void shape(StepShape& shape) const {
     const auto step =
         std::make_shared<ImplicitStep>(run_scene(), scene(), carried(), particles()->kinds());
     shape.stage("begin", [step](const StageScope& s) { return step->begin(s); });
@@ -30,7 +31,13 @@ class Watched : public Mpm {
   }
 
  private:
+  struct Step final : MpmStep {
+    explicit Step(const Watched& of) : MpmStep(of), watched(&of) {}
+    void shape(StepShape& stages) const override { watched->shape(stages); }
+    const Watched* watched;
+  };
   std::vector<NewtonReport>* told_;
+  Step own_{*this};
 };
 
 // A cube in the corner of three mirrors, and a rigid plate on its high x side.

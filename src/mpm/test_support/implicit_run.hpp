@@ -3,13 +3,13 @@
 #include <cmath>
 
 #include "mpm/implicit/implicit_step.hpp"
-#include "mpm/implicit_mpm.hpp"
+#include "mpm/mpm.hpp"
 #include "mpm/test_support/text_run.hpp"
 
 namespace sluice::mpm {
 
 inline std::unique_ptr<Mpm> implicit_solids(const Scene& scene, const MpmScene& solids) {
-  return make_solids(scene, solids);
+  return std::make_unique<Mpm>(scene, solids);
 }
 
 // In place of the length of a run in SolidDeck: steps of dt until the end.

@@ -1,11 +1,18 @@
 // What burning has done in a step, for the books: exact sums over particles and ranks.
 #pragma once
+#include <span>
 #include <vector>
 
 #include "framework/base/exact_sum.hpp"
 #include "framework/base/reduction.hpp"
+#include "framework/task/reduction_layout.hpp"
 
 namespace sluice::mpmice {
+
+// Among the sums of a step: what burned, and which switches of outputs were passed.
+struct BurnReductions {
+  SumGroup burned, switches;
+};
 
 class BurnedSums {
  public:
@@ -24,14 +31,14 @@ class BurnedSums {
     sums_[beside + burned].add(mass);
     sums_[beside + heat].add(heat_of_reaction);
   }
-  // Collective: adds to the sums of the step, from `first` on.
+  // Collective: adds to those of the step.
   template <class Ranks>
-  void add_to(Ranks& ranks, std::vector<double>& sums, std::size_t first) const {
+  void add_to(Ranks& ranks, std::span<double> sums) const {
     Reduction all;
     std::vector<Reduction::Sum> slots;
     for (const ExactSum& s : sums_) slots.push_back(all.add_sum(s));
     ranks.reduce(all);
-    for (std::size_t n = 0; n < slots.size(); ++n) sums[first + n] += all.sum(slots[n]).value();
+    for (std::size_t n = 0; n < slots.size(); ++n) sums[n] += all.sum(slots[n]).value();
   }
 
  private:

@@ -189,8 +189,7 @@ template <int D>
 void LevelCoupling<D>::begin_burning() {
   const int materials = solids_->material_count() + fluid_->material_count();
   burned_.begin(materials);
-  next_switch_ = static_cast<std::size_t>(solids_->reduction_sums() + fluid_->reduction_sums() +
-                                          BurnedSums::count(materials));
+  next_switch_ = 0;
   products_.assign(amounts_.mass.size(), Column(frame_.box.cells(), 0.0));
   for (SolidSet<D>& s : sets_) {
     if (s.part < 0) continue;
@@ -302,8 +301,7 @@ Verdict LevelCoupling<D>::burn(const StageScope& scope) {
   }
   keep_given_mass(scope, given);
   if (!any) return Verdict::good;
-  burned_.add_to(*scope.ranks, *scope.sums,
-                 static_cast<std::size_t>(solids_->reduction_sums() + fluid_->reduction_sums()));
+  burned_.add_to(*scope.ranks, places_.burned.of(*scope.sums));
   expose_neighbours(scope);
   note_burned(scope);
   return open_burned_volume(scope);

@@ -65,13 +65,14 @@ void start_fractions_of(Warehouse& state, const ice::FluidPart& fluid, const mpm
 template <int D>
 LevelCoupling<D>::LevelCoupling(const Level& level, const ice::FluidPart& fluid,
                                 const mpm::Mpm& solids, std::shared_ptr<mpm::SolidLevels> step,
-                                std::vector<models::SolidBurn> burns)
+                                std::vector<models::SolidBurn> burns, const BurnReductions& places)
     : frame_(level),
       fluid_(&fluid),
       solids_(&solids),
       step_(std::move(step)),
       shock_slope_(fluid.options().fluids.front().shock_slope()),
-      burns_(std::move(burns)) {
+      burns_(std::move(burns)),
+      places_(places) {
   for (std::size_t a = 0; a < D; ++a) axes_[a] = mpm::axis_of(level, frame_.direction[a]);
   if (!solids.scene().materials.empty())
     reference_pressure_ = solids.scene().materials.front().constants.reference_pressure;
@@ -80,10 +81,11 @@ LevelCoupling<D>::LevelCoupling(const Level& level, const ice::FluidPart& fluid,
 std::unique_ptr<Coupling> make_coupling(const Level& level, const ice::FluidPart& fluid,
                                         const mpm::Mpm& solids,
                                         std::shared_ptr<mpm::SolidLevels> step,
-                                        std::vector<models::SolidBurn> burns) {
+                                        std::vector<models::SolidBurn> burns,
+                                        const BurnReductions& places) {
   return dispatch(level, [&]<int D>() -> std::unique_ptr<Coupling> {
     return std::make_unique<LevelCoupling<D>>(level, fluid, solids, std::move(step),
-                                              std::move(burns));
+                                              std::move(burns), places);
   });
 }
 

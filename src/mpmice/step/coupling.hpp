@@ -7,6 +7,7 @@
 #include "ice/ice.hpp"
 #include "mpm/levels/solid_levels.hpp"
 #include "mpm/mpm.hpp"
+#include "mpmice/burn/burned_sums.hpp"
 
 namespace sluice::mpmice {
 
@@ -38,7 +39,8 @@ class Coupling {
 std::unique_ptr<Coupling> make_coupling(const Level& level, const ice::FluidPart& fluid,
                                         const mpm::Mpm& solids,
                                         std::shared_ptr<mpm::SolidLevels> step,
-                                        std::vector<models::SolidBurn> burns = {});
+                                        std::vector<models::SolidBurn> burns = {},
+                                        const BurnReductions& places = {});
 
 // theta of the solids as they are at the start of a run, into a state of the fluid.
 void start_fractions(Warehouse& state, const ice::FluidPart& fluid, const mpm::Mpm& solids);

@@ -12,10 +12,10 @@ namespace sluice::mpmice {
 CouplingOnLevels::CouplingOnLevels(const Scene& scene, const ice::FluidPart& fluid,
                                    const mpm::Mpm& solids, std::shared_ptr<mpm::SolidLevels> step,
                                    const std::vector<models::SolidBurn>& burns,
-                                   const BurningCells& burning)
+                                   const BurnReductions& places, const BurningCells& burning)
     : fluid_(&fluid), solids_(&solids), burning_(&burning) {
   for (const Level& level : scene.grid.levels)
-    levels_.push_back(make_coupling(level, fluid, solids, step, burns));
+    levels_.push_back(make_coupling(level, fluid, solids, step, burns, places));
 }
 
 Verdict CouplingOnLevels::on_finest(const StageScope& scope, Stage stage) {

@@ -13,7 +13,8 @@ class CouplingOnLevels {
  public:
   CouplingOnLevels(const Scene& scene, const ice::FluidPart& fluid, const mpm::Mpm& solids,
                    std::shared_ptr<mpm::SolidLevels> step,
-                   const std::vector<models::SolidBurn>& burns, const BurningCells& burning);
+                   const std::vector<models::SolidBurn>& burns, const BurnReductions& places,
+                   const BurningCells& burning);
 
   // The stages of Coupling.
   Verdict find_surfaces(const StageScope& scope);

@@ -176,7 +176,7 @@ void LevelCoupling<D>::pass_switches(const StageScope& scope, const models::Ddt1
   }
   for (const models::Ddt1::Switch& s : law.switches) {
     const bool passed = s.pressure > 0 ? most > s.pressure : detonates;
-    (*scope.sums)[next_switch_++] += passed ? 1 : 0;
+    places_.switches.of(*scope.sums)[next_switch_++] += passed ? 1 : 0;
   }
 }
 

@@ -321,9 +321,9 @@ Verdict LevelCoupling<D>::limit_step(const StageScope& scope) {
     if (D > 1) sound = std::max(sound, ice::sound_sum_share(o) * sum);
     flow = std::max(flow, all);
   });
-  std::vector<double>& maxima = scope.maxima->front();
+  const std::span<double> maxima = o.places.maxima.of(scope.maxima->front());
   const auto include = [&](int slot, double rate) {
-    double& own = maxima[static_cast<std::size_t>(o.places.maximum + slot)];
+    double& own = maxima[static_cast<std::size_t>(slot)];
     own = std::max(own, rate);
   };
   include(ice::StepSlots::deck_rate, deck);

@@ -22,7 +22,8 @@ template <int D>
 class LevelCoupling final : public Coupling {
  public:
   LevelCoupling(const Level& level, const ice::FluidPart& fluid, const mpm::Mpm& solids,
-                std::shared_ptr<mpm::SolidLevels> step, std::vector<models::SolidBurn> burns);
+                std::shared_ptr<mpm::SolidLevels> step, std::vector<models::SolidBurn> burns,
+                const BurnReductions& places);
 
   Verdict find_surfaces(const StageScope& scope) override;
   Verdict press_on_solids(const StageScope& scope) override;
@@ -222,8 +223,9 @@ class LevelCoupling final : public Coupling {
   std::vector<SolidSet<D>> sets_;
   SolidFields<D> fields_;
   std::vector<models::SolidBurn> burns_;
+  BurnReductions places_;  // among the sums of the step
   BurnedSums burned_;
-  std::size_t next_switch_ = 0;   // place among the sums of the step
+  std::size_t next_switch_ = 0;   // among those of the step
   std::vector<Column> products_;  // by fluid: mass per cell volume that burning has made
   bool overlap_ = false;          // do bodies overlap somewhere
   bool vanished_ = false;         // has a particle burned to its end in this step

@@ -15,7 +15,7 @@ Label total_heat_rate() {
 // It is seen through one of the two sides across it; nothing is summed for the other.
 void HeatThroughPlanes::add(int volume, const ControlVolume& plane) {
   for (const int side : {2 * plane.flat, 2 * plane.flat + 1})
-    places_.push_back(slots_.heat(volume, side));
+    places_.push_back(slots_->heat(volume, side));
 }
 
 void HeatThroughPlanes::record(double dt, const std::vector<double>& sums) {

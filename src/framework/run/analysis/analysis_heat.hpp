@@ -5,6 +5,7 @@
 // A rectangle is the surface of a flat control volume: what passes is what the scheme has passed,
 // in every substep of every level, summed exactly.
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "framework/field/label.hpp"
@@ -19,8 +20,8 @@ Label total_heat_rate();
 
 class HeatThroughPlanes {
  public:
-  // `slots`: where the sums of a step hold what volumes exchange.
-  explicit HeatThroughPlanes(VolumeSums slots) : slots_(slots) {}
+  // `slots`: where the sums of a step hold what volumes exchange; nothing: planes cannot be added.
+  explicit HeatThroughPlanes(std::optional<VolumeSums> slots) : slots_(slots) {}
 
   // A rectangle that is a volume of the hierarchy, by its number there.
   void add(int volume, const ControlVolume& plane);
@@ -30,7 +31,7 @@ class HeatThroughPlanes {
   double rate() const { return rate_; }  // W
 
  private:
-  VolumeSums slots_;
+  std::optional<VolumeSums> slots_;
   std::vector<int> places_;  // among the sums
   double rate_ = 0;
 };

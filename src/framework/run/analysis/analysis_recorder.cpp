@@ -34,7 +34,7 @@ void sort_once(std::vector<Label>& labels) {
 
 // InputError where what passes through surfaces is not summed.
 void check_accounts(const AnalysisModule& m, const Component& component) {
-  if (component.first_volume_sum() < 0)
+  if (!component.budgets().volume_sums())
     throw DeckError(m.where,
                     fmt::format("<Module name=\"{}\">: {} does not record fluxes through control "
                                 "volumes with this scheme or number of materials",
@@ -48,11 +48,10 @@ AnalysisRecorder::AnalysisRecorder(const Scene& scene, Hierarchy& hierarchy,
                                    Communicator& communicator)
     : hierarchy_(&hierarchy),
       communicator_(&communicator),
-      heat_(VolumeSums(hierarchy.component().first_volume_sum(),
-                       hierarchy.component().material_count())) {
+      heat_(hierarchy.component().budgets().volume_sums()) {
   std::set<std::string> names;
   std::vector<Level> levels;
-  for (int l = 0; l < hierarchy.possible_levels(); ++l)
+  for (int l = 0; l < hierarchy.levels().possible(); ++l)
     levels.push_back(hierarchy.level(l).level());
   int volumes = 0;
   for (const AnalysisModule& m : scene.analysis.modules) {
@@ -96,7 +95,7 @@ AnalysisRecorder::AnalysisRecorder(const Scene& scene, Hierarchy& hierarchy,
 void AnalysisRecorder::add_particles(const AnalysisModule& m) {
   Module module;
   module.settings = &m;
-  module.levels.resize(hierarchy_->possible_levels());
+  module.levels.resize(hierarchy_->levels().possible());
   module.particles = std::make_unique<ParticleHistories>(m, hierarchy_->component().particles());
   for (const Module& other : modules_)
     if (other.particles != nullptr && other.settings->material == m.material)
@@ -113,9 +112,9 @@ std::vector<int> AnalysisRecorder::materials_of(Label label) const {
   const Component& component = hierarchy_->component();
   TaskList list;
   StepVariant general;
-  general.kind = component.step_kinds() - 1;
-  component.declare_step(list, general);
-  component.declare_diagnostics(list, 0);
+  general.kind = component.blocks().kinds() - 1;
+  component.step().declare(list, general);
+  component.outputs().declare_diagnostics(list, 0);
   std::vector<int> materials;
   for (const Variable& v : list.variables())
     if (v.storage == Storage::output && v.label == label) materials.push_back(v.material);
@@ -125,7 +124,8 @@ std::vector<int> AnalysisRecorder::materials_of(Label label) const {
 AnalysedQuantity AnalysisRecorder::find_quantity(const AnalysedVariable& v) const {
   const LevelSolver& solver = hierarchy_->level(0);  // labels are the same on all levels
   const std::optional<Label> label = find_label(v.label);
-  if (label && (solver.is_step_label(*label) || solver.is_diagnostic_label(*label))) {
+  if (label &&
+      (solver.graphs().is_step_label(*label) || solver.graphs().is_diagnostic_label(*label))) {
     const std::vector<int> materials = materials_of(*label);
     if (std::find(materials.begin(), materials.end(), v.material) != materials.end())
       return {*label, v.material, component_count(label->info().type)};
@@ -137,7 +137,8 @@ AnalysedQuantity AnalysisRecorder::find_quantity(const AnalysedVariable& v) cons
   }
   std::vector<std::string> names;
   for (Label l : all_labels())
-    if (solver.is_step_label(l) || solver.is_diagnostic_label(l)) names.push_back(l.name());
+    if (solver.graphs().is_step_label(l) || solver.graphs().is_diagnostic_label(l))
+      names.push_back(l.name());
   refuse_label(v.where, LabelUse::analyse, v.label, names);
 }
 
@@ -253,10 +254,10 @@ std::vector<Label> AnalysisRecorder::step_labels(double end) const {
     for (const auto& sampler : m.levels)
       if (sampler != nullptr)
         for (const AnalysedQuantity& q : sampler->quantities())
-          if (hierarchy_->level(0).is_step_label(q.label)) labels.push_back(q.label);
+          if (hierarchy_->level(0).graphs().is_step_label(q.label)) labels.push_back(q.label);
     if (m.statistics != nullptr)
       for (const AnalysedQuantity& q : m.statistics->quantities())
-        if (hierarchy_->level(0).is_step_label(q.label)) labels.push_back(q.label);
+        if (hierarchy_->level(0).graphs().is_step_label(q.label)) labels.push_back(q.label);
   }
   sort_once(labels);
   return labels;
@@ -270,8 +271,8 @@ void AnalysisRecorder::visit(const std::vector<Module*>& modules, const Visit& w
 
 // Where the cells of lines lie now.
 void AnalysisRecorder::lay_out() {
-  if (layouts_ == hierarchy_->layouts()) return;
-  layouts_ = hierarchy_->layouts();
+  if (layouts_ == hierarchy_->levels().layouts()) return;
+  layouts_ = hierarchy_->levels().layouts();
   for (const Module& m : modules_)
     for (std::size_t l = 0; l < m.levels.size(); ++l)
       if (m.levels[l] != nullptr)
@@ -287,13 +288,14 @@ bool AnalysisRecorder::compute_labels(const std::vector<Module*>& due, double ti
   std::vector<std::vector<Label>> labels(hierarchy_->level_count());
   visit(due, [&](int l, LevelSampler& sampler) {
     for (const AnalysedQuantity& q : sampler.quantities())
-      if (!hierarchy_->level(l).is_step_label(q.label) && !is_of_nodes(*hierarchy_, q.label))
+      if (!hierarchy_->level(l).graphs().is_step_label(q.label) &&
+          !is_of_nodes(*hierarchy_, q.label))
         labels[l].push_back(q.label);
   });
   for (const Module* m : due)
     if (m->statistics != nullptr)
       for (const AnalysedQuantity& q : m->statistics->quantities())
-        if (!hierarchy_->level(0).is_step_label(q.label))
+        if (!hierarchy_->level(0).graphs().is_step_label(q.label))
           for (std::vector<Label>& of_level : labels) of_level.push_back(q.label);
   if (std::all_of(labels.begin(), labels.end(), [](auto& of_level) { return of_level.empty(); }))
     return false;

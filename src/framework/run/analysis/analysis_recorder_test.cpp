@@ -60,7 +60,7 @@ class Recorded : public testing::Test {
       : scene_(tube_of_two_levels()),
         component_(scene_.grid.levels.front()),
         hierarchy_(scene_, component_, world(), {}) {
-    for (int l = 0; l < 2; ++l) component_.initialise(hierarchy_.level(l).state());
+    for (int l = 0; l < 2; ++l) component_.state().initialise(hierarchy_.level(l).state());
   }
   AnalysisRecorder recorder() {
     AnalysisRecorder r(scene_, hierarchy_, world());
@@ -123,7 +123,7 @@ TEST_F(Recorded, ALevelThatDoesNotExistHasNoLine) {
   scene_.analysis.modules = {module_of("minMax", {variable("mock_square")})};
   scene_.grid.levels.back().boxes.clear();  // one that a regridder may make
   Hierarchy coarse(scene_, component_, world(), {});
-  component_.initialise(coarse.level(0).state());
+  component_.state().initialise(coarse.level(0).state());
   AnalysisRecorder r(scene_, coarse, world());
   r.open(folder_.path());
   r.sample(1, 0.5);

@@ -99,7 +99,7 @@ CellAverages::CellAverages(const AnalysisModule& m, const FindQuantity& find, Hi
     const LabelInfo& info = q.label.info();
     if (info.centring != Centring::cell)
       refuse("is on faces or nodes; averages are of cell variables");
-    if (!hierarchy.level(0).is_diagnostic_label(q.label))
+    if (!hierarchy.level(0).graphs().is_diagnostic_label(q.label))
       refuse("exists only within a step; averages are of functions of the state");
     const std::vector<std::string> names = names_of_cell_averages(v.label);
     const ValueType type = info.type == ValueType::vector ? ValueType::vector : ValueType::real;

@@ -38,7 +38,7 @@ class OverTime : public testing::Test {
   }
   void start() {
     hierarchy_ = std::make_unique<Hierarchy>(scene_, component_, world(), SolverOptions());
-    component_.initialise(hierarchy_->level(0).state());
+    component_.state().initialise(hierarchy_->level(0).state());
     recorder_ = std::make_unique<AnalysisRecorder>(scene_, *hierarchy_, world());
   }
   // All cells hold q, so that the variable is q squared, plus their number.

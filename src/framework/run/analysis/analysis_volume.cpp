@@ -61,12 +61,12 @@ VolumeBudgets::VolumeBudgets(const AnalysisModule& module, int first, Hierarchy&
     : module_(&module),
       hierarchy_(&hierarchy),
       communicator_(&communicator),
-      slots_(hierarchy.component().first_volume_sum(), hierarchy.component().material_count()),
+      slots_(*hierarchy.component().budgets().volume_sums()),
       first_slot_(slots_.mass(0, 0, 0)),
       slot_count_(slots_.count(1)) {
   for (std::size_t n = 0; n < module.volumes.size(); ++n) {
     const int number = first + static_cast<int>(n);
-    const VolumeCells& cells = hierarchy.volumes()[number];
+    const VolumeCells& cells = hierarchy.levels().volumes()[number];
     if (cells.cells.empty()) continue;
     const ControlVolume& v = module.volumes[n];
     volumes_.push_back({number,
@@ -81,7 +81,7 @@ void VolumeBudgets::lay_out() {
   const Level& coarsest = hierarchy_->level(0).level();
   for (Volume& v : volumes_) {
     v.coverage.clear();
-    const IndexBox& cells = hierarchy_->volumes()[v.number].cells;
+    const IndexBox& cells = hierarchy_->levels().volumes()[v.number].cells;
     for (int l = 0; l < hierarchy_->level_count(); ++l) {
       const Level& level = hierarchy_->level(l).level();
       IntVec3 ratio;
@@ -110,8 +110,8 @@ Totals VolumeBudgets::totals_of(const Volume& v) const {
   Totals t;
   t.mass.resize(hierarchy_->component().material_count());
   for (std::size_t l = 0; l < v.coverage.size(); ++l)
-    hierarchy_->component().add_totals(hierarchy_->level(static_cast<int>(l)).state(),
-                                       v.coverage[l], t);
+    hierarchy_->component().budgets().add_totals(hierarchy_->level(static_cast<int>(l)).state(),
+                                                 v.coverage[l], t);
   Reduction all;
   std::vector<ConservedTotal*> totals;
   for (ConservedTotal& m : t.mass) totals.push_back(&m);

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
 
 #include "framework/deck/faults.hpp"
@@ -17,54 +16,13 @@ PlainComponent::PlainComponent(const Scene& scene, std::string name, std::string
   effects_.add({"saved fields", true, "copies of the state", {}});
 }
 
-std::vector<std::vector<Label>> PlainComponent::checkpoint_labels() const {
-  std::vector<std::vector<Label>> labels;
-  for (const SlotInfo& s : state_slots()) labels.push_back({s.label});
-  return labels;
-}
-
 void PlainComponent::declare_diagnostics(TaskList& list, int /*level*/) const {
-  for (const SlotInfo& s : state_slots()) {
+  for (const SlotInfo& s : slots()) {
     TaskBuilder copy = list.task("save " + s.label.name(), saved);
     const In from = copy.read(list.old_state(s.label, s.material, s.components));
     const Out to = copy.write(list.output(s.label, s.material));
     copy.kernel([=](const Row& row) { std::copy_n(row(from), row.count(), row(to)); });
   }
-}
-
-Label PlainComponent::refine_flag() const {
-  return declare_label({"refineFlag", ValueType::integer, Centring::cell, "1",
-                        "1 where a finer level is needed, 0 elsewhere"});
-}
-
-Label PlainComponent::mask_label() const {
-  return declare_label({"state.slope_mask", ValueType::real, Centring::cell, "1",
-                        "1 where a repeated step uses slopes; not used by this component"});
-}
-
-// Nothing is conserved: the mass of "material" 0 stays 0.
-void PlainComponent::add_totals(const Warehouse& /*state*/, const LevelCoverage& /*coverage*/,
-                                Totals& totals) const {
-  totals.mass.resize(1);
-}
-
-StepBalance PlainComponent::balance(const std::vector<double>& /*sums*/, const StepStart* /*start*/,
-                                    double /*dt*/) const {
-  StepBalance b;
-  b.mass = {0.0};
-  return b;
-}
-
-double PlainComponent::history_value(Label label, const Totals& /*totals*/) const {
-  throw std::logic_error(name_ + " has no history " + label.name());
-}
-
-Vec3 PlainComponent::history_vector(Label label, const Totals& /*totals*/) const {
-  throw std::logic_error(name_ + " has no history " + label.name());
-}
-
-std::string PlainComponent::describe_fault(int /*kind*/) const {
-  return "value (must be finite)";
 }
 
 const DeckNode* need_block(const Deck& deck, const Scene& scene, const char* name,

@@ -7,58 +7,50 @@
 // Limits: no totals are kept, so the report of a run knows of no conservation; no cell is
 // inadmissible, so a step is never redone; nothing sleeps.
 #pragma once
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "framework/deck/schema.hpp"
 #include "framework/run/component/component.hpp"
-#include "framework/run/component/no_transfer.hpp"
 #include "framework/scene/scene.hpp"
 
 namespace sluice {
 
-class PlainComponent : public Component {
+class PlainComponent : public Component,
+                       public StateFacet,
+                       public StepFacet,
+                       public LevelFacet,
+                       public OutputFacet {
  public:
   // To be said by every example:
-  //   state_slots, initialise, fill_boundary, declare_step, step_limit
+  //   slots, initialise, fill_boundary (StateFacet), declare, limit (StepFacet)
   std::string name() const override { return name_; }
   const EffectList& effects() const override { return effects_; }
-  int material_count() const override { return 1; }  // fields belong to "material" 0
+  const StateFacet& state() const override { return *this; }
+  const StepFacet& step() const override { return *this; }
+  const LevelFacet& levels() const override { return *this; }
+  const OutputFacet& outputs() const override { return *this; }
+  const ReductionLayout& reductions() const override { return reductions_; }
 
-  // Checkpoints keep each slot under its own label.
-  std::vector<std::vector<Label>> checkpoint_labels() const override;
   // All slots can be saved: copies of the state.
   void declare_diagnostics(TaskList& list, int level) const override;
-
-  const TransferOperators& transfer() const override { return no_transfer_; }
-  Label refine_flag() const override;
-  Label mask_label() const override;
-  int reduction_maxima() const override { return 0; }
-  int reduction_sums() const override { return 0; }
-  bool skipping_allowed() const override { return false; }
-  double courant_number() const override { return 1; }
-  void measure_rates(const Warehouse& /*state*/, Reductions& /*rates*/) const override {}
-  void add_totals(const Warehouse& state, const LevelCoverage& coverage,
-                  Totals& totals) const override;
-  StepBalance balance(const std::vector<double>& sums, const StepStart* start,
-                      double dt) const override;
-  double history_value(Label label, const Totals& totals) const override;
-  Vec3 history_vector(Label label, const Totals& totals) const override;
-  std::string describe_fault(int kind) const override;
 
  protected:
   // `equation`: what the one effect of the component is called in plans and reports.
   PlainComponent(const Scene& scene, std::string name, std::string equation);
   const Scene& scene() const { return scene_; }
   const Level& level(int index) const { return scene_.grid.levels[index]; }
+  // What kernels reduce, registered when the component is made: row.reductions() counts from the
+  // first one registered.
+  SumGroup add_sums(int count) { return reductions_.add_sums(count); }
+  MaximumGroup add_maxima(int count) { return reductions_.add_maxima(count); }
   static constexpr int equation = 0, saved = 1;  // effects
 
  private:
   const Scene& scene_;
   std::string name_;
   EffectList effects_;
-  NoTransfer no_transfer_;
+  ReductionLayout reductions_;
 };
 
 // The block of a component in its deck; null with a fault where the deck lacks it.

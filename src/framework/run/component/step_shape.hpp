@@ -1,7 +1,7 @@
 // The shape of a step, as a component declares it: what all levels do together, in order.
 //
 // A step that declares nothing is exchange, sweep, take over on each level, finer levels in
-// substeps of the coarser one (hierarchy_cycle.cpp). A step that solves a system between sweeps
+// substeps of the coarser one (levels/coarse_step.cpp). A step that solves a system between sweeps
 // declares stages instead; all levels then take the same step, each stage on all of them before the
 // next begins:
 //

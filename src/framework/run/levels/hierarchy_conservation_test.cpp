@@ -61,7 +61,7 @@ TEST_P(KeepingOnAnyLevels, AllMassesThroughStepsAndRegrids) {
   const Values before = run.totals();
   const States start = run.states();
   run.advance(24, way.dt);
-  EXPECT_GT(run.hierarchy.regrids(), 3);
+  EXPECT_GT(run.hierarchy.regridding().count(), 3);
   expect_kept(before, run.totals());
   for (const CellState& s : run.states())
     for (const double v : s.values) EXPECT_GE(v, 0);
@@ -114,7 +114,7 @@ TEST_F(Keeping, UniformStatesToTheBitThroughMovingLevels) {
   make_adaptive(scene, {4, 4, 1});
   LevelRun run(scene, w);
   run.advance(20, 0.5);
-  EXPECT_GT(run.hierarchy.regrids(), 3);
+  EXPECT_GT(run.hierarchy.regridding().count(), 3);
   for (const CellState& s : run.states())
     EXPECT_EQ(s.values, (Values{1.5, 0.75, 0.5})) << "level " << s.level;
 }

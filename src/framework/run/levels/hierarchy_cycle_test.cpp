@@ -64,7 +64,7 @@ TEST_F(Cycle, InLockstepAllLevelsTakeTheSameStep) {
 
 TEST_F(Cycle, TellsItsShape) {
   Wishes w;
-  EXPECT_EQ(LevelRun(nested({2}), w).hierarchy.describe_cycle(),
+  EXPECT_EQ(LevelRun(nested({2}), w).hierarchy.coarse_step().describe(),
             "ghost exchange of old state, width 2\n"
             "sweep step\n"
             "level 1 finer level, 2 substeps\n"
@@ -153,7 +153,7 @@ TEST_F(Cycle, TheStepIsTheLeastOverLevelsTimesTheirSubsteps) {
       LevelRun run(scene, w);
       rates[tightest] = 64;
       ASSERT_TRUE(run.attempt(0.125));
-      const StepLimit limit = run.hierarchy.step_limit();
+      const StepLimit limit = run.hierarchy.rates().limit();
       EXPECT_EQ(limit.dt, substeps[tightest] / 64);
       EXPECT_EQ(limit.reason, "mock rate on level " + std::to_string(tightest));
     }

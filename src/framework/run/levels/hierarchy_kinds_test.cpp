@@ -67,8 +67,8 @@ Outcome outcome(bool kinds, const SolverOptions& options, bool lock_step = false
   for (int l = 0; l < run.hierarchy.level_count(); ++l) {
     const LevelSolver& level = run.hierarchy.level(l);
     Reduction all;
-    const auto with = all.add_count(level.blocks_run(kinds ? 1 : 0)),
-               without = all.add_count(kinds ? level.blocks_run(0) : 0);
+    const auto with = all.add_count(level.graphs().blocks_run(kinds ? 1 : 0)),
+               without = all.add_count(kinds ? level.graphs().blocks_run(0) : 0);
     world().reduce(all);
     o.with.push_back(all.count(with));
     o.without.push_back(all.count(without));

@@ -77,10 +77,10 @@ void HierarchyMock::add_totals(const Warehouse& state, const LevelCoverage& cove
       }
 }
 
-void HierarchyMock::declare_step(TaskList& list, const StepVariant& variant) const {
+void HierarchyMock::declare(TaskList& list, const StepVariant& variant) const {
   const MockLabels& l = mock_labels();
   Variables v;
-  v.with_b = variant.kind == step_kinds() - 1;
+  v.with_b = variant.kind == kinds() - 1;
   v.a = list.old_state(l.a, 0, 1);
   if (v.with_b) v.b = list.old_state(l.b, 1, 1);
   v.s = list.old_state(l.s, 0, 1);

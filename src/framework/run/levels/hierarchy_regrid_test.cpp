@@ -83,7 +83,7 @@ TEST_F(Regrids, WhatIsKeptIsWhatWouldBeFoundAnew) {
       h.fill_ghosts(run.time);  // what is not known to be filled
       const std::string kept = numbers_of(h);
       for (int l = 0; l < h.level_count(); ++l) {
-        EXPECT_EQ(h.level(l).coverage().uncovered_cells(),
+        EXPECT_EQ(h.level(l).graphs().coverage().uncovered_cells(),
                   h.level(l).level().cell_count() - cells_under(h, l));
         h.level(l).mark_modified();
       }

@@ -148,9 +148,9 @@ TEST_F(HierarchyOnRanks, BoxesThatChangeRanksChangeNoBit) {
   for (int n = 0; n < 6; ++n) {
     ASSERT_TRUE(still.attempt(0.5));
     ASSERT_TRUE(moving.attempt(0.5));
-    const int layouts = moving.hierarchy.layouts();
+    const int layouts = moving.hierarchy.levels().layouts();
     const bool now = moving.hierarchy.balance(50);  // asked for as if it were due
-    EXPECT_EQ(moving.hierarchy.layouts() != layouts, now);
+    EXPECT_EQ(moving.hierarchy.levels().layouts() != layouts, now);
     moved = moved || now;
     EXPECT_TRUE(same_bits(still.states(), moving.states())) << n;
     // A regrid measures anew.
@@ -158,7 +158,7 @@ TEST_F(HierarchyOnRanks, BoxesThatChangeRanksChangeNoBit) {
     EXPECT_TRUE(same_bits(still.states(), moving.states())) << n;
   }
   EXPECT_EQ(moved, world().size() > 1);
-  EXPECT_EQ(moving.hierarchy.balances() > 0, moved);
+  EXPECT_EQ(moving.hierarchy.balancing().count() > 0, moved);
   EXPECT_EQ(still.totals(), moving.totals());
 }
 
@@ -185,7 +185,7 @@ TEST_F(HierarchyOnRanks, MassesAreKept) {
   LevelRun run(adaptive_scene({4, 4, 1}), w);
   const Values before = run.totals();
   run.advance(20, 0.5);
-  EXPECT_GT(run.hierarchy.regrids(), 3);
+  EXPECT_GT(run.hierarchy.regridding().count(), 3);
   const Values after = run.totals();
   for (std::size_t q = 0; q < quantities; ++q)
     EXPECT_NEAR(after[q], before[q], 1e-14 * before[q]) << q;

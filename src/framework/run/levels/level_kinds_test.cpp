@@ -106,7 +106,7 @@ struct KindsRun {
       : level(level_of(cells, pieces)),
         mock(with_most(level, from, most)),
         solver(mock, level, world(), o) {
-    mock.initialise(solver.state());
+    mock.state().initialise(solver.state());
     solver.mark_modified();
   }
   static KindsMock with_most(const Level& level, const KindsMock::Start& from, double most) {
@@ -233,11 +233,11 @@ TEST_P(KindsOnShapes, NoWayChangesABit) {
       if (HasFatalFailure()) return;
     }
     if (way.options.force_all) {
-      EXPECT_EQ(run.solver.blocks_run(0) + run.solver.blocks_run(1), 0);
+      EXPECT_EQ(run.solver.graphs().blocks_run(0) + run.solver.graphs().blocks_run(1), 0);
     } else if (way.options.block != IntVec3{}) {
       for (int kind = 0; kind < 3; ++kind)
-        EXPECT_GT(run.solver.blocks_run(kind), steps) << way.name;
-      EXPECT_GT(run.solver.blocks_skipped(), 0);
+        EXPECT_GT(run.solver.graphs().blocks_run(kind), steps) << way.name;
+      EXPECT_GT(run.solver.graphs().blocks_skipped(), 0);
     }
   }
 }
@@ -258,12 +258,16 @@ TEST(Kinds, OfMaterialsThatAreNowhereHaveNoGraph) {
   const int before = run.mock.declared;
   run.step(dt);
   EXPECT_EQ(run.mock.declared, before + 1);
-  EXPECT_EQ(run.solver.blocks_run(1) + run.solver.blocks_run(2), 0);
-  EXPECT_EQ(run.solver.effect_tasks(), (std::vector<int>{2, 0}));  // faces and update, no mixing
-  EXPECT_EQ(run.solver.effect_doubles(), (std::vector<double>{6, 0}));
-  EXPECT_EQ(run.solver.plain_plan(0).tasks.size(), 2u);
-  EXPECT_EQ(run.solver.plain_plan().tasks.size(), 3u);  // the general one, made when asked for
-  EXPECT_NE(run.solver.graph_as_dot(1).find("faces of 1"), std::string::npos);
+  EXPECT_EQ(run.solver.graphs().blocks_run(1) + run.solver.graphs().blocks_run(2), 0);
+  EXPECT_EQ(run.solver.graphs().effect_tasks(),
+            (std::vector<int>{2, 0}));  // faces and update, no mixing
+  EXPECT_EQ(run.solver.graphs().effect_doubles(), (std::vector<double>{6, 0}));
+  EXPECT_EQ(run.solver.graphs().step(false, {}).plan(0).tasks.size(), 2u);
+  EXPECT_EQ(run.solver.graphs().step(false, {}).plan(-1).tasks.size(),
+            3u);  // the general one, made when asked for
+  const auto& tasks = run.solver.graphs().step(false, {}).list(1).tasks();
+  EXPECT_TRUE(std::any_of(tasks.begin(), tasks.end(),
+                          [](const Task& t) { return t.name == "faces of 1"; }));
 }
 
 TEST(Kinds, TimesOfAllAreAdded) {
@@ -271,13 +275,14 @@ TEST(Kinds, TimesOfAllAreAdded) {
   o.sample_every = 1;
   KindsRun run({96, 9, 1}, o);
   for (int n = 0; n < 5; ++n) run.step(dt);
-  const std::vector<double> seconds = run.solver.effect_seconds();
+  const std::vector<double> seconds = run.solver.graphs().effect_seconds();
   EXPECT_GT(seconds[0], 0);
   EXPECT_GT(seconds[1], 0);
-  EXPECT_EQ(run.solver.effect_tasks(), (std::vector<int>{2, 1}));
-  EXPECT_EQ(run.solver.effect_doubles(), (std::vector<double>{0, 12}));
-  EXPECT_EQ(run.solver.blocks_run(),
-            run.solver.blocks_run(0) + run.solver.blocks_run(1) + run.solver.blocks_run(2));
+  EXPECT_EQ(run.solver.graphs().effect_tasks(), (std::vector<int>{2, 1}));
+  EXPECT_EQ(run.solver.graphs().effect_doubles(), (std::vector<double>{0, 12}));
+  EXPECT_EQ(run.solver.graphs().blocks_run(), run.solver.graphs().blocks_run(0) +
+                                                  run.solver.graphs().blocks_run(1) +
+                                                  run.solver.graphs().blocks_run(2));
 }
 
 TEST(Kinds, ARedoneStepChoosesAgain) {
@@ -331,7 +336,7 @@ TEST(Kinds, WhatOthersWriteIsSeenOnceTheyTell) {
   EXPECT_EQ(run.solver.state().view(2, 0, 0)(41, 5, 0), 0.25);
   // Mixed are the four blocks that have the cell within two cells; two of them see nothing of it
   // along x and sleep.
-  EXPECT_EQ(run.solver.blocks_run(2), 2);
+  EXPECT_EQ(run.solver.graphs().blocks_run(2), 2);
   EXPECT_EQ(run.known(2), blocks - 4);
 }
 
@@ -422,8 +427,8 @@ TEST(Kinds, FieldsOfAbsentMaterialsAreNotWritten) {
       SCOPED_TRACE(testing::Message() << "slot " << slot << (now ? ", new" : ", old"));
       KindsRun run(cells, {}, {1, 1, 1}, [](int m, IntVec3) { return m == 0 ? 1.0 : 0.0; });
       WrittenPages written;
-      written.watch((now ? run.solver.state() : run.solver.previous()).view(slot, 0, 0));
-      run.mock.initialise(run.solver.state());
+      written.watch((now ? run.solver.state() : run.solver.states().previous()).view(slot, 0, 0));
+      run.mock.state().initialise(run.solver.state());
       for (int n = 0; n < 3; ++n) run.step(dt);
       EXPECT_EQ(written.count() > 0, slot == 0);
       EXPECT_GE(run.solver.memory_bytes(), 12u * 8u * 516u * 532u);  // six numbers, old and new

@@ -32,7 +32,7 @@ struct Tube {
       : scene(dealt_out(tube(boxes))),
         component(with_most(scene.grid.levels.front(), most)),
         solver(component, scene.grid.levels.front(), world(), o) {
-    component.initialise(solver.state());
+    component.state().initialise(solver.state());
     solver.fill_ghosts(0);
   }
   static Scene dealt_out(Scene scene) {
@@ -79,7 +79,7 @@ TEST_F(LevelSolverTest, AnAttemptIsAStepOnceItIsAccepted) {
 // Its one ghost layer left out: what the step reads there would lie beyond the array.
 struct NarrowComponent : MockComponent {
   using MockComponent::MockComponent;
-  std::vector<SlotInfo> state_slots() const override { return {{mock_labels().q, 0, 1, 0}}; }
+  std::vector<SlotInfo> slots() const override { return {{mock_labels().q, 0, 1, 0}}; }
 };
 
 TEST_F(LevelSolverTest, RefusesAStepThatReadsMoreGhostsThanThereAre) {
@@ -113,7 +113,7 @@ TEST_F(LevelSolverTest, TheBoundaryKnowsExactSumsOverAllCells) {
     const Scene scene = Tube::dealt_out(tube(boxes));
     const SummingComponent component(scene.grid.levels.front());
     LevelSolver solver(component, scene.grid.levels.front(), world(), {});
-    component.initialise(solver.state());
+    component.state().initialise(solver.state());
     for (int n = 0; n < 2; ++n) solver.fill_ghosts(0);  // once: nothing has changed
     EXPECT_EQ(component.known, std::vector<double>{all.value()});
     const LevelSolver& coarsest = solver;
@@ -152,9 +152,9 @@ TEST_F(LevelSolverTest, MasksHoldForTheStepAndAreForgottenAfterIt) {
 
 TEST_F(LevelSolverTest, WantedLabelsAreStoredAndChangeNoBit) {
   Tube plain, wanting(4), forced(1, {2, true, 0, {7, 1, 1}});  // forced: no saving
-  EXPECT_TRUE(plain.solver.is_step_label(mock_labels().flux));
-  EXPECT_FALSE(plain.solver.is_diagnostic_label(mock_labels().flux));
-  EXPECT_TRUE(plain.solver.is_diagnostic_label(mock_labels().square));
+  EXPECT_TRUE(plain.solver.graphs().is_step_label(mock_labels().flux));
+  EXPECT_FALSE(plain.solver.graphs().is_diagnostic_label(mock_labels().flux));
+  EXPECT_TRUE(plain.solver.graphs().is_diagnostic_label(mock_labels().square));
   plain.attempt(dt);
   wanting.attempt(dt, {mock_labels().flux});
   forced.attempt(dt);
@@ -210,12 +210,14 @@ TEST_F(LevelSolverTest, TellsWhatItCosts) {
   Tube tube(1, {1, false, 1, {}});
   EXPECT_EQ(tube.solver.initial_rates(), std::vector<double>{8});
   tube.attempt(dt);
-  EXPECT_EQ(tube.solver.effect_tasks(), (std::vector<int>{2, 0}));  // faces, update; nothing saved
-  EXPECT_GT(tube.solver.effect_seconds()[0], 0);
-  EXPECT_EQ(tube.solver.blocks_run() + tube.solver.blocks_skipped(), 1);
+  EXPECT_EQ(tube.solver.graphs().effect_tasks(),
+            (std::vector<int>{2, 0}));  // faces, update; nothing saved
+  EXPECT_GT(tube.solver.graphs().effect_seconds()[0], 0);
+  EXPECT_EQ(tube.solver.graphs().blocks_run() + tube.solver.graphs().blocks_skipped(), 1);
   EXPECT_GE(tube.solver.memory_bytes(), 2 * 42 * sizeof(double));
-  EXPECT_EQ(tube.solver.message_bytes(), 0u);  // one rank
-  EXPECT_NE(tube.solver.graph_as_dot().find("update"), std::string::npos);
+  const auto& tasks = tube.solver.graphs().step(false, {}).list(-1).tasks();
+  EXPECT_TRUE(
+      std::any_of(tasks.begin(), tasks.end(), [](const Task& t) { return t.name == "update"; }));
 }
 
 }  // namespace

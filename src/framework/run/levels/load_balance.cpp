@@ -9,7 +9,7 @@ namespace sluice {
 
 std::vector<double> box_seconds(const LevelSolver& solver, const ParticleCloud* particles,
                                 Communicator& communicator) {
-  std::vector<double> mine = solver.box_seconds();
+  std::vector<double> mine = solver.graphs().box_seconds();
   if (particles != nullptr && solver.level().index < particles->level_count()) {
     const std::vector<double>& more = particles->box_seconds(solver.level().index);
     for (std::size_t b = 0; b < mine.size(); ++b) mine[b] += more[b];

@@ -17,7 +17,7 @@ namespace {
 
 // The cells of a local box where its particles live.
 std::vector<IndexBox> own_cells(const LevelSolver& level, int box, int levels) {
-  if (levels > 1) return level.coverage().uncovered(box);
+  if (levels > 1) return level.graphs().coverage().uncovered(box);
   return {level.state().local_boxes()[box].cells};
 }
 
@@ -125,7 +125,7 @@ void ParticleCloud::keep_inside(int kind, const Level& level, ParticleSet& set) 
 void ParticleCloud::advance_box(int kind, LevelSolver& level, int box, ParticleStep step) {
   const std::vector<IndexBox> cells =
       own_cells(level, box, static_cast<int>(map_->levels().size()));
-  step.old_state = &level.start();
+  step.old_state = &level.states().start();
   step.new_state = &level.state();
   step.box = box;
   step.cells = cells;

@@ -120,8 +120,9 @@ void merge_ranks(FlagField& flags, Communicator& communicator) {
 RefinementFlags::RefinementFlags(const RefinementSettings& settings, const Component& component,
                                  const std::vector<Level>& levels)
     : component_(&component),
-      flag_(component.refine_flag()),
-      estimates_(settings.adaptive ? component.error_estimates() : std::vector<ErrorEstimate>()) {
+      flag_(component.levels().refine_flag()),
+      estimates_(settings.adaptive ? component.levels().error_estimates()
+                                   : std::vector<ErrorEstimate>()) {
   for (const Level& level : levels) regions_.emplace_back(settings.regions, level);
   for (const ErrorEstimate& e : estimates_) values_.push_back(e.value);
   all_ = values_;
@@ -177,7 +178,7 @@ std::vector<double> RefinementFlags::largest_errors(const std::vector<LevelSolve
 void RefinementFlags::add_seeds(const LevelSolver& solver, Communicator& communicator,
                                 const ParticleCloud* particles, FlagField& flags) const {
   const Level& level = solver.level();
-  std::vector<FlagSeeds> all = component_->flag_seeds(solver.state());
+  std::vector<FlagSeeds> all = component_->levels().flag_seeds(solver.state());
   if (particles != nullptr)
     for (FlagSeeds& seeds : particles->flag_seeds(level.index)) all.push_back(std::move(seeds));
   for (const FlagSeeds& seeds : all) {

@@ -71,7 +71,7 @@ class FlagTest : public testing::Test {
     for (const Level& level : levels_) {
       solvers_.push_back(
           std::make_unique<LevelSolver>(*component_, level, world(), SolverOptions{}));
-      component_->initialise(solvers_.back()->state());
+      component_->state().initialise(solvers_.back()->state());
     }
   }
   FlagField flags() {

@@ -50,18 +50,20 @@ SavedLabels sort_saves(const OutputSettings& output, const Hierarchy& hierarchy,
       add(saved.on_grid);
     } else if (label && is_analysed(*label)) {
       add(saved.analysed);
-    } else if (label && (solver.is_step_label(*label) || solver.is_diagnostic_label(*label))) {
+    } else if (label && (solver.graphs().is_step_label(*label) ||
+                         solver.graphs().is_diagnostic_label(*label))) {
       // Of some materials the one, of others the other.
-      if (solver.is_step_label(*label)) add(saved.step);
-      if (solver.is_diagnostic_label(*label)) add(saved.diagnostic);
+      if (solver.graphs().is_step_label(*label)) add(saved.step);
+      if (solver.graphs().is_diagnostic_label(*label)) add(saved.diagnostic);
     } else if (const ParticleMethod* method = hierarchy.component().particles();
                method != nullptr && method->is_absent(request.label)) {
       continue;
     } else {
       std::vector<std::string> names;
       for (Label l : all_labels())
-        if (solver.is_step_label(l) || solver.is_diagnostic_label(l) || is_analysed(l) ||
-            is_of_particles(l) || is_on_grid(l) || l.info().centring == Centring::reduction)
+        if (solver.graphs().is_step_label(l) || solver.graphs().is_diagnostic_label(l) ||
+            is_analysed(l) || is_of_particles(l) || is_on_grid(l) ||
+            l.info().centring == Centring::reduction)
           names.push_back(l.name());
       refuse_label(request.where, LabelUse::save, request.label, names);
     }
@@ -166,8 +168,8 @@ void OutputWriter::add_analysed_pieces(LevelSolver& solver, std::vector<FieldPie
 void OutputWriter::add_checkpoint_pieces(LevelSolver& solver,
                                          std::vector<FieldPiece>& pieces) const {
   const Warehouse& state = solver.state();
-  const std::vector<SlotInfo> slots = component_->state_slots();
-  const std::vector<std::vector<Label>> labels = component_->checkpoint_labels();
+  const std::vector<SlotInfo> slots = component_->state().slots();
+  const std::vector<std::vector<Label>> labels = component_->state().checkpoint_labels();
   for (std::size_t s = 0; s < slots.size(); ++s) {
     const int slot = state.find(slots[s].label, slots[s].material);
     for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b)
@@ -221,7 +223,7 @@ void OutputWriter::write_output(const StepInfo& info, bool initial) {
       pieces.insert(pieces.end(), more.begin(), more.end());
     }
   }
-  archive_.write_output(info, hierarchy_->grid(), pieces);
+  archive_.write_output(info, hierarchy_->levels().grid(), pieces);
   seconds_ += seconds_since(start);
 }
 
@@ -237,7 +239,7 @@ void OutputWriter::write_checkpoint(const StepInfo& info) {
     hierarchy_->particles()->add_pieces([](Label, int, int) { return true; }, particles);
     pieces.insert(pieces.end(), particles.pieces.begin(), particles.pieces.end());
   }
-  archive_.write_checkpoint(info, hierarchy_->grid(), pieces);
+  archive_.write_checkpoint(info, hierarchy_->levels().grid(), pieces);
   seconds_ += seconds_since(start);
 }
 
@@ -255,9 +257,11 @@ void OutputWriter::write_histories(int step, double time, const Totals& totals) 
     if (analysed)
       archive_.history(label.name(), -1, step, time, *analysed);
     else if (label.info().type == ValueType::vector)
-      archive_.history(label.name(), -1, step, time, component_->history_vector(label, totals));
+      archive_.history(label.name(), -1, step, time,
+                       component_->outputs().history_vector(label, totals));
     else
-      archive_.history(label.name(), -1, step, time, component_->history_value(label, totals));
+      archive_.history(label.name(), -1, step, time,
+                       component_->outputs().history_value(label, totals));
   }
 }
 

@@ -22,7 +22,7 @@ class OutputWriterTest : public testing::Test {
         component_(scene_.grid.levels.front()),
         hierarchy_(scene_, component_, world(), {}) {
     mock_labels();
-    component_.initialise(hierarchy_.level(0).state());
+    component_.state().initialise(hierarchy_.level(0).state());
   }
 
   void save(const char* label, const char* compression = "") {

@@ -81,9 +81,9 @@ RunLabels::RunLabels(const Component& component, std::vector<std::string> histor
     : histories_(std::move(histories)) {
   TaskList step, diagnostics;
   StepVariant general;
-  general.kind = component.step_kinds() - 1;
-  component.declare_step(step, general);
-  component.declare_diagnostics(diagnostics, 0);
+  general.kind = component.blocks().kinds() - 1;
+  component.step().declare(step, general);
+  component.outputs().declare_diagnostics(diagnostics, 0);
   add_outputs(step, labels_);
   add_outputs(diagnostics, labels_);
   const ParticleMethod* particles = component.particles();

@@ -53,10 +53,10 @@ Simulation::Simulation(const Scene& scene, const Component& component, Communica
       time_(scene.time, scene.output, options_.limits),
       hierarchy_(empty_hierarchy(scene, component)),
       analysis_(std::make_unique<AnalysisRecorder>(scene, *hierarchy_, communicator)),
-      level_history_(hierarchy_->possible_levels(), communicator.is_root()),
+      level_history_(hierarchy_->levels().possible(), communicator.is_root()),
       conservation_(conserved_names(component)),
-      tracked_(component.tracked_names()) {
-  time_.set_switches(component.output_switches());
+      tracked_(component.budgets().tracked_names()) {
+  time_.set_switches(component.outputs().switches());
 }
 
 Simulation::~Simulation() = default;
@@ -66,7 +66,7 @@ void Simulation::restart_from(const ArchiveStep& checkpoint) {
   hierarchy_->restore(checkpoint);
   const std::map<std::string, std::string>& kept = checkpoint.info().state;
   time_.restart(time_state_from_json_text(kept.at("time")));
-  hierarchy_->set_previous_dt(time_.state().previous_dt);
+  hierarchy_->coarse_step().set_previous_dt(time_.state().previous_dt);
   set_totals(true);
   conservation_.restore(Json::parse(kept.at("conservation")));
   if (const auto counted = kept.find("tallies"); counted != kept.end() && tracked_.count() > 0)
@@ -87,12 +87,12 @@ void Simulation::restart_from(const ArchiveStep& checkpoint) {
 StepLimit Simulation::limit_at_restart(const std::map<std::string, std::string>& kept) {
   const auto found = kept.find("rates");
   Rates rates = found == kept.end() ? Rates() : Json::parse(found->second).get<Rates>();
-  rates.resize(hierarchy_->possible_levels());
+  rates.resize(hierarchy_->levels().possible());
   for (int l = 0; l < hierarchy_->level_count(); ++l)
-    if (static_cast<int>(rates[l].size()) != component_->reduction_maxima())
+    if (static_cast<int>(rates[l].size()) != component_->step().reductions().maxima())
       return {time_.state().physics_dt, "checkpoint"};
-  hierarchy_->set_rates(std::move(rates));
-  return hierarchy_->step_limit();
+  hierarchy_->rates().set_maxima(std::move(rates));
+  return hierarchy_->rates().limit();
 }
 
 void Simulation::start() {
@@ -106,7 +106,7 @@ void Simulation::start() {
   } else {
     hierarchy_->initialise();
     set_totals(true);
-    limit_ = hierarchy_->first_step_limit();
+    limit_ = hierarchy_->rates().first_limit();
     time_.remember_physics_dt(limit_.dt);
   }
   // Bad labels are found also when nothing is written.
@@ -137,7 +137,7 @@ void Simulation::start() {
   p.max_steps =
       options_.limits.max_steps > 0 ? options_.limits.max_steps : scene_->time.max_timesteps;
   p.wall_limit = options_.limits.wall_seconds;
-  if (!component_->state_slots().empty()) p.cells = hierarchy_->cell_count();
+  if (!component_->state().slots().empty()) p.cells = hierarchy_->levels().cell_count();
   progress_ = std::make_unique<Progress>(p);
   start_seconds_ = control_.wall_seconds();
   if (output_ != nullptr) start_seconds_ -= output_->seconds();
@@ -171,12 +171,13 @@ StepInfo Simulation::step_info() const {
   if (energies_.any()) info.state["energies"] = energies_.checkpoint().dump();
   if (parted_.any()) info.state["parted"] = parted_.checkpoint().dump();
   info.state["events"] = ledger_.to_json().dump();
-  if (all_finite(hierarchy_->rates())) info.state["rates"] = Json(hierarchy_->rates()).dump();
+  if (all_finite(hierarchy_->rates().maxima()))
+    info.state["rates"] = Json(hierarchy_->rates().maxima()).dump();
   if (analysis_->any()) info.state["analysis"] = analysis_->state();
   if (const ParticleCloud* particles = hierarchy_->particles())
     info.state["particles"] = particles->state();
   if (!options_.successors.empty()) info.state["component"] = Json(running_).dump();
-  if (const std::string regrid = hierarchy_->regrid_state(); !regrid.empty())
+  if (const std::string regrid = hierarchy_->regridding().state(); !regrid.empty())
     info.state["regrid"] = regrid;
   return info;
 }
@@ -199,7 +200,7 @@ void Simulation::fail(const StepPlan& plan, const CycleResult& a) {
       "<advection type=\"FirstOrder\">, or look at the state before this step in the last "
       "checkpoint",
       plan.step, plan.start, a.faults, a.faults == 1 ? "" : "s", plan.dt, f.cell.x, f.cell.y,
-      f.cell.z, f.level, f.material, component_->describe_fault(f.kind), f.value));
+      f.cell.z, f.level, f.material, component_->step().describe_fault(f.kind), f.value));
 }
 
 // The state was damaged from outside (memory, a fault of the program): a smaller step cannot help.
@@ -228,7 +229,7 @@ std::vector<Label> Simulation::labels_to_store(const StepPlan& plan) const {
 // is touched.
 StepPlan Simulation::advance(StepPlan plan, CycleResult& result) {
   EnergyAttempts energies;
-  hierarchy_->set_judge([&](const std::vector<double>& sums, std::string& reason) {
+  hierarchy_->coarse_step().set_judge([&](const std::vector<double>& sums, std::string& reason) {
     return judge_energies(plan, sums, energies, reason);
   });
   for (int smaller = 0;; ++smaller) {
@@ -236,10 +237,10 @@ StepPlan Simulation::advance(StepPlan plan, CycleResult& result) {
     result = hierarchy_->attempt(plan.step, plan.start, plan.dt, labels_to_store(plan), control_,
                                  ledger_);
     if (result.good) {
-      hierarchy_->set_judge({});
+      hierarchy_->coarse_step().set_judge({});
       hierarchy_->accept();
       ledger_.accept_step();
-      result.sums = hierarchy_->step_sums();  // with what was booked at acceptance
+      result.sums = hierarchy_->coarse_step().result().sums;  // with what was booked at acceptance
       return plan;
     }
     hierarchy_->reject();
@@ -262,7 +263,7 @@ StepPlan Simulation::advance(StepPlan plan, CycleResult& result) {
 
 void Simulation::sample_levels() {
   std::vector<std::int64_t> cells;
-  for (int l = 0; l < hierarchy_->possible_levels(); ++l)
+  for (int l = 0; l < hierarchy_->levels().possible(); ++l)
     cells.push_back(hierarchy_->level(l).level().cell_count());
   level_history_.sample(time_.state().step, time_.state().time, cells);
 }
@@ -286,7 +287,7 @@ void Simulation::prepare_next(const StepPlan& plan, const StepEnd& end) {
   const auto start = std::chrono::steady_clock::now();
   const bool regridded = hierarchy_->regrid(plan.step);
   if (hierarchy_->balance(plan.step) || regridded) {
-    limit_ = hierarchy_->step_limit();
+    limit_ = hierarchy_->rates().limit();
     time_.remember_physics_dt(limit_.dt);
     analysis_->follow_levels();
   }
@@ -310,9 +311,9 @@ void Simulation::plant_nan(IntVec3 cell) {
 }
 
 void Simulation::act_on_switches(const std::vector<double>& sums) {
-  const std::vector<OutputSwitch> switches = component_->output_switches();
+  const std::vector<OutputSwitch> switches = component_->outputs().switches();
   for (std::size_t n = 0; n < switches.size(); ++n) {
-    if (!component_->passes_switch(n, sums) || !time_.act_on_switch(n)) continue;
+    if (!component_->outputs().passes_switch(n, sums) || !time_.act_on_switch(n)) continue;
     const TimeState& t = time_.state();
     std::string note = fmt::format(
         "step {} at t = {:.6g}: outputs every {:g}, checkpoints every {:g} from here on", t.step,
@@ -333,7 +334,7 @@ void Simulation::step() {
   record(plan, result.sums);
   record_energies(plan, result.sums);
   analysis_->record(plan.dt, result.sums);
-  limit_ = hierarchy_->step_limit();
+  limit_ = hierarchy_->rates().limit();
   stepping_seconds_ +=
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const RunControl::Answer& answer = result.control;

@@ -50,7 +50,8 @@ Totals Simulation::totals() {
   }
   // A step of particles in stages has no sweep: what its stages summed.
   const ParticleMethod* method = component_->particles();
-  if (method != nullptr && method->in_stages()) t.sweep_sums = hierarchy_->step_sums();
+  if (method != nullptr && method->in_stages())
+    t.sweep_sums = hierarchy_->coarse_step().result().sums;
   return t;
 }
 
@@ -74,7 +75,7 @@ void Simulation::set_totals(bool at_start) {
   energy.merge(t.kinetic_energy);
   set(energy);
   q = 0;
-  for (const ConservedTotal& total : component_->tallied_totals(t)) {
+  for (const ConservedTotal& total : component_->budgets().tallied_totals(t)) {
     if (at_start) tracked_.set_start(q, total);
     tracked_.set_now(q++, total);
   }
@@ -82,8 +83,9 @@ void Simulation::set_totals(bool at_start) {
 }
 
 void Simulation::record(const StepPlan& plan, const std::vector<double>& sums) {
-  const bool joined = hierarchy_->possible_levels() > 1;
-  const StepBalance b = component_->balance(sums, joined ? nullptr : &step_start_, plan.dt);
+  const bool joined = hierarchy_->levels().possible() > 1;
+  const StepBalance b =
+      component_->budgets().balance(sums, joined ? nullptr : &step_start_, plan.dt);
   int q = 0;
   for (std::size_t m = 0; m < b.mass.size(); ++m) {
     conservation_.add_boundary(q++, single(b.mass[m]));
@@ -99,7 +101,7 @@ void Simulation::record(const StepPlan& plan, const std::vector<double>& sums) {
   }
   conservation_.add_boundary(q, single(b.energy));
   conservation_.add_sources(q, single(b.energy_of_forces));
-  const std::vector<double> added = component_->tracked_totals(sums);
+  const std::vector<double> added = component_->budgets().tracked_totals(sums);
   for (std::size_t n = 0; n < added.size(); ++n)
     tracked_.add_sources(static_cast<int>(n), single(added[n]));
 }

@@ -20,7 +20,7 @@ double Simulation::min_spacing() const {
 bool Simulation::judge_energies(const StepPlan& plan, const std::vector<double>& sums,
                                 EnergyAttempts& attempts, std::string& reason) {
   attempts.refused = false;
-  const std::vector<BodyEnergy> bodies = component_->body_energies(sums);
+  const std::vector<BodyEnergy> bodies = component_->budgets().body_energies(sums);
   if (bodies.empty()) return true;
   const std::optional<EnergyGuard::Excess> excess = energies_.judge(bodies, plan.dt, min_spacing());
   if (!excess) return true;
@@ -30,7 +30,7 @@ bool Simulation::judge_energies(const StepPlan& plan, const std::vector<double>&
   if (inherited || 0.5 * plan.dt < scene_->time.delt_min) return true;
   const BodyEnergy& body = bodies[excess->body];
   const std::string where =
-      component_->place_of_gain(*hierarchy_->particles(), body.material, *communicator_);
+      component_->budgets().place_of_gain(*hierarchy_->particles(), body.material, *communicator_);
   reason = fmt::format(
       "solid '{}' gains {:.3g} J by numerical error of transfer and integration, {:.2g} of its "
       "energy ({:.3g} J; a step may gain {:g} of it){}. The physics allowed a step of {:g}, set by "
@@ -45,7 +45,7 @@ bool Simulation::judge_energies(const StepPlan& plan, const std::vector<double>&
 }
 
 void Simulation::record_energies(const StepPlan& plan, const std::vector<double>& sums) {
-  const std::vector<BodyEnergy> bodies = component_->body_energies(sums);
+  const std::vector<BodyEnergy> bodies = component_->budgets().body_energies(sums);
   if (!bodies.empty()) energies_.accept(bodies, plan.step, plan.dt, min_spacing());
   parted_.accept(bodies, plan.step, plan.end);
 }

@@ -14,7 +14,7 @@ RunReport Simulation::report() const {
   r.last_step = time_.state().step;
   r.last_checkpoint = last_checkpoint_step_;
   r.time = time_.state().time;
-  r.cells = hierarchy_->cell_count();
+  r.cells = hierarchy_->levels().cell_count();
   r.ranks = communicator_->size();
   r.threads = options_.threads;
   r.wall_seconds = control_.wall_seconds();
@@ -25,18 +25,18 @@ RunReport Simulation::report() const {
   r.step_limit = limit_.reason;
   r.levels = hierarchy_->costs();
   if (const ParticleCloud* particles = hierarchy_->particles()) r.particles = particles->counts();
-  r.regrids = hierarchy_->regrids();
-  r.regrid_seconds = hierarchy_->regrid_seconds();
-  r.balances = hierarchy_->balances();
-  r.balance_seconds = hierarchy_->balance_seconds();
+  r.regrids = hierarchy_->regridding().count();
+  r.regrid_seconds = hierarchy_->regridding().seconds();
+  r.balances = hierarchy_->balancing().count();
+  r.balance_seconds = hierarchy_->balancing().seconds();
   for (const LevelCost& level : r.levels) r.cell_updates += level.updates;
   std::vector<double> seconds(component_->effects().size(), 0.0);
-  for (int l = 0; l < hierarchy_->possible_levels(); ++l) {
+  for (int l = 0; l < hierarchy_->levels().possible(); ++l) {
     const LevelSolver& solver = hierarchy_->level(l);
-    r.blocks_run += solver.blocks_run();
-    r.blocks_skipped += solver.blocks_skipped();
-    r.updates_skipped += solver.cells_skipped();
-    const std::vector<double> own = solver.effect_seconds();
+    r.blocks_run += solver.graphs().blocks_run();
+    r.blocks_skipped += solver.graphs().blocks_skipped();
+    r.updates_skipped += solver.graphs().cells_skipped();
+    const std::vector<double> own = solver.graphs().effect_seconds();
     for (std::size_t e = 0; e < own.size(); ++e) seconds[e] += own[e];
   }
   Reduction of_all;
@@ -48,9 +48,9 @@ RunReport Simulation::report() const {
   r.blocks_skipped = of_all.count(asleep);
   r.updates_skipped = of_all.count(updates);
   r.particle_updates = of_all.count(particles_moved);
-  r.particles_alone = component_->particles() != nullptr && component_->state_slots().empty();
-  const std::vector<int> tasks = hierarchy_->level(0).effect_tasks();
-  const std::vector<double> doubles = hierarchy_->level(0).effect_doubles();
+  r.particles_alone = component_->particles() != nullptr && component_->state().slots().empty();
+  const std::vector<int> tasks = hierarchy_->level(0).graphs().effect_tasks();
+  const std::vector<double> doubles = hierarchy_->level(0).graphs().effect_doubles();
   for (int e = 0; e < component_->effects().size(); ++e) {
     r.effects.push_back({component_->effects()[e], tasks[e],
                          doubles[e] * static_cast<double>(sizeof(double)), seconds[e]});
@@ -58,9 +58,9 @@ RunReport Simulation::report() const {
   r.events_json = ledger_.to_json().dump();
   r.conservation_json = conservation_.to_json().dump();
   r.worst_drift = conservation_.worst_drift();
-  r.budget = component_->budget(tracked_);
+  r.budget = component_->budgets().budget(tracked_);
   r.solids_json = energies_.to_json().dump();
-  r.solids_text = energies_.summary(component_->better_for_energy()) + parted_.summary();
+  r.solids_text = energies_.summary(component_->budgets().better_for_energy()) + parted_.summary();
   r.energy_scale = conservation_.scale(component_->material_count() + 3);
   return r;
 }

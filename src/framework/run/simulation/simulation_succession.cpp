@@ -70,7 +70,7 @@ void Simulation::hand_over() {
   if (output_ != nullptr) output_->follow(*scene_, *component_, *hierarchy_, analysis_.get());
   // Totals are of the same particles: what has been booked until now stays.
   set_totals(false);
-  limit_ = hierarchy_->step_limit();
+  limit_ = hierarchy_->rates().limit();
   time_.remember_physics_dt(limit_.dt);
   EventPlace place;
   place.step = time_.state().step;

@@ -14,7 +14,7 @@
 
 #include "framework/grid/box_list.hpp"
 #include "framework/refine/face_table.hpp"
-#include "framework/run/component/component.hpp"
+#include "framework/run/test_support/all_facets.hpp"
 #include "framework/scene/scene.hpp"
 
 namespace sluice::hierarchy_test {
@@ -122,9 +122,10 @@ class MockTransfer final : public TransferOperators {
   }
 };
 
-class HierarchyMock final : public Component {
+class HierarchyMock final : public run_test::AllFacets {
  public:
-  HierarchyMock(const Scene& scene, const Wishes& wishes) : scene_(&scene), wishes_(&wishes) {
+  HierarchyMock(const Scene& scene, const Wishes& wishes)
+      : AllFacets(1, 1), scene_(&scene), wishes_(&wishes) {
     effects_.add({"flow", true, "always", {}});
     effects_.add({"flags", true, "saved", {}});
   }
@@ -133,7 +134,7 @@ class HierarchyMock final : public Component {
   std::string name() const override { return "mock on levels"; }
   const EffectList& effects() const override { return effects_; }
   int material_count() const override { return quantities; }  // totals count s as one
-  std::vector<SlotInfo> state_slots() const override {
+  std::vector<SlotInfo> slots() const override {
     const MockLabels& l = mock_labels();
     return {{l.b, 1, 1, 1}, {l.a, 0, 1, 2}, {l.s, 0, 1, 2}};
   }
@@ -143,9 +144,9 @@ class HierarchyMock final : public Component {
   void initialise(Warehouse& state) const override;
   void fill_boundary(Warehouse& state, double time, std::span<const double> sums,
                      const ThreadTeam& team) const override;
-  void declare_step(TaskList& list, const StepVariant& variant) const override;
-  int step_kinds() const override { return wishes_->kinds ? 2 : 1; }
-  int step_kind(const Warehouse& old, int box, const IndexBox& cells) const override {
+  void declare(TaskList& list, const StepVariant& variant) const override;
+  int kinds() const override { return wishes_->kinds ? 2 : 1; }
+  int kind_of(const Warehouse& old, int box, const IndexBox& cells) const override {
     return old.any_nonzero(slots_of(old)[1], 0, box, cells) ? 1 : 0;
   }
   Schedule before_sweep(LevelSolver& level) const override {
@@ -155,12 +156,10 @@ class HierarchyMock final : public Component {
   const TransferOperators& transfer() const override { return transfer_; }
   Label refine_flag() const override { return mock_labels().flag; }
   Label mask_label() const override { return mock_labels().mask; }
-  int reduction_maxima() const override { return 1; }
-  int reduction_sums() const override { return 1; }  // of a, gained in uncovered cells
   bool skipping_allowed() const override { return false; }
   double courant_number() const override { return 0; }  // flags are widened as the scene says
   void measure_rates(const Warehouse& state, Reductions& rates) const override;
-  StepLimit step_limit(const std::vector<double>& maxima) const override {
+  StepLimit limit(const std::vector<double>& maxima) const override {
     return {wishes_->cfl / maxima[0], "mock rate"};
   }
   // Masses of a, b and s.

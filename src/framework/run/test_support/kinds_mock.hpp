@@ -9,8 +9,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "framework/run/component/component.hpp"
-#include "framework/run/component/no_transfer.hpp"
+#include "framework/run/test_support/all_facets.hpp"
 #include "framework/scene/scene.hpp"
 
 namespace sluice::kinds_test {
@@ -46,13 +45,14 @@ inline double momentum_of(double before, double mass_before, double mass) {
   return before + 0.125 * (mass - mass_before);
 }
 
-class KindsMock final : public Component {
+class KindsMock final : public run_test::AllFacets {
  public:
   using Start = std::function<double(int material, IntVec3 cell)>;
   double most = 1e300;       // a larger mass is a fault, except where masked
   mutable int declared = 0;  // graphs
 
-  KindsMock(const Level& level, Start start) : level_(&level), start_(std::move(start)) {
+  KindsMock(const Level& level, Start start)
+      : AllFacets(1, 2), level_(&level), start_(std::move(start)) {
     effects_.add({"flow", true, "always", {}});
     effects_.add({"mixing", true, "two materials", {}});
   }
@@ -60,7 +60,7 @@ class KindsMock final : public Component {
   std::string name() const override { return "kinds"; }
   const EffectList& effects() const override { return effects_; }
   int material_count() const override { return 2; }
-  std::vector<SlotInfo> state_slots() const override {
+  std::vector<SlotInfo> slots() const override {
     const KindsLabels& l = kinds_labels();
     return {{l.mass, 0, 1, 2},
             {l.share, 0, 1, 2},
@@ -72,13 +72,11 @@ class KindsMock final : public Component {
   Label mask_label() const override { return kinds_labels().mask; }
   const TransferOperators& transfer() const override { return transfer_; }
   Label refine_flag() const override { return {}; }
-  int reduction_maxima() const override { return 1; }
-  int reduction_sums() const override { return 2; }  // what entered of each material
   bool skipping_allowed() const override { return true; }
   double courant_number() const override { return 0.5; }
 
-  int step_kinds() const override { return 3; }
-  int step_kind(const Warehouse& old, int box, const IndexBox& cells) const override {
+  int kinds() const override { return 3; }
+  int kind_of(const Warehouse& old, int box, const IndexBox& cells) const override {
     const bool first = old.any_nonzero(old.find(kinds_labels().mass, 0), 0, box, cells),
                second = old.any_nonzero(old.find(kinds_labels().mass, 1), 0, box, cells);
     return first == second ? 2 : second ? 1 : 0;
@@ -91,10 +89,10 @@ class KindsMock final : public Component {
   void initialise(Warehouse& state) const override;
   void fill_boundary(Warehouse& state, double, std::span<const double>,
                      const ThreadTeam&) const override;
-  void declare_step(TaskList& list, const StepVariant& variant) const override;
+  void declare(TaskList& list, const StepVariant& variant) const override;
   void declare_diagnostics(TaskList&, int) const override {}
   void measure_rates(const Warehouse&, Reductions&) const override {}
-  StepLimit step_limit(const std::vector<double>&) const override { return {0.5, "kinds"}; }
+  StepLimit limit(const std::vector<double>&) const override { return {0.5, "kinds"}; }
   void add_totals(const Warehouse&, const LevelCoverage&, Totals&) const override {}
   StepBalance balance(const std::vector<double>&, const StepStart*, double) const override {
     return {};
@@ -171,7 +169,7 @@ inline void KindsMock::declare_flux(TaskList& list, int material, bool masked,
   store.kernel([=](const Row& row) { std::copy_n(row(from), row.count(), row(to)); });
 }
 
-inline void KindsMock::declare_step(TaskList& list, const StepVariant& variant) const {
+inline void KindsMock::declare(TaskList& list, const StepVariant& variant) const {
   ++declared;
   const KindsLabels& l = kinds_labels();
   const bool mixed = variant.kind == 2, masked = variant.masked;

@@ -4,8 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "framework/run/component/component.hpp"
-#include "framework/run/component/no_transfer.hpp"
+#include "framework/run/test_support/all_facets.hpp"
 #include "framework/scene/scene.hpp"
 
 namespace sluice::run_test {
@@ -22,13 +21,13 @@ inline const MockLabels& mock_labels() {
   return labels;
 }
 
-class MockComponent : public Component {
+class MockComponent : public AllFacets {
  public:
   double greed = 0.5;          // the step as a share of dx: above 1 a step must be redone
   double most = 1e300;         // a larger q is a fault, except where slopes are masked
   double fails_after = 1e300;  // from this time on every step is a fault
 
-  MockComponent(const Level& level) : level_(&level) {
+  MockComponent(const Level& level) : AllFacets(1, 1), level_(&level) {
     effects_.add({"flow", true, "always", {}});
     effects_.add({"diagnostics", true, "saved", {}});
   }
@@ -36,13 +35,11 @@ class MockComponent : public Component {
   std::string name() const override { return "mock"; }
   const EffectList& effects() const override { return effects_; }
   int material_count() const override { return 1; }
-  std::vector<SlotInfo> state_slots() const override { return {{mock_labels().q, 0, 1, 1}}; }
+  std::vector<SlotInfo> slots() const override { return {{mock_labels().q, 0, 1, 1}}; }
   std::vector<std::vector<Label>> checkpoint_labels() const override { return {{mock_labels().q}}; }
   Label mask_label() const override { return mock_labels().mask; }
   const TransferOperators& transfer() const override { return transfer_; }
   Label refine_flag() const override { return mock_labels().square; }
-  int reduction_maxima() const override { return 1; }
-  int reduction_sums() const override { return 1; }
   bool skipping_allowed() const override { return true; }
   double courant_number() const override { return greed; }
 
@@ -66,7 +63,7 @@ class MockComponent : public Component {
       }
   }
 
-  void declare_step(TaskList& list, const StepVariant& variant) const override {
+  void declare(TaskList& list, const StepVariant& variant) const override {
     const bool masked = variant.masked;
     const MockLabels& l = mock_labels();
     const VariableId q = list.old_state(l.q, 0, 1), next = list.new_state(l.q, 0, 1);
@@ -98,7 +95,7 @@ class MockComponent : public Component {
   void measure_rates(const Warehouse&, Reductions& rates) const override {
     rates.maximum(0, ordered_bits(1 / level_->spacing.x));
   }
-  StepLimit step_limit(const std::vector<double>& maxima) const override {
+  StepLimit limit(const std::vector<double>& maxima) const override {
     return {greed / maxima[0], "mock: greed dx"};
   }
   void add_totals(const Warehouse& state, const LevelCoverage& /*coverage*/,

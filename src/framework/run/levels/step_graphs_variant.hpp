@@ -1,10 +1,10 @@
-// A compiled graph of a level's step or diagnostics; for the files of LevelSolver alone.
+// A compiled graph of a level's step or diagnostics; for the files of StepGraphs alone.
 #pragma once
-#include "framework/run/levels/level_solver.hpp"
+#include "framework/run/levels/step_graphs.hpp"
 
 namespace sluice {
 
-struct LevelSolver::Variant {
+struct StepGraphs::Variant {
   std::vector<std::unique_ptr<TaskList>> lists;  // by kind, those that were met
   std::unique_ptr<SweepExecutor> executor;
   int layout = -1;  // of the level when it was last bound

@@ -1,0 +1,33 @@
+// Moves boxes to other ranks where that makes the busiest rank faster.
+#pragma once
+#include "framework/run/levels/levels.hpp"
+#include "framework/run/levels/particle_cloud.hpp"
+
+namespace sluice {
+
+class Balancing {
+ public:
+  // `particles`: null without any.
+  Balancing(const Scene& scene, Communicator& communicator, Levels& levels,
+            ParticleCloud* particles)
+      : scene_(&scene), communicator_(&communicator), levels_(&levels), particles_(particles) {}
+
+  // True when boxes have moved. Looks every 50 coarse steps. Collective.
+  bool balance(int step);
+  // Goes on from that of an earlier part of the run.
+  void succeed(const Balancing& earlier);
+
+  int count() const { return count_; }
+  double seconds() const { return seconds_; }
+
+ private:
+  const Scene* scene_;
+  Communicator* communicator_;
+  Levels* levels_;
+  ParticleCloud* particles_;
+  int last_ = 0;  // step of the last look
+  int count_ = 0;
+  double seconds_ = 0;
+};
+
+}  // namespace sluice

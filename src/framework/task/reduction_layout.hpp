@@ -1,0 +1,51 @@
+// Which sums and maxima of a step belong to whom. Each part of a component registers its own once
+// and keeps the group that it is given: by it the part finds its numbers among all of a step.
+#pragma once
+#include <span>
+#include <vector>
+
+namespace sluice {
+
+// Numbers of one part among the sums (or the maxima) of a step; an empty group: none.
+template <class Kind>
+class ReductionGroup {
+ public:
+  ReductionGroup() = default;
+
+  int first() const { return first_; }
+  int count() const { return count_; }
+  bool empty() const { return count_ == 0; }
+  // This part's of all; `all` has as many as the layout.
+  std::span<const double> of(const std::vector<double>& all) const {
+    return std::span(all).subspan(first_, count_);
+  }
+  std::span<double> of(std::vector<double>& all) const {
+    return std::span(all).subspan(first_, count_);
+  }
+
+ private:
+  friend class ReductionLayout;
+  ReductionGroup(int first, int count) : first_(first), count_(count) {}
+  int first_ = 0, count_ = 0;
+};
+using SumGroup = ReductionGroup<struct SumKind>;
+using MaximumGroup = ReductionGroup<struct MaximumKind>;
+
+class ReductionLayout {
+ public:
+  SumGroup add_sums(int count) {
+    sums_ += count;
+    return {sums_ - count, count};
+  }
+  MaximumGroup add_maxima(int count) {
+    maxima_ += count;
+    return {maxima_ - count, count};
+  }
+  int sums() const { return sums_; }
+  int maxima() const { return maxima_; }
+
+ private:
+  int sums_ = 0, maxima_ = 0;
+};
+
+}  // namespace sluice
