@@ -66,10 +66,9 @@ void check_profile(const DeckNode& root, const DeckNode& condition, const char* 
   if (profile == nullptr) return;
   if (profile->child(wanted) == nullptr)
     add_error(faults, profile->where, fmt::format("a {} needs <{}>", kind, wanted));
-  const DeckNode* tag = condition.child("value");
-  const auto text = tag != nullptr ? std::optional(tag->text) : condition.attribute("value");
-  if (!text || !parse_vector(*text))
-    add_error(faults, (tag != nullptr ? *tag : condition).where,
+  const ConditionValue value = condition_value(condition);
+  if (!value.text || !parse_vector(*value.text))
+    add_error(faults, value.where,
               fmt::format("{} needs a <value> that is a vector, as [1.0, 0.0, 0.0]", kind));
 }
 
