@@ -26,7 +26,7 @@ struct FaceCondition {
   // What must hold of a condition beyond its variable and its block.
   void (*check)(const DeckNode& root, const DeckNode& condition,
                 std::vector<Fault>& faults) = nullptr;
-  // Of the velocity: nothing passes the face, or what passes is given.
+  // Of the velocity: nothing passes the face, or what passes is given, with a <value>.
   bool wall = false, gives_velocity = false;
   // The mean free path of one gas counts.
   bool rarefied = false;
