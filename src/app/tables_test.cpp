@@ -1,5 +1,5 @@
-// The tables of what decks may name: every row is described in the reference and refuses a bad deck,
-// with the line of the fault.
+// The tables of what decks may name: every row is described in the reference, and a bad deck is
+// refused with the line of the fault.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
