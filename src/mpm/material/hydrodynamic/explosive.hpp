@@ -1,5 +1,5 @@
-// What explosives as particles have in common: a burnt fraction f that the law of burning gives, and
-// the pressure of a mixture after it.
+// What explosives as particles have in common: a burnt fraction f that the law of burning gives,
+// and the pressure of a mixture after it.
 //
 //   sigma = -p(v, f) I,   v = J J0 of the solid without pressure   (explosive_mixture.hpp)
 //   energy: the work of sigma;   rho c^2 = max(-v dp/dv, 1e-3/K)
