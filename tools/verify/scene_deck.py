@@ -32,6 +32,7 @@ def deck(component, seed, body, sides, cells, upper, *, extra=None, periodic=Non
     """`sides`: a <Face> each; `extra`, `periodic`: a number for each direction; None: no tag."""
     def tag(name, value):
         return "" if value is None else f"<{name}>{value}</{name}>"
-    return DECK.format(component=component, seed=seed, body=body.strip("\n"), sides="\n".join(sides),
-                       cells=cells, upper=upper, extra=tag("extraCells", extra),
-                       periodic=tag("periodic", periodic), multiplier=multiplier, end=end)
+    return DECK.format(component=component, seed=seed, body=body.strip("\n"),
+                       sides="\n".join(sides), cells=cells, upper=upper,
+                       extra=tag("extraCells", extra), periodic=tag("periodic", periodic),
+                       multiplier=multiplier, end=end)
