@@ -8,8 +8,6 @@
 // where c^2 < 0 ends the admissible set. Admissible: rho > 0, T > 0, p > 0, c^2 > 0.
 // Shock slope (n + 1)/4: exact for weak shocks.
 #pragma once
-#include <array>
-
 #include "eos/murnaghan.hpp"
 
 namespace sluice::eos {
@@ -22,17 +20,7 @@ struct BirchMurnaghanCurves {
   double specific_heat = 1.0;
 
   static constexpr std::string_view name = "BirchMurnaghan";
-  static constexpr auto parameters() {
-    using P = Parameter<BirchMurnaghanCurves>;
-    return std::array{
-        P{"n", "", "derivative of the bulk modulus by pressure", &BirchMurnaghanCurves::n,
-          above(0)},
-        P{"K", "1/Pa", "compressibility (not the bulk modulus)", &BirchMurnaghanCurves::K,
-          above(0)},
-        P{"rho0", "kg/m^3", "density of reference", &BirchMurnaghanCurves::rho0, above(0)},
-        P{"P0", "Pa", "pressure at that density", &BirchMurnaghanCurves::P0, above(0)},
-        heat_of_material<BirchMurnaghanCurves>()};
-  }
+  static constexpr auto parameters() { return murnaghan_parameters<BirchMurnaghanCurves>(); }
   static constexpr bool depends_on_energy = false;
   static constexpr bool takes_any_heat = true;
   double offset(double rho) const {

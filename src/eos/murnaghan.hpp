@@ -49,6 +49,17 @@ struct ExpansionBranch {
   double vacuum_compression() const { return std::pow(min_share, K * P0); }  // x_v
 };
 
+// The numbers of both laws.
+template <class Curves>
+constexpr auto murnaghan_parameters() {
+  using P = Parameter<Curves>;
+  return std::array{P{"n", "", "derivative of the bulk modulus by pressure", &Curves::n, above(0)},
+                    P{"K", "1/Pa", "compressibility (not the bulk modulus)", &Curves::K, above(0)},
+                    P{"rho0", "kg/m^3", "density of reference", &Curves::rho0, above(0)},
+                    P{"P0", "Pa", "pressure at that density", &Curves::P0, above(0)},
+                    heat_of_material<Curves>()};
+}
+
 struct MurnaghanCurves {
   double n = 7.0;
   double K = 1.0;
@@ -57,15 +68,7 @@ struct MurnaghanCurves {
   double specific_heat = 1.0;
 
   static constexpr std::string_view name = "Murnaghan";
-  static constexpr auto parameters() {
-    using P = Parameter<MurnaghanCurves>;
-    return std::array{
-        P{"n", "", "derivative of the bulk modulus by pressure", &MurnaghanCurves::n, above(0)},
-        P{"K", "1/Pa", "compressibility (not the bulk modulus)", &MurnaghanCurves::K, above(0)},
-        P{"rho0", "kg/m^3", "density of reference", &MurnaghanCurves::rho0, above(0)},
-        P{"P0", "Pa", "pressure at that density", &MurnaghanCurves::P0, above(0)},
-        heat_of_material<MurnaghanCurves>()};
-  }
+  static constexpr auto parameters() { return murnaghan_parameters<MurnaghanCurves>(); }
   static constexpr bool depends_on_energy = false;
   static constexpr bool takes_any_heat = true;
   double offset(double rho) const {

@@ -32,9 +32,10 @@ struct Tillotson {
     using P = Parameter<Tillotson>;
     return std::array{
         P{"a", "", "Grueneisen coefficient of the vapour", &Tillotson::a, above(0)},
-        P{"b", "", "what the condensed body adds to it", &Tillotson::b, at_least(0)},
+        P{"b", "", "what the condensed body adds to the Grueneisen coefficient", &Tillotson::b,
+          at_least(0)},
         P{"A", "Pa", "bulk modulus", &Tillotson::A, above(0)},
-        P{"B", "Pa", "its growth with compression", &Tillotson::B, any_number()},
+        P{"B", "Pa", "growth of the bulk modulus with compression", &Tillotson::B, any_number()},
         P{"E0", "J/kg", "energy at which b has halved", &Tillotson::E0, above(0)},
         P{"Es", "J/kg", "energy of incipient vaporisation", &Tillotson::Es, above(0)},
         P{"Esp", "J/kg", "energy of complete vaporisation", &Tillotson::Esp, above(0)},

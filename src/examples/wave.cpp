@@ -157,7 +157,8 @@ WaveLabels claim_wave_labels() {
   WaveLabels l;
   l.phi = claim_label(
       {"phi", ValueType::real, Centring::cell, "1", "solution of the wave equation (wave)"});
-  l.pi = claim_label({"pi", ValueType::real, Centring::cell, "1/s", "its rate of change (wave)"});
+  l.pi =
+      claim_label({"pi", ValueType::real, Centring::cell, "1/s", "rate of change of phi (wave)"});
   for (std::size_t n = 0; n < stages; ++n) {
     l.phi_stage[n] = stage_label("phi", "1", static_cast<int>(n));
     l.pi_stage[n] = stage_label("pi", "1/s", static_cast<int>(n));

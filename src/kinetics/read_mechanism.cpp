@@ -139,22 +139,14 @@ Mechanism mechanism_from(const DeckNode& root) {
   return mechanism;
 }
 
-Mechanism mechanism_from(const XmlTree& tree) {
-  for (const Fault& fault : tree.faults)
-    if (fault.severity == Severity::error) throw InputError(to_string(fault));
-  return mechanism_from(*tree.root);
-}
-
 }  // namespace
 
 Mechanism read_mechanism(const std::string& file) {
   ReadBudget budget;
-  return mechanism_from(read_xml_file(file, file, budget));
-}
-
-Mechanism read_mechanism_text(const std::string& xml, const std::string& shown_name) {
-  ReadBudget budget;
-  return mechanism_from(read_xml_text(xml, shown_name, budget));
+  const XmlTree tree = read_xml_file(file, file, budget);
+  for (const Fault& fault : tree.faults)
+    if (fault.severity == Severity::error) throw InputError(to_string(fault));
+  return mechanism_from(*tree.root);
 }
 
 }  // namespace sluice::kinetics

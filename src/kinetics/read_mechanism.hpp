@@ -12,7 +12,5 @@ namespace sluice::kinetics {
 // that is none, a species that has no data, a reaction that is not balanced or of a form other than
 // elementary, three-body, falloff (Lindemann, Troe).
 Mechanism read_mechanism(const std::string& file);
-// The same of a text; `shown_name` takes the place of the file in messages.
-Mechanism read_mechanism_text(const std::string& xml, const std::string& shown_name);
 
 }  // namespace sluice::kinetics

@@ -3,6 +3,10 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
 
 #include "framework/base/error.hpp"
 #include "framework/base/test_support/environment.hpp"
@@ -44,9 +48,16 @@ std::string law(const std::string& name = "", const std::string& A = "2e6") {
   return "<Arrhenius name='" + name + "'><A>" + A + "</A><b>.5</b><E>1000</E></Arrhenius>";
 }
 
+Mechanism read(const std::string& xml) {
+  const std::string folder = testing::TempDir() + "mechanisms_" + std::to_string(::getpid());
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder + "/m.xml") << xml;
+  return read_mechanism(folder + "/m.xml");
+}
+
 std::string refusal(const std::string& xml) {
   try {
-    read_mechanism_text(xml, "m.xml");
+    read(xml);
   } catch (const InputError& error) {
     return error.what();
   }
@@ -54,10 +65,9 @@ std::string refusal(const std::string& xml) {
 }
 
 TEST(ReadMechanism, GivesSiUnitsAndTheOrderOfThePhase) {
-  const Mechanism m = read_mechanism_text(
-      text(reaction("elementary", law()) + reaction("three-body", law()) +
-           reaction("falloff", law("k0") + law("kInf") + "<falloff type='Lindemann'/>")),
-      "m.xml");
+  const Mechanism m =
+      read(text(reaction("elementary", law()) + reaction("three-body", law()) +
+                reaction("falloff", law("k0") + law("kInf") + "<falloff type='Lindemann'/>")));
   EXPECT_EQ(m.species[0].name, "O");
   EXPECT_DOUBLE_EQ(m.species[1].molar_mass, 31.998e-3);
   ASSERT_EQ(m.reactions.size(), 3u);

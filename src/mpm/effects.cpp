@@ -12,9 +12,6 @@ namespace {
 
 constexpr double never = 1e8;  // deactivation_time of decks that are silent, s
 
-std::string_view name_of(Basis b) {
-  return row_of(b).name;
-}
 std::string_view name_of(Transfer t) {
   constexpr std::string_view names[] = {"FLIP", "PIC", "XPIC", "APIC", "affine", "midpoint"};
   return names[static_cast<int>(t)];
@@ -117,8 +114,8 @@ EffectList effects_of(const Scene& scene, const MpmScene& s) {
   list.add({"solids",
             true,
             fmt::format("{} material{}, {} shape functions, {} transfer{}", s.materials.size(),
-                        s.materials.size() == 1 ? "" : "s", name_of(s.basis), name_of(s.transfer),
-                        choices_of(s)),
+                        s.materials.size() == 1 ? "" : "s", row_of(s.basis).name,
+                        name_of(s.transfer), choices_of(s)),
             {}});
   if (s.implicit) add_of_implicit(*s.implicit, list);
   const std::vector<ContactRule>& rules = s.implicit ? s.rigid_contacts : s.contacts;

@@ -25,14 +25,22 @@ verified_commit() {
   echo "$commit"
 }
 
+list_verify_parts() {
+  local part
+  for part in $(verify_parts); do
+    printf '%-16s %s\n' "$part" "$(sed -n '2s/^# //p' "$SLUICE_ROOT/tools/verify/$part.sh")"
+  done
+}
+
 command_verify() {
   local parts=("$@") part failed=()
-  if [[ ${1:-} == --list ]]; then
-    for part in $(verify_parts); do
-      printf '%-10s %s\n' "$part" "$(sed -n '2s/^# //p' "$SLUICE_ROOT/tools/verify/$part.sh")"
-    done
-    return 0
-  fi
+  case ${1:-} in
+    --list) list_verify_parts; return 0 ;;
+    -h | --help)
+      echo "usage: ./dev verify [PART...]; without PART all of these, of at most 30 minutes each:"
+      list_verify_parts
+      return 0 ;;
+  esac
   (($# > 0)) || mapfile -t parts < <(verify_parts)
   for part in "${parts[@]}"; do
     [[ -f $SLUICE_ROOT/tools/verify/$part.sh ]] ||

@@ -1,6 +1,5 @@
 #!/usr/bin/env bash
-# 80 runs of fluid, solids and both killed at random moments and restarted; the end must equal the
-# uninterrupted run's bits
+# 80 runs killed at random moments and restarted; they must end with the uninterrupted run's bits
 status=0 told=()
 kill_runs_of() {  # deck, kills, steps, settings
   local name

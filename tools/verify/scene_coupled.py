@@ -8,6 +8,7 @@ Every number follows from the seed alone.
 """
 import random
 
+import scene_deck
 from scene_fluid import side
 from scene_solid import LAWS, contact_of, material_of, mirror, shape_of
 
@@ -17,28 +18,7 @@ RUBBER = LAWS[0]
 IMPLICIT = ("<ImplicitSolver><max_outer_iterations>20</max_outer_iterations>"
             "<outer_iteration_tolerance>1e-6</outer_iteration_tolerance></ImplicitSolver>")
 
-DECK = """<?xml version="1.0" encoding="UTF-8"?>
-<Uintah_specification>
-  <Meta><title>random scene {seed}</title></Meta>
-  <SimulationComponent type="mpmice"/>
-  <Time>
-    <maxTime>1e9</maxTime> <initTime>0</initTime>
-    <delt_min>0</delt_min> <delt_max>1e9</delt_max>
-    <timestep_multiplier>{multiplier}</timestep_multiplier>
-  </Time>
-  <Grid>
-    <BoundaryConditions>
-{sides}
-    </BoundaryConditions>
-    <Level>
-      <Box label="domain">
-        <lower>[0,0,0]</lower> <upper>{upper}</upper>
-        <resolution>{cells}</resolution> <extraCells>{extra}</extraCells> <patches>[1,1,1]</patches>
-      </Box>
-      {periodic}
-    </Level>
-  </Grid>
-  <DataArchiver><filebase>scene.uda</filebase><outputInterval>0</outputInterval></DataArchiver>
+BODY = """
   <CFD>
     <cfl>0.4</cfl>
     <ICE><advection type="SecondOrder"/>{implicit}</ICE>
@@ -62,7 +42,6 @@ DECK = """<?xml version="1.0" encoding="UTF-8"?>
       <momentum>{drag}</momentum> <heat>{exchange}</heat>
     </exchange_coefficients></exchange_properties>
   </MaterialProperties>
-</Uintah_specification>
 """
 
 
@@ -111,13 +90,13 @@ def scene(seed):
     along = [1 if d < dimensions else 0 for d in range(3)]
     extra = [0 if kind == "periodic" and d < dimensions else 1 for d in range(3)]
     basis = draw.choice(["linear", "gimp", "cpdi"])
-    text = DECK.format(
-        seed=seed, multiplier=draw.choice([0.2, 0.4, 0.4]), sides="\n".join(sides),
-        upper=[1, 1 if dimensions > 1 else 1 / n, 1 / n], cells=[n, n if dimensions > 1 else 1, 1],
-        extra=extra, periodic=f"<periodic>{along}</periodic>" if kind == "periodic" else "",
-        implicit=IMPLICIT if implicit else "", basis=basis, solids="\n".join(solids),
-        contact=contact_of(draw, count), gases="\n".join(gases), drag=drags,
-        exchange=[exchange] * pairs)
+    multiplier = draw.choice([0.2, 0.4, 0.4])
+    body = BODY.format(implicit=IMPLICIT if implicit else "", basis=basis,
+                       solids="\n".join(solids), contact=contact_of(draw, count),
+                       gases="\n".join(gases), drag=drags, exchange=[exchange] * pairs)
+    text = scene_deck.deck("mpmice", seed, body, sides, [n, n if dimensions > 1 else 1, 1],
+                           [1, 1 if dimensions > 1 else 1 / n, 1 / n], extra=extra,
+                           periodic=along if kind == "periodic" else None, multiplier=multiplier)
     words = (f"{'+'.join(law[0] for law in laws)}{' torn' if torn else ''}, {fluids} gases, "
              f"{basis}, {kind}, {dimensions}-D, drag {drag:g}, {drags[-1]:g}, heat {exchange:g}"
              f"{', implicit' if implicit else ''}")

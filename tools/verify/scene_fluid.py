@@ -8,31 +8,13 @@ Every number follows from the seed alone.
 """
 import random
 
+import scene_deck
+
 DRIFT = 1e-13  # of the scale of each conserved quantity
 LIQUIDS = [(4.4, 6e8, 4180), (2.35, 1e9, 1816), (6.12, 3.43e8, 4000), (3, 1e6, 1000)]
 
-DECK = """<?xml version="1.0" encoding="UTF-8"?>
-<Uintah_specification>
-  <Meta><title>random scene {seed}</title></Meta>
-  <SimulationComponent type="ice"/>
-  <Time>
-    <maxTime>1</maxTime> <initTime>0</initTime>
-    <delt_min>0</delt_min> <delt_max>1</delt_max> <timestep_multiplier>1</timestep_multiplier>
-  </Time>
-  <Grid>
-    <BoundaryConditions>
-{sides}
-    </BoundaryConditions>
-    <Level>
-      <Box label="domain">
-        <lower>[0,0,0]</lower> <upper>[1,1,1]</upper>
-        <resolution>[{cells[0]},{cells[1]},1]</resolution> <patches>[1,1,1]</patches>
-      </Box>
-      {periodic}
-    </Level>
-  </Grid>
+BODY = """
 {levels}
-  <DataArchiver><filebase>scene.uda</filebase><outputInterval>0</outputInterval></DataArchiver>
   <CFD><cfl>{cfl}</cfl><ICE><advection type="SecondOrder"/></ICE></CFD>
   <PhysicalConstants>
     <gravity>[0,0,0]</gravity> <reference_pressure>101325</reference_pressure>
@@ -43,7 +25,6 @@ DECK = """<?xml version="1.0" encoding="UTF-8"?>
     </ICE>
 {exchange}
   </MaterialProperties>
-</Uintah_specification>
 """
 
 
@@ -201,9 +182,9 @@ def scene(seed):
                "</exchange_coefficients></exchange_properties>" if pairs else ""
     sides = [] if kind == "periodic" else [side(s, kind) for s in ("x-", "x+", "y-", "y+")]
     sides += [side(s, "closed") for s in ("z-", "z+")]
-    text = DECK.format(seed=seed, levels=refined, sides="\n".join(sides), cells=cells, cfl=cfl,
-                       periodic="<periodic>[1,1,0]</periodic>" if kind == "periodic" else "",
-                       materials="\n".join(texts), exchange=exchange)
+    body = BODY.format(levels=refined, cfl=cfl, materials="\n".join(texts), exchange=exchange)
+    text = scene_deck.deck("ice", seed, body, sides, [*cells, 1], [1, 1, 1], end=1,
+                           periodic=[1, 1, 0] if kind == "periodic" else None)
     if count == 1:
         text = text.replace('id="all"', 'id="0"')
     names = "+".join(m.name for m in materials)

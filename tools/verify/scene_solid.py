@@ -8,6 +8,8 @@ Every number follows from the seed alone.
 """
 import random
 
+import scene_deck
+
 DRIFT = 1e-12  # of the scale of each conserved quantity
 
 # Law: density, speed of sound, and its parameters.
@@ -57,28 +59,7 @@ CONTACTS = [
     '<contact><type>friction</type><mu>{mu}</mu><materials>{all}</materials></contact>',
 ]
 
-DECK = """<?xml version="1.0" encoding="UTF-8"?>
-<Uintah_specification>
-  <Meta><title>random scene {seed}</title></Meta>
-  <SimulationComponent type="mpm"/>
-  <Time>
-    <maxTime>1e9</maxTime> <initTime>0</initTime>
-    <delt_min>0</delt_min> <delt_max>1e9</delt_max>
-    <timestep_multiplier>{multiplier}</timestep_multiplier>
-  </Time>
-  <Grid>
-    <BoundaryConditions>
-{sides}
-    </BoundaryConditions>
-    <Level>
-      <Box label="domain">
-        <lower>[0,0,0]</lower> <upper>{upper}</upper>
-        <resolution>{cells}</resolution> <extraCells>{extra}</extraCells> <patches>[1,1,1]</patches>
-      </Box>
-      {periodic}
-    </Level>
-  </Grid>
-  <DataArchiver><filebase>scene.uda</filebase><outputInterval>0</outputInterval></DataArchiver>
+BODY = """
   <PhysicalConstants><gravity>[0,0,0]</gravity></PhysicalConstants>
   <MPM>
     <interpolator>{basis}</interpolator>
@@ -91,7 +72,6 @@ DECK = """<?xml version="1.0" encoding="UTF-8"?>
 {contact}
     </MPM>
   </MaterialProperties>
-</Uintah_specification>
 """
 
 
@@ -156,12 +136,12 @@ def scene(seed):
              if kind == "closed" or k // 2 >= dimensions]
     along = [1 if d < dimensions else 0 for d in range(3)]
     contact = contact_of(draw, count)
-    text = DECK.format(
-        seed=seed, multiplier=draw.choice([0.2, 0.4, 0.4, 0.5]), sides="\n".join(sides),
-        upper=upper, cells=cells, extra=extra, basis=basis,
-        periodic=f"<periodic>{along}</periodic>" if kind == "periodic" else "",
-        viscosity=draw.choice(["true", "false"]), heat=draw.choice(["true", "false"]),
-        materials="\n".join(materials), contact=contact)
+    multiplier = draw.choice([0.2, 0.4, 0.4, 0.5])
+    body = BODY.format(basis=basis, viscosity=draw.choice(["true", "false"]),
+                       heat=draw.choice(["true", "false"]), materials="\n".join(materials),
+                       contact=contact)
+    text = scene_deck.deck("mpm", seed, body, sides, cells, upper, extra=extra,
+                           periodic=along if kind == "periodic" else None, multiplier=multiplier)
     words = (f"{'+'.join(law[0] for law in laws)}, {basis}, {kind}, {dimensions}-D, "
              f"contact {contact[15:contact.find('</type>')] or 'none'}")
     return text, words

@@ -9,6 +9,7 @@
 #include "framework/base/error.hpp"
 #include "framework/deck/format_tags.hpp"
 #include "framework/deck/nearest_name.hpp"
+#include "framework/deck/schema_check.hpp"
 
 namespace sluice {
 namespace {
@@ -77,7 +78,7 @@ void describe(std::string& text, const Spec& spec, const std::string& indent) {
   line("value", value_text(spec.value));
   line("unit", spec.value.unit);
   line("default", spec.value.default_text.value_or(""));
-  line("not supported", fmt::format("{}", fmt::join(spec.value.words_not_built, ", ")));
+  line("not supported", fmt::format("{}", fmt::join(unsupported_words(spec.value), ", ")));
   line("also", fmt::format("{}", fmt::join(spec.aliases, ", ")));
 }
 
@@ -121,9 +122,8 @@ template <class Spec>
 std::string table_row(const Spec& spec, const std::string& name, const std::string& extra) {
   std::string doc = spec.doc + extra;
   if (!spec.aliases.empty()) doc += fmt::format("; also written {}", fmt::join(spec.aliases, ", "));
-  if (!spec.value.words_not_built.empty()) {
-    doc += fmt::format("; not supported yet: {}", fmt::join(spec.value.words_not_built, ", "));
-  }
+  if (const auto words = unsupported_words(spec.value); !words.empty())
+    doc += fmt::format("; not supported yet: {}", fmt::join(words, ", "));
   return fmt::format("| {} | {} | {} | {} | {} | {} |\n", name, in_cell(value_text(spec.value)),
                      need_text(spec.need), spec.value.default_text.value_or(""), spec.value.unit,
                      in_cell(doc));

@@ -6,6 +6,7 @@
 
 #include "framework/base/error.hpp"
 #include "framework/deck/format/framework_schema.hpp"
+#include "framework/deck/schema_check.hpp"
 
 namespace sluice::load_deck_test {
 namespace {
@@ -57,6 +58,18 @@ TEST(LoadDeck, ReadsOtherSpellings) {
   const Deck deck = load("<run><duration>2.5</duration></run>");
   ASSERT_TRUE(deck.good()) << messages(deck);
   EXPECT_EQ(deck.root->need("run").real("time"), 2.5);
+}
+
+// Whoever adds a row need not know the list of what was refused before.
+TEST(UnsupportedWords, AreWithoutThoseOfRows) {
+  const TagSpec law = tag("law", "which one")
+                          .words({"row"})
+                          .spelling("Row", "row")
+                          .not_built({"row", "Row", "other"});
+  EXPECT_EQ(unsupported_words(law.value), std::vector<std::string>{"other"});
+  for (std::string word : {"row", "Row"}) EXPECT_EQ(judge_value(law.value, word).problem, "");
+  std::string other = "other";
+  EXPECT_TRUE(judge_value(law.value, other).not_built);
 }
 
 TEST(LoadDeck, FindsAllFaultsInDocumentOrder) {

@@ -43,6 +43,28 @@ inline std::array<bool, 3> periodic_directions(const DeckNode& grid) {
   return {flags->x != 0, flags->y != 0, flags->z != 0};
 }
 
+// What a <BCType> gives as its value, a tag or an attribute; `where`: the line of messages.
+struct ConditionValue {
+  std::optional<std::string> text;
+  Location where;
+};
+
+inline ConditionValue condition_value(const DeckNode& condition) {
+  if (const DeckNode* tag = condition.child("value")) return {tag->text, tag->where};
+  return {condition.attribute("value"), condition.where};
+}
+
+// Attributes of a <Face> that give its shape; their values are the side that it lies on.
+inline constexpr std::array<std::string_view, 6> face_shapes = {
+    "side", "circle", "annulus", "ellipse", "rectangle", "rectangulus"};
+
+// "x-" of a side, a circle and so on; empty where the <Face> gives none.
+inline std::string side_of_face(const DeckNode& face) {
+  for (const std::string_view shape : face_shapes)
+    if (const auto side = face.attribute(shape)) return *side;
+  return "";
+}
+
 inline constexpr std::string_view direction_names[3] = {"x", "y", "z"};
 inline constexpr std::string_view side_names[6] = {"x-", "x+", "y-", "y+", "z-", "z+"};
 

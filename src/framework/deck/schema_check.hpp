@@ -18,6 +18,10 @@ struct ValueVerdict {
 };
 ValueVerdict judge_value(const ValueSpec& spec, std::string& text);
 
+// The words that the format knows and that are not supported: a word of a table's row is supported,
+// even where the list of the others still has it.
+std::vector<std::string> unsupported_words(const ValueSpec& spec);
+
 // Old spellings of tags and attributes become the names of the schema.
 void normalise_names(DeckNode& root, const Schema& schema);
 

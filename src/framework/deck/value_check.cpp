@@ -32,17 +32,18 @@ std::string list_of(const std::vector<std::string>& words) {
   return empty ? list + ", or empty" : list;
 }
 
+bool is_listed(const std::vector<std::string>& words, const std::string& word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
 ValueVerdict judge_word(const ValueSpec& spec, std::string& text) {
   for (const auto& [other, word] : spec.word_spellings) {
     if (text == other) text = word;
   }
-  const auto listed = [&](const std::vector<std::string>& words) {
-    return std::find(words.begin(), words.end(), text) != words.end();
-  };
-  if (listed(spec.words)) return {};
+  if (is_listed(spec.words, text)) return {};
   const auto same = [&](const std::string& word) { return is_spelling_of(text, word); };
   const auto meant = std::find_if(spec.words.begin(), spec.words.end(), same);
-  const bool known = listed(spec.words_not_built);
+  const bool known = is_listed(spec.words_not_built, text);
   if (!known && !text.empty() && meant != spec.words.end() &&
       std::count_if(spec.words.begin(), spec.words.end(), same) == 1) {
     text = *meant;
@@ -125,6 +126,16 @@ bool may_be_empty(TagType type) {
 }
 
 }  // namespace
+
+std::vector<std::string> unsupported_words(const ValueSpec& spec) {
+  std::vector<std::string> words = spec.words_not_built;
+  std::erase_if(words, [&](const std::string& word) {
+    const auto is_it = [&](const auto& spelling) { return spelling.first == word; };
+    const auto& spellings = spec.word_spellings;
+    return is_listed(spec.words, word) || std::any_of(spellings.begin(), spellings.end(), is_it);
+  });
+  return words;
+}
 
 ValueVerdict judge_value(const ValueSpec& spec, std::string& text) {
   if (spec.type == TagType::none) {

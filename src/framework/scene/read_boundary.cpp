@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "framework/deck/nearest_name.hpp"
+#include "framework/deck/rule_tools.hpp"
 #include "framework/deck/value_text.hpp"
 #include "framework/scene/boundary.hpp"
 #include "framework/scene/deck_values.hpp"
@@ -16,9 +17,6 @@ namespace {
 
 constexpr double in_plane = 1e-6;         // of a cell, for the plane of a shape
 constexpr std::size_t max_regions = 255;  // a region number is one byte
-
-constexpr std::array<std::string_view, 6> shape_names = {"side",    "circle",    "annulus",
-                                                         "ellipse", "rectangle", "rectangulus"};
 
 std::string lower_case(std::string_view text) {
   std::string s(text);
@@ -218,7 +216,7 @@ class BoundaryReader {
   }
 
   void read_face(const DeckNode& face) {
-    for (std::string_view name : shape_names)
+    for (std::string_view name : face_shapes)
       if (const std::optional<std::string> text = face.attribute(name))
         return read_face(face, name, side_named(face, name, collapse_blanks(*text)));
     throw InputError(

@@ -81,8 +81,9 @@ bool BoundaryFill::holds_velocities() const {
 }
 
 double BoundaryFill::held_velocity(Side side, IntVec3 cell, double in_ghost, double time) const {
-  const PrescribedFlow* flow = rule(side, cell).velocity_flow.get();
-  return flow == nullptr ? in_ghost : flow->on_face(direction_of(side), in_ghost, time);
+  const GhostRule& here = rule(side, cell);
+  if (here.velocity_flow == nullptr) return in_ghost;
+  return here.velocity_flow->on_face(direction_of(side), here.velocity, in_ghost, time);
 }
 
 const WallHeat& BoundaryFill::wall_heat(Side side, IntVec3 cell, int material) const {

@@ -79,12 +79,13 @@ std::shared_ptr<const PrescribedFlow> FlowConditions::flow(const std::string& ki
 
 FlowConditions read_flow_conditions(const DeckNode& root) {
   FlowConditions c;
-  if (const DeckNode* lodi = root.find("Grid/BoundaryConditions/LODI")) c.lodi = read_lodi(*lodi);
-  if (const DeckNode* slip = root.find("Grid/BoundaryConditions/microSlip"))
-    c.slip = read_slip(*slip);
-  for (const FaceCondition& kind : face_conditions())
+  const DeckNode* conditions = root.find("Grid/BoundaryConditions");
+  for (const FaceCondition& kind : face_conditions()) {
     if (kind.read_flow != nullptr)
       if (auto flow = kind.read_flow(root)) c.flows.push_back({std::string(kind.word), flow});
+    if (kind.read_settings == nullptr || conditions == nullptr) continue;
+    if (const DeckNode* block = conditions->child(kind.block->name)) kind.read_settings(*block, c);
+  }
   return c;
 }
 

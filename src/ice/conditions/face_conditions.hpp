@@ -26,12 +26,14 @@ struct FaceCondition {
   // What must hold of a condition beyond its variable and its block.
   void (*check)(const DeckNode& root, const DeckNode& condition,
                 std::vector<Fault>& faults) = nullptr;
-  // Of the velocity: nothing passes the face, or what passes is given.
+  // Of the velocity: nothing passes the face, or what passes is given, with a <value>.
   bool wall = false, gives_velocity = false;
   // The mean free path of one gas counts.
   bool rarefied = false;
   // The flow that it gives; null: none, or the deck lacks what it needs.
   std::shared_ptr<const PrescribedFlow> (*read_flow)(const DeckNode& root) = nullptr;
+  // What its block says for all faces; null: nothing beyond that flow.
+  void (*read_settings)(const DeckNode& block, FlowConditions& conditions) = nullptr;
   // Writes the condition into a rule of ghosts; null: the framework's kinds (boundary/make_rule).
   // Throws InputError, with the deck's line, where what it needs is missing.
   void (*apply)(const Condition& condition, int normal, const FlowConditions& settings,

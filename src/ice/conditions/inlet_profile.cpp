@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "framework/deck/faults.hpp"
-#include "framework/deck/rule_tools.hpp"
 #include "framework/deck/schema.hpp"
 #include "framework/scene/deck_values.hpp"
 #include "ice/conditions/face_conditions.hpp"
@@ -61,16 +60,10 @@ const DeckNode* profile_of(const DeckNode& root) {
 // `wanted`: the parameter without which the law says nothing.
 void check_profile(const DeckNode& root, const DeckNode& condition, const char* wanted,
                    std::vector<Fault>& faults) {
-  const std::string kind = condition.attribute("var").value_or("");
   const DeckNode* profile = profile_of(root);
-  if (profile == nullptr) return;
-  if (profile->child(wanted) == nullptr)
-    add_error(faults, profile->where, fmt::format("a {} needs <{}>", kind, wanted));
-  const DeckNode* tag = condition.child("value");
-  const auto text = tag != nullptr ? std::optional(tag->text) : condition.attribute("value");
-  if (!text || !parse_vector(*text))
-    add_error(faults, (tag != nullptr ? *tag : condition).where,
-              fmt::format("{} needs a <value> that is a vector, as [1.0, 0.0, 0.0]", kind));
+  if (profile != nullptr && profile->child(wanted) == nullptr)
+    add_error(faults, profile->where,
+              fmt::format("a {} needs <{}>", condition.attribute("var").value_or(""), wanted));
 }
 
 template <class Flow>

@@ -28,7 +28,7 @@ class ProfileFlow : public PrescribedFlow {
     return share(at) * value;
   }
   double pressure(const GhostPlace& /*at*/, double /*rho*/) const final { return 0; }  // not asked
-  double on_face(int /*direction*/, double in_ghost, double /*time*/) const final {
+  double on_face(int /*direction*/, Vec3 /*value*/, double in_ghost, double /*time*/) const final {
     return in_ghost;
   }
 

@@ -34,8 +34,6 @@ void check_block(const DeckNode& lodi, std::vector<Fault>& faults) {
             "give both, or none");
 }
 
-}  // namespace
-
 LodiSettings read_lodi(const DeckNode& block) {
   LodiSettings s;
   s.press_infinity = block.real("press_infinity");
@@ -48,13 +46,17 @@ LodiSettings read_lodi(const DeckNode& block) {
   return s;
 }
 
+}  // namespace
+
 FaceCondition open_face_condition() {
-  return {.word = "LODI",
-          .variables = {"Pressure", "Density", "Temperature", "Velocity"},
-          .block = lodi_tag(),
-          .check_block = check_block,
-          .apply = [](const Condition& c, int /*normal*/, const FlowConditions& settings,
-                      GhostRule& rule) {
+  return {
+      .word = "LODI",
+      .variables = {"Pressure", "Density", "Temperature", "Velocity"},
+      .block = lodi_tag(),
+      .check_block = check_block,
+      .read_settings = [](const DeckNode& block, FlowConditions& c) { c.lodi = read_lodi(block); },
+      .apply =
+          [](const Condition& c, int /*normal*/, const FlowConditions& settings, GhostRule& rule) {
             if (!settings.lodi) throw_missing_block(c, "LODI");
             rule.waves = true;
           }};

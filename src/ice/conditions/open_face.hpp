@@ -18,7 +18,6 @@ struct LodiSettings {
   Location where;
 };
 
-LodiSettings read_lodi(const DeckNode& block);
 FaceCondition open_face_condition();
 
 }  // namespace sluice::ice

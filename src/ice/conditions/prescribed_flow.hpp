@@ -22,13 +22,13 @@ class PrescribedFlow {
 
   virtual ~PrescribedFlow() = default;
   virtual Nature nature() const = 0;
-  // Velocity of a ghost of density rho (kg/m^3), m/s. `value`: of the condition in the deck.
+  // Velocity of a ghost of density rho (kg/m^3), m/s. `value`: that of the deck, <BCType><value>.
   virtual Vec3 velocity(const GhostPlace& at, Vec3 value, double rho) const = 0;
   // Pa; asked only where the condition is one of the pressure.
   virtual double pressure(const GhostPlace& at, double rho) const = 0;
   // The component along `direction` of the velocity on the face at a time; `in_ghost`: that of the
   // ghost next to it.
-  virtual double on_face(int direction, double in_ghost, double time) const = 0;
+  virtual double on_face(int direction, Vec3 value, double in_ghost, double time) const = 0;
 };
 
 }  // namespace sluice::ice

@@ -23,7 +23,7 @@ double SineFlow::pressure(const GhostPlace& at, double /*rho*/) const {
   return s_.reference_pressure + swing(at.time + at.arrival);
 }
 
-double SineFlow::on_face(int direction, double /*in_ghost*/, double time) const {
+double SineFlow::on_face(int direction, Vec3 /*value*/, double /*in_ghost*/, double time) const {
   const double mean = s_.reference_velocity[direction];
   return mean == 0 ? 0.0 : mean + swing(time);
 }

@@ -23,7 +23,7 @@ class SineFlow final : public PrescribedFlow {
   Nature nature() const override { return Nature::wave; }
   Vec3 velocity(const GhostPlace& at, Vec3 value, double rho) const override;
   double pressure(const GhostPlace& at, double rho) const override;
-  double on_face(int direction, double in_ghost, double time) const override;
+  double on_face(int direction, Vec3 value, double in_ghost, double time) const override;
 
  private:
   double swing(double time) const;

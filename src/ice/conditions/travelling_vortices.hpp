@@ -32,7 +32,8 @@ class VortexFlow final : public PrescribedFlow {
   double pressure(const GhostPlace& at, double rho) const override {
     return vortices_.at(at.centre, at.time, rho, at.viscosity).p;
   }
-  double on_face(int /*direction*/, double in_ghost, double /*time*/) const override {
+  double on_face(int /*direction*/, Vec3 /*value*/, double in_ghost,
+                 double /*time*/) const override {
     return in_ghost;
   }
 

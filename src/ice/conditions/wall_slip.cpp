@@ -113,8 +113,6 @@ void apply_slip(const Condition& c, int normal, const FlowConditions& settings, 
   rule.waves = false;  // no wave passes a wall
 }
 
-}  // namespace
-
 SlipSettings read_slip(const DeckNode& block) {
   using Model = SlipSettings::Model;
   SlipSettings s;
@@ -128,15 +126,20 @@ SlipSettings read_slip(const DeckNode& block) {
   return s;
 }
 
+}  // namespace
+
 FaceCondition slip_condition() {
-  return {.word = "slip",
-          .variables = {"Velocity", "Temperature"},
-          .block = slip_tag(),
-          .wall = true,
-          .rarefied = true,
-          .apply = apply_slip<false>};
+  return {
+      .word = "slip",
+      .variables = {"Velocity", "Temperature"},
+      .block = slip_tag(),
+      .wall = true,
+      .rarefied = true,
+      .read_settings = [](const DeckNode& block, FlowConditions& c) { c.slip = read_slip(block); },
+      .apply = apply_slip<false>};
 }
 
+// The row of slip reads the block of both.
 FaceCondition creep_condition() {
   return {.word = "creep",
           .variables = {"Velocity"},

@@ -15,7 +15,6 @@
 // 7 (1964) 681; G. Karniadakis, A. Beskok, N. Aluru, Microflows and Nanoflows (2005), chapter 2.
 #pragma once
 #include "framework/base/vec3.hpp"
-#include "framework/deck/deck.hpp"
 
 namespace sluice::ice {
 
@@ -59,7 +58,6 @@ struct SlipHeat {
 double slip_velocity(const SlipSettings& settings, const SlipCell& cell, bool creep);
 double slip_temperature(const SlipSettings& settings, const SlipHeat& cell);
 
-SlipSettings read_slip(const DeckNode& block);
 FaceCondition slip_condition();
 FaceCondition creep_condition();
 

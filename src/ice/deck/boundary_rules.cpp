@@ -19,12 +19,10 @@ const std::vector<std::string> labels = {"Pressure", "Density",     "Temperature
                                          "Velocity", "SpecificVol", "Symmetric"};
 // SpecificVol may be left out: it follows from the density.
 constexpr std::array<const char*, 4> needed = {"Pressure", "Velocity", "Temperature", "Density"};
-constexpr std::array<const char*, 6> shape_names = {"side",    "circle",    "annulus",
-                                                    "ellipse", "rectangle", "rectangulus"};
 
 // "side x-", "circle y+": how a face is called in messages.
 std::string face_name(const DeckNode& face) {
-  for (const char* shape : shape_names) {
+  for (const std::string_view shape : face_shapes) {
     if (const auto side = face.attribute(shape)) return fmt::format("{} {}", shape, *side);
   }
   return "Face";
@@ -95,9 +93,7 @@ void check_value(const DeckNode& face, const DeckNode& condition,
   const std::string kind = condition.attribute("var").value_or("");
   if (kind != "Dirichlet" && kind != "Neumann") return;
   if (!is_label(label) && !is_listed(scalars, label)) return;  // its value is not known
-  const DeckNode* tag = condition.child("value");
-  const auto text = tag != nullptr ? std::optional(tag->text) : condition.attribute("value");
-  const DeckNode& where = tag != nullptr ? *tag : condition;
+  const auto [text, where] = condition_value(condition);
   if (!text || text->empty()) {
     add_error(faults, condition.where,
               fmt::format("{} {} on {} needs a <value>", kind, label, face_name(face)));
@@ -106,7 +102,7 @@ void check_value(const DeckNode& face, const DeckNode& condition,
   if (label == "Velocity") {
     const auto vector = parse_vector(*text);
     if (!vector) {
-      add_error(faults, where.where,
+      add_error(faults, where,
                 fmt::format("{} {} on {}: {}", kind, label, face_name(face), vector.problem),
                 "a velocity is a vector, as [0.0, 0.0, 0.0]");
     }
@@ -114,10 +110,10 @@ void check_value(const DeckNode& face, const DeckNode& condition,
   }
   const auto number = parse_real(*text);
   if (!number) {
-    add_error(faults, where.where,
+    add_error(faults, where,
               fmt::format("{} {} on {}: {}", kind, label, face_name(face), number.problem));
   } else if (kind == "Dirichlet" && must_be_positive(label) && *number.value <= 0) {
-    add_error(faults, where.where,
+    add_error(faults, where,
               fmt::format("Dirichlet {} on {} is {}; it must be greater than 0", label,
                           face_name(face), *number.value));
   }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "framework/deck/faults.hpp"
+#include "framework/deck/rule_tools.hpp"
 #include "ice/conditions/face_conditions.hpp"
 #include "ice/deck/schema.hpp"
 
@@ -24,6 +25,10 @@ void check_condition(const DeckNode& root, const DeckNode& conditions, const Dec
               fmt::format("{} of {} needs the block <{}> in <BoundaryConditions>", word, label,
                           kind->block->name),
               fmt::format("see sluice help Grid/BoundaryConditions/{}", kind->block->name));
+  const ConditionValue value = condition_value(condition);
+  if (kind->gives_velocity && label == "Velocity" && (!value.text || !parse_vector(*value.text)))
+    add_error(faults, value.where,
+              fmt::format("{} needs a <value> that is a vector, as [1.0, 0.0, 0.0]", word));
   if (kind->check != nullptr) kind->check(root, condition, faults);
 }
 

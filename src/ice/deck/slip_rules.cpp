@@ -23,16 +23,9 @@ struct SlipFace {
   const DeckNode* any_velocity = nullptr;
 };
 
-const DeckNode* value_of(const DeckNode& condition, std::string& text) {
-  const DeckNode* tag = condition.child("value");
-  text = tag != nullptr ? tag->text : condition.attribute("value").value_or("");
-  return tag != nullptr ? tag : &condition;
-}
-
 SlipFace slip_face(const DeckNode& face) {
   SlipFace found;
-  for (const char* shape : {"side", "circle", "annulus", "ellipse", "rectangle", "rectangulus"})
-    if (const auto side = face.attribute(shape)) found.side = *side;
+  found.side = side_of_face(face);
   const auto at = std::find(std::begin(side_names), std::end(side_names), found.side);
   if (at == std::end(side_names)) return {};  // told by other rules
   found.normal = static_cast<std::size_t>(at - std::begin(side_names)) / 2;
@@ -99,12 +92,11 @@ class SlipRules {
   }
 
   void check_velocity(const SlipFace& face, const DeckNode& condition) {
-    std::string text;
-    const DeckNode* where = value_of(condition, text);
+    const auto [text, where] = condition_value(condition);
     const std::string kind = condition.attribute("var").value_or("");
-    const auto velocity = parse_vector(text);
+    const auto velocity = parse_vector(text.value_or(""));
     if (!velocity) {
-      add_error(faults_, where->where,
+      add_error(faults_, where,
                 fmt::format(
                     "{} of Velocity needs the velocity of the wall as <value>, as [0.0, 0.0, 0.0]",
                     kind));
@@ -113,7 +105,7 @@ class SlipRules {
     const auto normal = static_cast<int>(face.normal);
     if ((*velocity.value)[normal] != 0)
       add_error(
-          faults_, where->where,
+          faults_, where,
           fmt::format("{} on side {} has a velocity of {:g} across the wall; nothing passes a wall",
                       kind, face.side, (*velocity.value)[normal]),
           fmt::format("write 0 for {}, or Dirichlet for an inlet", direction_names[face.normal]));
@@ -126,20 +118,19 @@ class SlipRules {
   }
 
   void check_temperature(const SlipFace& face, const DeckNode& condition) {
-    std::string text;
-    const DeckNode* where = value_of(condition, text);
-    const auto number = parse_real(text);
+    const auto [text, where] = condition_value(condition);
+    const auto number = parse_real(text.value_or(""));
     if (!number) {
-      add_error(faults_, where->where,
+      add_error(faults_, where,
                 fmt::format("slip of Temperature needs the temperature of the wall as <value>"));
     } else if (*number.value < 0 || (*number.value == 0 && conductivity_ > 0)) {
       add_error(
-          faults_, where->where,
+          faults_, where,
           fmt::format("slip of Temperature on side {}: the wall has {:g} K; it must be above 0",
                       face.side, *number.value));
     } else if (*number.value == 0 && !told_adiabatic_) {
       told_adiabatic_ = true;
-      add_warning(faults_, where->where,
+      add_warning(faults_, where,
                   "slip of Temperature with 0 K and no heat conduction: walls are adiabatic",
                   "write Neumann with 0, or give the material a <thermal_conductivity>");
     }
@@ -153,9 +144,7 @@ class SlipRules {
 
   static bool is_wall(const SlipFace& face, const DeckNode& condition) {
     const std::string kind = condition.attribute("var").value_or("");
-    std::string text;
-    value_of(condition, text);
-    const auto velocity = parse_vector(text);
+    const auto velocity = parse_vector(condition_value(condition).text.value_or(""));
     if (kind == "Dirichlet")
       return velocity && (*velocity.value)[static_cast<int>(face.normal)] == 0;
     const ice::FaceCondition* row = ice::face_condition(kind);

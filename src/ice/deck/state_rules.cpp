@@ -41,22 +41,10 @@ struct FaceState {
   }
 };
 
-std::string text_of(const DeckNode& condition) {
-  const DeckNode* tag = condition.child("value");
-  return tag != nullptr ? tag->text : condition.attribute("value").value_or("");
-}
-
 std::optional<double> number_of(const DeckNode* condition) {
   if (condition == nullptr) return std::nullopt;
-  const auto number = parse_real(text_of(*condition));
+  const auto number = parse_real(condition_value(*condition).text.value_or(""));
   return number ? std::optional(*number.value) : std::nullopt;
-}
-
-// "x-" of a side, a circle and so on; empty where the face says none.
-std::string side_of_face(const DeckNode& face) {
-  for (const char* shape : {"side", "circle", "annulus", "ellipse", "rectangle", "rectangulus"})
-    if (const auto side = face.attribute(shape)) return *side;
-  return "";
 }
 
 // What the velocity through the face is.
@@ -69,7 +57,7 @@ Through through(const FaceState& s, const std::string& side) {
   if (row != nullptr && row->gives_velocity) return Through::given;
   if (row != nullptr && row->wall) return Through::wall;
   if (kind != "Dirichlet") return Through::open;
-  const auto u = parse_vector(text_of(*s.velocity));
+  const auto u = parse_vector(condition_value(*s.velocity).text.value_or(""));
   const auto normal = side.empty() ? std::string::npos : std::string("xyz").find(side[0]);
   if (!u || normal == std::string::npos) return Through::open;
   return (*u.value)[static_cast<int>(normal)] == 0 ? Through::wall : Through::given;

@@ -9,6 +9,7 @@
 #include "mpm/nodes/node_sums.hpp"
 #include "mpm/transfer/corner_transfer.hpp"
 #include "mpm/transfer/corners.hpp"
+#include "mpm/transfer/window_axes.hpp"
 
 namespace sluice::mpm {
 namespace {
@@ -91,15 +92,9 @@ void read(const TransferGrid& grid, const std::array<const double*, 3>& x,
   static thread_local Corner corners;
   find_corners(grid, x, shape, at, n, Slopes::unused, corners);
   add_inertia(grid, corners, n, to);
-  std::ptrdiff_t stride[D];
-  int low[D];
+  const WindowAxes<D> axes(grid, window);
   double scale[D];
-  for (int a = 0; a < D; ++a) {
-    const int d = grid.active[a];
-    stride[a] = window.stride(d);
-    low[a] = window.lower()[d];
-    scale[a] = Corner::share * grid.axes[d].spacing;
-  }
+  for (int a = 0; a < D; ++a) scale[a] = Corner::share * grid.axes[grid.active[a]].spacing;
   const std::int64_t* nodes = window.at(0, 0, 0);
   const bool carried = shape.corners[0] != nullptr;
   for (int q = 0; q < n; ++q) {
@@ -109,10 +104,10 @@ void read(const TransferGrid& grid, const std::array<const double*, 3>& x,
       double s[D];
       for (int a = 0; a < D; ++a) {
         s[a] = corners.s[c][a][q];
-        node += (corners.first[c][a][q] - low[a]) * stride[a];
+        node += (corners.first[c][a][q] - axes.low[a]) * axes.stride[a];
       }
       Impulse<D> v;
-      at_corner<D, Velocities>(node, stride, s, v);
+      at_corner<D, Velocities>(node, axes.stride, s, v);
       if constexpr (Velocities) velocity[c] = v.velocity;
       for (int e = 0; e < 3 && Velocities && carried; ++e) to.corner[c][e][q] = v.velocity[e];
       change[c] = v.change;

@@ -2,6 +2,7 @@
 #include "mpm/nodes/node_sums.hpp"
 #include "mpm/transfer/corner_transfer.hpp"
 #include "mpm/transfer/corners.hpp"
+#include "mpm/transfer/window_axes.hpp"
 
 namespace sluice::mpm {
 namespace {
@@ -39,13 +40,7 @@ void read_block(const TransferGrid& grid, const std::array<const double*, 3>& x,
   using Corner = Corners<D, Tetrahedron>;
   static thread_local Corner corners;
   find_corners(grid, x, shape, at, n, Slopes::wanted, corners);
-  std::ptrdiff_t stride[D];
-  int low[D];
-  for (int a = 0; a < D; ++a) {
-    const int d = grid.active[a];
-    stride[a] = window.stride(d);
-    low[a] = window.lower()[d];
-  }
+  const WindowAxes<D> axes(grid, window);
   const std::int64_t* nodes = window.at(0, 0, 0);
   const bool carried = shape.corners[0] != nullptr;
   for (int q = 0; q < n; ++q) {
@@ -55,9 +50,9 @@ void read_block(const TransferGrid& grid, const std::array<const double*, 3>& x,
       double s[D];
       for (int a = 0; a < D; ++a) {
         s[a] = corners.s[c][a][q];
-        node += (corners.first[c][a][q] - low[a]) * stride[a];
+        node += (corners.first[c][a][q] - axes.low[a]) * axes.stride[a];
       }
-      const Values v = at_corner<D, Changes>(node, stride, s);
+      const Values v = at_corner<D, Changes>(node, axes.stride, s);
       velocity[c] = v.velocity;
       for (int e = 0; e < 3 && carried; ++e) to.corner[c][e][q] = v.velocity[e];
       if constexpr (Changes) change[c] = v.change;

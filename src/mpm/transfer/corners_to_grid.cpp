@@ -5,14 +5,14 @@
 #include "mpm/transfer/corner_transfer.hpp"
 #include "mpm/transfer/corners.hpp"
 #include "mpm/transfer/gifts.hpp"
+#include "mpm/transfer/window_axes.hpp"
 
 namespace sluice::mpm {
 namespace {
 
 template <int D, bool Tetrahedron, bool Affine, bool Forces>
 void add_particle(const NodalContribution& g, const Corners<D, Tetrahedron>& corners, int q,
-                  const TransferGrid& grid, const std::ptrdiff_t (&stride)[D], std::int64_t* nodes,
-                  const int (&low)[D]) {
+                  const TransferGrid& grid, const WindowAxes<D>& axes, std::int64_t* nodes) {
   constexpr double share = Corners<D, Tetrahedron>::share;
   const Four load = g.load * share, mass = g.mass_momentum * share;
   Four affine[D]{};
@@ -32,16 +32,16 @@ void add_particle(const NodalContribution& g, const Corners<D, Tetrahedron>& cor
       if constexpr (Forces) force += g.traction[a] * corners.slope[c][a][q];
       // x_i - x_p = (x_c - x_p) - s -+ 1/2, in cells.
       if constexpr (Affine) momentum += affine[a] * (corners.way[c][a][q] - s);
-      node += (corners.first[c][a][q] - low[a]) * stride[a];
+      node += (corners.first[c][a][q] - axes.low[a]) * axes.stride[a];
     }
     for (int i = 0; i < 1 << D; ++i) {
       double weight = w[0][i & 1];
-      std::int64_t* to = node + (i & 1) * stride[0];
+      std::int64_t* to = node + (i & 1) * axes.stride[0];
       Four given = momentum;
       if constexpr (Affine) given += affine[0] * (i & 1 ? 0.5 : -0.5);
       for (int a = 1; a < D; ++a) {
         weight *= w[a][i >> a & 1];
-        to += (i >> a & 1) * stride[a];
+        to += (i >> a & 1) * axes.stride[a];
         if constexpr (Affine) given += affine[a] * (i >> a & 1 ? 0.5 : -0.5);
       }
       add_rounded(to, given * weight);
@@ -58,20 +58,14 @@ void add_block(const TransferGrid& grid, const ParticlesToGrid& p, int begin, in
                const SumUnits& units, Window& window) {
   static thread_local Corners<D, Tetrahedron> corners;
   static thread_local NodalContribution gifts[chunk_size];
-  std::ptrdiff_t stride[D];
-  int low[D];
-  for (int a = 0; a < D; ++a) {
-    const int d = grid.active[a];
-    stride[a] = window.stride(d);
-    low[a] = window.lower()[d];
-  }
+  const WindowAxes<D> axes(grid, window);
   std::int64_t* nodes = window.at(0, 0, 0);
   for (int at = begin; at < end; at += chunk_size) {
     const int n = std::min(chunk_size, end - at);
     find_corners(grid, p.x, p.shape, at, n, Forces ? Slopes::wanted : Slopes::unused, corners);
     nodal_contributions(grid, p, at, n, units, gifts);
     for (int q = 0; q < n; ++q)
-      add_particle<D, Tetrahedron, Affine, Forces>(gifts[q], corners, q, grid, stride, nodes, low);
+      add_particle<D, Tetrahedron, Affine, Forces>(gifts[q], corners, q, grid, axes, nodes);
   }
 }
 

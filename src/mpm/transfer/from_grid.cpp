@@ -3,6 +3,7 @@
 #include "mpm/transfer/corner_transfer.hpp"
 #include "mpm/transfer/dispatch.hpp"
 #include "mpm/transfer/paired_sum.hpp"
+#include "mpm/transfer/window_axes.hpp"
 
 namespace sluice::mpm {
 namespace {
@@ -124,19 +125,13 @@ void read(Basis basis, const TransferGrid& grid, const std::array<const double*,
   alignas(64) static thread_local AxisWeights<B::nodes> w[D];
   for (int a = 0; a < D; ++a)
     weights_of<B, Moments>(basis, grid, x, shape, grid.active[a], at, n, w[a]);
-  std::ptrdiff_t stride[D];
-  int low[D];
-  for (int a = 0; a < D; ++a) {
-    const int d = grid.active[a];
-    stride[a] = window.stride(d);
-    low[a] = window.lower()[d];
-  }
+  const WindowAxes<D> axes(grid, window);
   const std::int64_t* nodes = window.at(0, 0, 0);
   for (int q = 0; q < n; ++q) {
     const std::int64_t* node = nodes;
-    for (int a = 0; a < D; ++a) node += (w[a].first[q] - low[a]) * stride[a];
+    for (int a = 0; a < D; ++a) node += (w[a].first[q] - axes.low[a]) * axes.stride[a];
     Sums<D, Moments, Changes> s;
-    read_particle<D, B::nodes, Moments, Changes>(w, q, node, stride, s);
+    read_particle<D, B::nodes, Moments, Changes>(w, q, node, axes.stride, s);
     for (int e = 0; e < 3; ++e) {
       to.u[e][q] = s.values[e];
       if constexpr (Changes) to.dv[e][q] = s.values[4 + e];

@@ -3,6 +3,7 @@
 #include "mpm/transfer/corner_transfer.hpp"
 #include "mpm/transfer/dispatch.hpp"
 #include "mpm/transfer/paired_sum.hpp"
+#include "mpm/transfer/window_axes.hpp"
 
 namespace sluice::mpm {
 namespace {
@@ -104,18 +105,12 @@ void read(Basis basis, const TransferGrid& grid, const std::array<const double*,
   for (int a = 0; a < D; ++a)
     weights_of<B, true>(basis, grid, x, shape, grid.active[a], at, n, w[a]);
   add_inertia<D, B::nodes>(grid, w, n, to);
-  std::ptrdiff_t stride[D];
-  int low[D];
-  for (int a = 0; a < D; ++a) {
-    const int d = grid.active[a];
-    stride[a] = window.stride(d);
-    low[a] = window.lower()[d];
-  }
+  const WindowAxes<D> axes(grid, window);
   const std::int64_t* nodes = window.at(0, 0, 0);
   for (int q = 0; q < n; ++q) {
     const std::int64_t* node = nodes;
-    for (int a = 0; a < D; ++a) node += (w[a].first[q] - low[a]) * stride[a];
-    const Sums<D, Velocities> s = read_particle<D, B::nodes, Velocities>(w, q, node, stride);
+    for (int a = 0; a < D; ++a) node += (w[a].first[q] - axes.low[a]) * axes.stride[a];
+    const Sums<D, Velocities> s = read_particle<D, B::nodes, Velocities>(w, q, node, axes.stride);
     double moment[3][3] = {};  // r_d dv_e
     for (int a = 0; a < D; ++a)
       for (int e = 0; e < 3; ++e) moment[grid.active[a]][e] = s.moment[a][e];

@@ -6,6 +6,7 @@
 #include "mpm/transfer/corner_transfer.hpp"
 #include "mpm/transfer/dispatch.hpp"
 #include "mpm/transfer/gifts.hpp"
+#include "mpm/transfer/window_axes.hpp"
 
 namespace sluice::mpm {
 namespace {
@@ -70,13 +71,7 @@ void add_block(Basis basis, const TransferGrid& grid, const ParticlesToGrid& p, 
                const SumUnits& units, Window& window) {
   alignas(64) static thread_local AxisWeights<B::nodes> weights[D];
   static thread_local NodalContribution gifts[chunk_size];
-  std::ptrdiff_t stride[D];
-  int low[D];
-  for (int a = 0; a < D; ++a) {
-    const int d = grid.active[a];
-    stride[a] = window.stride(d);
-    low[a] = window.lower()[d];
-  }
+  const WindowAxes<D> axes(grid, window);
   std::int64_t* nodes = window.at(0, 0, 0);
   for (int at = begin; at < end; at += chunk_size) {
     const int n = std::min(chunk_size, end - at);
@@ -85,8 +80,8 @@ void add_block(Basis basis, const TransferGrid& grid, const ParticlesToGrid& p, 
     nodal_contributions(grid, p, at, n, units, gifts);
     for (int q = 0; q < n; ++q) {
       std::int64_t* node = nodes;
-      for (int a = 0; a < D; ++a) node += (weights[a].first[q] - low[a]) * stride[a];
-      add_particle<D, B::nodes, Affine, Forces>(gifts[q], weights, q, node, stride);
+      for (int a = 0; a < D; ++a) node += (weights[a].first[q] - axes.low[a]) * axes.stride[a];
+      add_particle<D, B::nodes, Affine, Forces>(gifts[q], weights, q, node, axes.stride);
     }
   }
 }

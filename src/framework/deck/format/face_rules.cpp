@@ -96,8 +96,7 @@ bool same_values(const DeckNode& a, const DeckNode& b) {
   if (kind != b.attribute("var")) return false;
   if (kind == "symmetry" || kind == "computeFromDensity") return true;  // they take no value
   const auto text_of = [](const DeckNode& condition) {
-    const DeckNode* tag = condition.child("value");
-    return collapse_blanks(tag != nullptr ? tag->text : condition.attribute("value").value_or(""));
+    return collapse_blanks(condition_value(condition).text.value_or(""));
   };
   const std::string one = text_of(a), other = text_of(b);
   if (const auto x = parse_real(one), y = parse_real(other); x && y) return *x.value == *y.value;

@@ -96,18 +96,20 @@ class AnalysisRecorder {
   };
   using Visit = std::function<void(int level, LevelSampler&)>;
 
+  // Before the run, in analysis_modules.cpp.
   std::vector<int> materials_of(Label label) const;
   AnalysedQuantity find_quantity(const AnalysedVariable& variable) const;
   std::unique_ptr<VolumeBudgets> make_budgets(const AnalysisModule& module, int first);
-  // Lines, planes and volumes: their names, and whether the domain holds them.
   void check_labels(const std::vector<Label>& labels, const AnalysisModule& module) const;
   void add_particles(const AnalysisModule& module);
+  void add_planes_of_heat(const AnalysisModule& module, int first, const Scene& scene);
+  // Lines, planes and volumes: their names, and whether the domain holds them.
   void check_places(const AnalysisModule& module, std::set<std::string>& names);
   void check_place(const char* kind, const std::string& name, const Location& where, bool outside,
                    bool clipped, std::set<std::string>& names);
   void warn_of_place(const char* kind, const std::string& name, const Location& where, bool outside,
                      bool clipped);
-  void add_planes_of_heat(const AnalysisModule& module, int first, const Scene& scene);
+
   // The samplers of these modules on the levels that exist now, always in the same order.
   void visit(const std::vector<Module*>& modules, const Visit& work) const;
   void lay_out();

@@ -22,6 +22,30 @@ TimeSettings plain_time() {
   return time;
 }
 
+// Growth is limited, and steps are shortened to meet outputs.
+TimeSettings growing_time() {
+  TimeSettings time = plain_time();
+  time.max_delt_increase = 0.1;
+  time.clamp_time_to_output = true;
+  return time;
+}
+
+TimeState state_after(int step, double time, double previous_dt) {
+  TimeState state;
+  state.step = step;
+  state.time = time;
+  state.previous_dt = previous_dt;
+  return state;
+}
+
+// As from a checkpoint.
+TimeControl restarted(const TimeSettings& time, const OutputSettings& output,
+                      const TimeState& state) {
+  TimeControl control(time, output);
+  control.restart(time_state_from_json_text(to_json_text(state)));
+  return control;
+}
+
 StepEnd accept(TimeControl& control, const StepPlan& plan) {
   return control.accept(plan, 0.0, false);
 }
@@ -272,9 +296,7 @@ TEST(TimeControl, a_retry_is_the_same_step_with_its_own_saves) {
 // A step that an output cuts to a sliver says nothing about the physics: the next may be as large
 // as if it had not been cut.
 TEST(TimeControl, steps_cut_for_an_output_do_not_hold_back_those_after) {
-  TimeSettings time = plain_time();
-  time.max_delt_increase = 0.1;
-  time.clamp_time_to_output = true;
+  const TimeSettings time = growing_time();
   OutputSettings output;
   output.interval = 1;
   TimeControl control(time, output);
@@ -285,8 +307,7 @@ TEST(TimeControl, steps_cut_for_an_output_do_not_hold_back_those_after) {
   }
   EXPECT_EQ(control.state().previous_dt, 0.25);
   EXPECT_EQ(control.state().uncut_dt, 0.75);
-  TimeControl again(time, output);
-  again.restart(time_state_from_json_text(to_json_text(control.state())));
+  TimeControl again = restarted(time, output, control.state());
   EXPECT_EQ(again.plan(10).uncut_dt, (1 + 0.1) * 0.75);
   // One that was redone with less does.
   const StepPlan redone = control.retry(control.plan(0.75), 0.125);
@@ -310,9 +331,7 @@ TEST(TimeControl, refuses_steps_that_lead_nowhere) {
 }
 
 TEST(TimeControl, restarts_go_on_with_the_same_bits) {
-  TimeSettings time = plain_time();
-  time.max_delt_increase = 0.1;
-  time.clamp_time_to_output = true;
+  TimeSettings time = growing_time();
   time.end_at_max_time_exactly = true;
   time.max_time = 2;
   OutputSettings output;
@@ -330,8 +349,7 @@ TEST(TimeControl, restarts_go_on_with_the_same_bits) {
   }
   EXPECT_EQ(whole.state().time, 2.0);
   for (const std::size_t at : {0UL, 7UL, states.size() / 2}) {
-    TimeControl again(time, output);
-    again.restart(time_state_from_json_text(to_json_text(states[at])));
+    TimeControl again = restarted(time, output, states[at]);
     for (std::size_t i = at + 1; i < states.size(); ++i) {
       const StepPlan plan = again.plan(again.state().physics_dt);
       EXPECT_EQ(plan.end, plans[i].end);
@@ -400,12 +418,7 @@ TEST(TimeControl, restart_may_override_its_first_step) {
   time.max_delt_increase = 0.1;
   TimeControl fresh(time, {});
   EXPECT_EQ(fresh.plan(0.1).dt, 0.1);
-  TimeState state;
-  state.step = 10;
-  state.time = 1;
-  state.previous_dt = 0.1;
-  TimeControl control(time, {});
-  control.restart(state);
+  TimeControl control = restarted(time, {}, state_after(10, 1, 0.1));
   const StepPlan first = control.plan(0.1);
   EXPECT_EQ(first.step, 11);
   EXPECT_EQ(first.dt, 0.5);
@@ -417,30 +430,21 @@ TEST(TimeControl, restart_may_override_its_first_step) {
 TEST(TimeControl, restart_at_the_end_has_nothing_to_do) {
   TimeSettings time = plain_time();
   time.max_timesteps = 20;
-  TimeState state;
-  state.step = 20;
-  state.time = 1;
-  TimeControl control(time, {});
-  control.restart(state);
+  TimeControl control = restarted(time, {}, state_after(20, 1, 0));
   EXPECT_EQ(control.status(), RunStatus::max_steps);
-  state.time = 10;
-  control.restart(state);
+  control.restart(state_after(20, 10, 0));
   EXPECT_EQ(control.status(), RunStatus::done);
   time.max_time = 0;
   EXPECT_EQ(TimeControl(time, {}).status(), RunStatus::done);
 }
 
 TEST(TimeControl, restart_with_another_interval_counts_anew) {
-  TimeState state;
-  state.step = 10;
-  state.time = 1.0;
-  state.previous_dt = 0.1;
+  TimeState state = state_after(10, 1, 0.1);
   state.schedule.next_output = 11;
   OutputSettings output;
   output.interval = 0.4;
   output.checkpoint.interval = 0.3;
-  TimeControl control(plain_time(), output);
-  control.restart(state);
+  const TimeControl control = restarted(plain_time(), output, state);
   EXPECT_EQ(control.state().schedule.next_output, 3);      // 1.2
   EXPECT_EQ(control.state().schedule.next_checkpoint, 4);  // 1.2
 }

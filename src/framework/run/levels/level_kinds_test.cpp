@@ -1,30 +1,13 @@
 // Blocks that choose their graph: the bits of plain loops over whole fields, whatever the blocks,
 // threads, boxes and ranks, and whether they choose at all.
 #include <gtest/gtest.h>
-#include <sys/mman.h>
-#include <unistd.h>
 
-#include <cmath>
-#include <csignal>
-#include <functional>
-
-#include "framework/run/levels/level_solver.hpp"
-#include "framework/run/test_support/kinds_mock.hpp"
+#include "framework/run/test_support/kinds_run.hpp"
 
 namespace sluice::level_kinds_test {
 namespace {
 
 using namespace kinds_test;
-
-// The second material left of the first, a few mixed cells between them, a fragment of the second
-// further on, uniform to the right.
-double start(int material, IntVec3 c) {
-  const int front = 14 + c.y % 3 + c.z % 2;
-  const bool fragment = c.x >= 50 && c.x < 53 && c.y < 4;
-  if (material == 1) return c.x < front + 2 ? 2 + 0.25 * ((c.x + c.y) % 3) : fragment ? 0.5 : 0.0;
-  if (c.x < front) return 0;
-  return c.x > 66 ? 1 : 1 + 0.125 * ((c.x * 3 + c.y + c.z) % 5);
-}
 
 // Whole fields, cell by cell.
 class Plain {
@@ -84,61 +67,6 @@ class Plain {
     }
   }
   IndexBox domain_;
-};
-
-Level level_of(IntVec3 cells, IntVec3 pieces) {
-  Level level;
-  level.domain = {{0, 0, 0}, cells};
-  for (int d = 0; d < 3; ++d) level.active[d] = cells[d] > 1;
-  for (const IndexBox& b : split(level.domain, pieces))
-    level.boxes.push_back({b, 0, static_cast<int>(level.boxes.size())});
-  assign_owners(level.boxes, world().size());
-  return level;
-}
-
-struct KindsRun {
-  Level level;
-  KindsMock mock;
-  LevelSolver solver;
-
-  KindsRun(IntVec3 cells, const SolverOptions& o, IntVec3 pieces = {1, 1, 1},
-           const KindsMock::Start& from = start, double most = 1e300)
-      : level(level_of(cells, pieces)),
-        mock(with_most(level, from, most)),
-        solver(mock, level, world(), o) {
-    mock.state().initialise(solver.state());
-    solver.mark_modified();
-  }
-  static KindsMock with_most(const Level& level, const KindsMock::Start& from, double most) {
-    KindsMock m(level, from);
-    m.most = most;
-    return m;
-  }
-  const StepAttempt& attempt(double dt, const std::vector<Label>& wanted = {}) {
-    solver.fill_ghosts(0);
-    return solver.attempt(0, dt, wanted, nullptr);
-  }
-  void step(double dt, const std::vector<Label>& wanted = {}) {
-    attempt(dt, wanted);
-    solver.advance();
-    solver.accept();
-  }
-  // Blocks of the current state that are known to be uniform in a slot; all must be.
-  int known(int slot) {
-    const Warehouse& state = solver.state();
-    int count = 0;
-    if (state.blocks().size() == 0) return count;
-    for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b)
-      state.blocks().any_block(b, level.domain, [&](int block, const IndexBox& cells) {
-        const double value = state.uniform(slot, block);
-        if (std::isnan(value)) return false;
-        ++count;
-        for (int c = 0; c < state.info(slot).components; ++c)
-          EXPECT_FALSE(any_other(state.view(slot, c, b), cells, value)) << "slot " << slot;
-        return false;
-      });
-    return count;
-  }
 };
 
 void expect_field(const Warehouse& w, int slot, int c, const Plain& plain,
@@ -373,68 +301,6 @@ TEST(KindsOnRanks, GiveTheSameBits) {
     if (HasFatalFailure()) return;
   }
 }
-
-#ifndef __SANITIZE_ADDRESS__
-// A page that nobody writes takes no memory; how a system counts those that were read is its own
-// affair. So the pages are locked against writing, and opened one by one to who writes all the
-// same.
-class WrittenPages {
- public:
-  WrittenPages() {
-    struct sigaction action {};
-    action.sa_sigaction = open_page;
-    action.sa_flags = SA_SIGINFO;
-    ::sigaction(SIGSEGV, &action, &former_);
-    first_ = nullptr;
-    end_ = nullptr;
-    written_ = 0;
-  }
-  ~WrittenPages() {
-    ::mprotect(first_, end_ - first_, PROT_READ | PROT_WRITE);
-    ::sigaction(SIGSEGV, &former_, nullptr);
-  }
-  WrittenPages(const WrittenPages&) = delete;
-  WrittenPages& operator=(const WrittenPages&) = delete;
-
-  // Whole pages of a field with its ghosts.
-  void watch(const RealView& field) {
-    const auto begin = reinterpret_cast<std::uintptr_t>(field.data);
-    const std::uintptr_t end = begin + sizeof(double) * field.box.volume();
-    first_ = reinterpret_cast<char*>((begin + page - 1) / page * page);
-    end_ = reinterpret_cast<char*>(end / page * page);
-    ASSERT_LT(first_, end_);
-    ASSERT_EQ(::mprotect(first_, end_ - first_, PROT_READ), 0);
-  }
-  int count() const { return written_; }
-
- private:
-  static constexpr std::uintptr_t page = 65536;  // a multiple of any system's
-  static void open_page(int, siginfo_t* fault, void*) {
-    char* address = static_cast<char*>(fault->si_addr);
-    if (address < first_ || address >= end_) ::_exit(139);  // a true fault
-    written_ = written_ + 1;
-    ::mprotect(first_ + (address - first_) / page * page, page, PROT_READ | PROT_WRITE);
-  }
-  static inline char *first_ = nullptr, *end_ = nullptr;
-  static inline volatile int written_ = 0;
-  struct sigaction former_ {};
-};
-
-TEST(Kinds, FieldsOfAbsentMaterialsAreNotWritten) {
-  const IntVec3 cells{512, 528, 1};
-  for (const int slot : {0, 2, 3})  // mass of the first; mass and share of the second
-    for (const bool now : {true, false}) {
-      SCOPED_TRACE(testing::Message() << "slot " << slot << (now ? ", new" : ", old"));
-      KindsRun run(cells, {}, {1, 1, 1}, [](int m, IntVec3) { return m == 0 ? 1.0 : 0.0; });
-      WrittenPages written;
-      written.watch((now ? run.solver.state() : run.solver.states().previous()).view(slot, 0, 0));
-      run.mock.state().initialise(run.solver.state());
-      for (int n = 0; n < 3; ++n) run.step(dt);
-      EXPECT_EQ(written.count() > 0, slot == 0);
-      EXPECT_GE(run.solver.memory_bytes(), 12u * 8u * 516u * 532u);  // six numbers, old and new
-    }
-}
-#endif
 
 }  // namespace
 }  // namespace sluice::level_kinds_test

@@ -6,11 +6,10 @@
 // D = sym L, where turning a stressed body gives false stress.
 #include <cmath>
 
-#include "mpm/material/base/batch_math.hpp"
 #include "mpm/material/base/cell_pressure_tag.hpp"
 #include "mpm/material/base/history_labels.hpp"
 #include "mpm/material/base/material_model.hpp"
-#include "mpm/material/base/objective_step.hpp"
+#include "mpm/material/base/rate_form.hpp"
 
 namespace sluice::mpm {
 namespace {
@@ -34,13 +33,7 @@ class HypoElastic final : public Material {
   std::span<const HistoryColumn> history() const override { return history_; }
 
   void start(const Batch& b) const override {
-    for (double* column : b.stress)
-      for (int i = 0; i < b.count; ++i) column[i] = 0;
-    const Nine<const double> F = b.F;
-    for (int i = 0; i < b.count; ++i) {
-      b.energy[i] = 0;
-      b.wave_speed[i] = std::sqrt((bulk_ + 4.0 / 3 * shear_) * determinant(at(F, i)) / density_);
-    }
+    start_without_stress(b, bulk_, shear_, density_);
     if (expansion_ != 0)
       for (int i = 0; i < b.count; ++i) b.history[0][i] = b.temperature[i];
   }
@@ -70,11 +63,9 @@ class HypoElastic final : public Material {
     const double per_density = (bulk_ + 4.0 / 3 * shear_) / density_, expansion = expansion_;
 #pragma GCC ivdep
     for (int i = 0; i < batch.count; ++i) {
-      const ObjectiveStep move =
-          objective ? objective_step(at(L, i), dt) : plain_step(at(L, i), dt);
+      const ObjectiveStep move = rate_step<objective>(at(L, i), dt);
       const std::array<double, 6> d = move.strain;
-      const std::array<double, 6> old =
-          objective ? pushed(at(old_stress, i), move.half_turn) : at(old_stress, i);
+      const std::array<double, 6> old = half_turned<objective>(at(old_stress, i), move);
       double volume = third * (d[0] + d[1] + d[2]);
       if constexpr (thermal) {
         volume -= 3 * bulk_ * expansion * (temperature[i] - taken_to[i]);
@@ -83,12 +74,10 @@ class HypoElastic final : public Material {
       const std::array<double, 6> middle = {
           old[0] + G2 * d[0] + volume, old[1] + G2 * d[1] + volume, old[2] + G2 * d[2] + volume,
           old[3] + G2 * d[3],          old[4] + G2 * d[4],          old[5] + G2 * d[5]};
-      const std::array<double, 6> s = objective ? pushed(middle, move.half_turn) : middle;
+      const std::array<double, 6> s = half_turned<objective>(middle, move);
       const double J = determinant(at(F, i));
-      // (sigma_n J_n + sigma_n+1 J_n+1)/2 : dt D
-      energy[i] = old_energy[i] +
-                  0.5 * volume_0[i] *
-                      (determinant(at(F_old, i)) * double_dot(old, d) + J * double_dot(middle, d));
+      energy[i] =
+          old_energy[i] + work_of_step(volume_0[i], determinant(at(F_old, i)), old, J, middle, d);
       wave_speed[i] = std::sqrt(J * per_density);
       put(stress, i, s);
     }

@@ -10,11 +10,10 @@
 //   S <- e^-x S + 2 G_v dt dev D (1 - e^-x)/x
 #include <cmath>
 
-#include "mpm/material/base/batch_math.hpp"
 #include "mpm/material/base/history_labels.hpp"
 #include "mpm/material/base/material_model.hpp"
 #include "mpm/material/base/maxwell_step.hpp"
-#include "mpm/material/base/objective_step.hpp"
+#include "mpm/material/base/rate_form.hpp"
 
 namespace sluice::mpm {
 namespace {
@@ -40,14 +39,9 @@ class MaxwellSolid final : public Material {
   double shear_modulus() const override { return c_.shear(); }
 
   void start(const Batch& b) const override {
-    const Nine<const double> F = b.F;
-    for (int i = 0; i < b.count; ++i) {
-      for (double* column : b.stress) column[i] = 0;
-      for (double* column : b.history) column[i] = 0;
-      b.energy[i] = 0;
-      b.wave_speed[i] =
-          std::sqrt((c_.bulk() + 4.0 / 3 * c_.shear()) * determinant(at(F, i)) / c_.density);
-    }
+    start_without_stress(b, c_.bulk(), c_.shear(), c_.density);
+    for (double* column : b.history)
+      for (int i = 0; i < b.count; ++i) column[i] = 0;
   }
 
   std::optional<BatchFault> update(const Batch& b) const override {
@@ -77,13 +71,10 @@ class MaxwellSolid final : public Material {
     const double per_density = (c_.bulk() + 4.0 / 3 * c_.shear()) / c_.density;
 #pragma GCC ivdep
     for (int i = 0; i < batch.count; ++i) {
-      const ObjectiveStep move =
-          objective ? objective_step(at(L, i), dt) : plain_step(at(L, i), dt);
+      const ObjectiveStep move = rate_step<objective>(at(L, i), dt);
       const std::array<double, 6> d = move.strain;
-      const std::array<double, 6> old =
-          objective ? pushed(at(old_stress, i), move.half_turn) : at(old_stress, i);
-      const std::array<double, 6> old_m =
-          objective ? pushed(at(old_element, i), move.half_turn) : at(old_element, i);
+      const std::array<double, 6> old = half_turned<objective>(at(old_stress, i), move);
+      const std::array<double, 6> old_m = half_turned<objective>(at(old_element, i), move);
       const double volume = d[0] + d[1] + d[2], third = volume * (1.0 / 3);
       const double old_mean = (old_m[0] + old_m[1] + old_m[2]) * (1.0 / 3);
       // Of the element: on the diagonal the mean goes its own way.
@@ -99,12 +90,11 @@ class MaxwellSolid final : public Material {
                                             old[3] - old_m[3] + spring_G2 * d[3] + m[3],
                                             old[4] - old_m[4] + spring_G2 * d[4] + m[4],
                                             old[5] - old_m[5] + spring_G2 * d[5] + m[5]};
-      const std::array<double, 6> s = objective ? pushed(middle, move.half_turn) : middle;
-      const std::array<double, 6> now = objective ? pushed(m, move.half_turn) : m;
+      const std::array<double, 6> s = half_turned<objective>(middle, move);
+      const std::array<double, 6> now = half_turned<objective>(m, move);
       const double J = determinant(at(F, i));
-      energy[i] = old_energy[i] +
-                  0.5 * volume_0[i] *
-                      (determinant(at(F_old, i)) * double_dot(old, d) + J * double_dot(middle, d));
+      energy[i] =
+          old_energy[i] + work_of_step(volume_0[i], determinant(at(F_old, i)), old, J, middle, d);
       wave_speed[i] = std::sqrt(J * per_density);
       put(stress, i, s);
       put(element, i, now);

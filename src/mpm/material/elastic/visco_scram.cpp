@@ -21,7 +21,7 @@
 #include "mpm/material/base/cell_pressure_tag.hpp"
 #include "mpm/material/base/history_labels.hpp"
 #include "mpm/material/base/material_model.hpp"
-#include "mpm/material/base/objective_step.hpp"
+#include "mpm/material/base/rate_form.hpp"
 #include "mpm/material/base/tensor.hpp"
 
 namespace sluice::mpm {
@@ -180,9 +180,7 @@ class ViscoScram final : public Material {
     Symmetric now = sum(s);
     for (std::size_t k = 0; k < 3; ++k) now[k] += d.mean + c_.bulk * volume;
     const double J_0 = determinant(at(b.old_F, i)), J = determinant(at(b.F, i));
-    b.energy[i] = b.old_energy[i] +
-                  0.5 * b.volume_0[i] *
-                      (J_0 * double_dot(old, move.strain) + J * double_dot(now, move.strain));
+    b.energy[i] = b.old_energy[i] + work_of_step(b.volume_0[i], J_0, old, J, now, move.strain);
     b.wave_speed[i] = wave_speed(J);
     b.heating[i] += -c_.gamma * T * tr_D +
                     (viscous + c_.beta * of_cracks) * J / (c_.density * c_.specific_heat * dt);

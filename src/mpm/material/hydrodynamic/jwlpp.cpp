@@ -1,75 +1,52 @@
 // jwlpp_mpm: an explosive that turns from Murnaghan's solid into products of JWL (JWL++, Souers
 // 2000).
 //
-//   p = (1 - f) p_M + f p_J   (explosive_mixture.hpp)
-//   df/dt = G (1 - f) p^b once p has passed the ignition pressure;   sigma = -p I
+//   p = (1 - f) p_M + f p_J   (explosive.hpp)
+//   df/dt = G (1 - f) p^b once p has passed the ignition pressure
 // The rate is integrated with p on a straight line over sub-steps in which f changes little.
 #include <algorithm>
 #include <cmath>
 
-#include "mpm/material/base/batch_math.hpp"
-#include "mpm/material/base/history_labels.hpp"
 #include "mpm/material/base/material_model.hpp"
-#include "mpm/material/hydrodynamic/explosive_mixture.hpp"
+#include "mpm/material/hydrodynamic/explosive.hpp"
 
 namespace sluice::mpm {
 namespace {
 
-struct JwlppConstants {
-  ExplosiveMixture of;
-  double ignition, G, b, max_burned, J0, density;
+struct BurnRate {
+  double ignition, G, b, max_burned;
 };
 
-class Jwlpp final : public Material {
+class Jwlpp final : public Explosive {
  public:
-  explicit Jwlpp(const JwlppConstants& constants) : c_(constants) {
-    history_ = {{history_label("p.progressF"), 1}, {history_label("p.progressdelF"), 1}};
-  }
-  std::span<const HistoryColumn> history() const override { return history_; }
-
-  void start(const Batch& b) const override {
-    for (int i = 0; i < b.count; ++i) {
-      b.history[0][i] = b.history[1][i] = 0;
-      b.energy[i] = 0;
-      set_stress(b, i, determinant(at(b.F, i)), 0);
-    }
-  }
+  Jwlpp(const ExplosiveMixture& mixture, double J0, double density, const BurnRate& rate)
+      : Explosive(mixture, J0, density, "p.progressdelF"), c_(rate) {}
 
   std::optional<BatchFault> update(const Batch& b) const override {
     if (const auto fault = fault_of_volume(b)) return fault;
     for (int i = 0; i < b.count; ++i) {
       const double J_0 = determinant(at(b.old_F, i)), J = determinant(at(b.F, i));
-      const double f_0 = b.old_history[0][i];
-      const double p_0 = -b.old_stress[0][i];
+      const double f_0 = b.old_history[0][i], p_0 = -b.old_stress[0][i];
       const double f = p_0 > c_.ignition || f_0 > 0 ? burnt(f_0, J_0, J, b.dt) : f_0;
-      b.history[0][i] = f;
       b.history[1][i] = f - f_0;
-      set_stress(b, i, J, f);
-      b.energy[i] = b.old_energy[i] - 0.5 * b.volume_0[i] * (p_0 - b.stress[0][i]) * (J - J_0);
+      set_burnt(b, i, f);
     }
     return std::nullopt;
   }
-  double bulk_modulus() const override { return 1 / c_.of.K; }
 
  private:
-  void set_stress(const Batch& b, int i, double J_F, double f) const {
-    const double J = J_F * c_.J0, p = c_.of.pressure(J, f);
-    for (int k = 0; k < 6; ++k) b.stress[k][i] = k < 3 ? -p : 0;
-    b.wave_speed[i] = std::sqrt(std::max(c_.of.modulus(J, f), 1e-3 / c_.of.K) * J_F / c_.density);
-  }
-
   // f after a step in which J goes from one value to the other.
   double burnt(double f, double J_0, double J_1, double dt) const {
     constexpr double most = 0.02;  // relative, in a sub-step
     double t = 0;
     for (int k = 0; k < 100000 && t < dt && f < c_.max_burned; ++k) {
       const auto rate = [&](double at_time, double at_f) {
-        const double J = (J_0 + (J_1 - J_0) * at_time / dt) * c_.J0;
-        return c_.G * std::pow(std::max(c_.of.pressure(J, at_f), 0.0), c_.b);
+        const double J = (J_0 + (J_1 - J_0) * at_time / dt) * J0();
+        return c_.G * std::pow(std::max(mixture().pressure(J, at_f), 0.0), c_.b);
       };
       // Neither 1 - f nor p changes by more than `most`.
-      const double r = rate(t, f), J = (J_0 + (J_1 - J_0) * t / dt) * c_.J0;
-      const double p = c_.of.pressure(J, f), rise = c_.of.products(J) - c_.of.solid(J);
+      const double r = rate(t, f), J = (J_0 + (J_1 - J_0) * t / dt) * J0();
+      const double p = mixture().pressure(J, f), rise = mixture().products(J) - mixture().solid(J);
       const double quickest = r * std::max(1.0, std::abs(rise) * (1 - f) / std::max(p, 1e-300));
       const double h = std::min(dt - t, quickest > 0 ? most / quickest : dt);
       // Midpoint: -d ln(1 - f)/dt = G p^b.
@@ -81,29 +58,25 @@ class Jwlpp final : public Material {
     return std::min(f, c_.max_burned);
   }
 
-  JwlppConstants c_;
-  std::vector<HistoryColumn> history_;
+  BurnRate c_;
 };
 
 std::shared_ptr<const Material> make(const Parameters& p) {
-  JwlppConstants c = {
-      {p.real("murnaghan_K"), p.real("murnaghan_n"), p.real("jwl_A"), p.real("jwl_B"),
-       p.real("jwl_C"), p.real("jwl_R1"), p.real("jwl_R2"), p.real("jwl_om")},
-      p.real("ignition_pressure"),
-      p.real("reaction_G"),
-      p.real("reaction_b"),
-      p.real("max_burned_fraction"),
-      1,
-      p.constants().density};
+  const ExplosiveMixture mixture = {p.real("murnaghan_K"), p.real("murnaghan_n"), p.real("jwl_A"),
+                                    p.real("jwl_B"),       p.real("jwl_C"),       p.real("jwl_R1"),
+                                    p.real("jwl_R2"),      p.real("jwl_om")};
+  const BurnRate rate = {p.real("ignition_pressure"), p.real("reaction_G"), p.real("reaction_b"),
+                         p.real("max_burned_fraction")};
+  double J0 = 1;
   if (p.flag("useInitialStress")) {
-    const double base = 1 + c.of.n * c.of.K * p.real("initial_pressure");
+    const double base = 1 + mixture.n * mixture.K * p.real("initial_pressure");
     if (!(base > 0)) {
       p.error("initial_pressure", "<initial_pressure> is below the lowest pressure of the solid");
       return nullptr;
     }
-    c.J0 = std::pow(base, -1 / c.of.n);
+    J0 = std::pow(base, -1 / mixture.n);
   }
-  return std::make_shared<Jwlpp>(c);
+  return std::make_shared<Jwlpp>(mixture, J0, p.constants().density, rate);
 }
 
 }  // namespace

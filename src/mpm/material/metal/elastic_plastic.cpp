@@ -5,8 +5,7 @@
 //   Sigma = R_0^T sigma R_0, strain = strain_between(U_0, U_1)     in the body's own axes
 //   S_tr  = S + 2 mu strain' (or relaxed by <deviatoric_stress_model>, metal_deviator.hpp),
 //     mu and T_m of p, T at the start; T > T_m: S_tr = 0 (do_melting)
-//   |S_tr| > (2/3)^(1/2) sigma_y: |S_tr| - 2 mu x - (2/3)^(1/2) sigma_y(x) = 0 for x = dgamma,
-//     S = S_tr (1 - 2 mu x/|S_tr|),   eps_p += (2/3)^(1/2) x
+//   |S_tr| > (2/3)^(1/2) sigma_y: S and eps_p by the return of metal_return.hpp
 //   p     by <equation_of_state>, with the work of the stress
 //   dT/dt = chi sigma_y d eps_p/(rho C dt), and -T Gamma_0 dJ/dt with mie_gruneisen
 //   sigma = R_1 (S - p I) R_1^T
@@ -14,31 +13,21 @@
 // added in axes that stand still.
 #include <algorithm>
 #include <cmath>
-#include <variant>
 
 #include "framework/deck/faults.hpp"
 #include "mpm/material/base/batch_math.hpp"
 #include "mpm/material/base/cell_pressure_tag.hpp"
 #include "mpm/material/base/history_labels.hpp"
 #include "mpm/material/base/material_model.hpp"
-#include "mpm/material/base/metal_parts.hpp"
-#include "mpm/material/base/plastic_root.hpp"
-#include "mpm/material/metal/flow_isotropic.hpp"
-#include "mpm/material/metal/flow_johnson_cook.hpp"
-#include "mpm/material/metal/flow_mts.hpp"
-#include "mpm/material/metal/flow_preston_tonks_wallace.hpp"
-#include "mpm/material/metal/flow_steinberg_guinan.hpp"
-#include "mpm/material/metal/flow_zerilli_armstrong.hpp"
 #include "mpm/material/metal/metal_deviator.hpp"
 #include "mpm/material/metal/metal_failure.hpp"
+#include "mpm/material/metal/metal_flow.hpp"
 #include "mpm/material/metal/metal_moduli.hpp"
 #include "mpm/material/metal/metal_pressure.hpp"
+#include "mpm/material/metal/metal_return.hpp"
 
 namespace sluice::mpm {
 namespace {
-
-using Flow = std::variant<IsotropicHardening, JohnsonCook, MechanicalThreshold, ZerilliArmstrong,
-                          SteinbergGuinan, PrestonTonksWallace>;
 
 struct MetalConstants {
   double bulk = 0, density = 0;
@@ -54,11 +43,9 @@ struct MetalConstants {
   bool melts = true, check_pores = true, erodes = false, objective = true;
 };
 
-const double root_2_3 = std::sqrt(2.0 / 3);
-
 class Metal final : public Material {
  public:
-  Metal(const MetalConstants& constants, Flow flow) : c_(constants), flow_(std::move(flow)) {
+  Metal(const MetalConstants& constants, MetalFlow flow) : c_(constants), flow_(std::move(flow)) {
     history_ = {{plastic_strain_label(), 1},
                 {plastic_strain_rate_label(), 1},
                 {history_label("p.strainRate"), 1}};
@@ -160,38 +147,6 @@ class Metal final : public Material {
       moves[k] = {old[k].R, now[k].R, strain_between(old[k].U, now[k].U)};
   }
 
-  // The return of a trial deviator: what it leaves of it, and the plastic strain.
-  struct Return {
-    double keep = 1;         // S = keep S_tr
-    double more_strain = 0;  // d eps_p
-    double yield = 0;        // sigma_y at the end
-    bool soft = false;       // sigma_y <= 0
-  };
-  template <class F, class Here>
-  Return returned(const F& flow, const Here& here, double size, double mu, double strain,
-                  double last_rate, double trace_of_stress, double porosity, double dt) const {
-    const auto strength = [&](double x) {
-      const double more = root_2_3 * x;
-      const double f = flow.stress(here, strain + more, more / dt);
-      return f > 0 ? f * c_.yield.share(f, trace_of_stress, porosity) : 0;
-    };
-    Return r;
-    r.yield = strength(0);
-    r.soft = !(r.yield > 0);
-    const double over = size - root_2_3 * r.yield;
-    if (!(over > 0)) return r;
-    const auto f = [&](double x) { return size - 2 * mu * x - root_2_3 * strength(x); };
-    // Where the strength does not fall the root lies before over/(2 mu), else before size/(2 mu).
-    const double high = over / (2 * mu), last = last_rate * dt / root_2_3;
-    const double guess = last > 0 && last < high ? last : 0.9 * high, tolerance = 1e-11 * size;
-    double x = secant_root(f, over, high, guess, tolerance);
-    if (x < 0) x = falling_root(f, over, f(high) > 0 ? size / (2 * mu) : high, guess, tolerance);
-    r.keep = 1 - 2 * mu * x / size;
-    r.more_strain = root_2_3 * x;
-    r.yield = r.keep * size / root_2_3;
-    return r;
-  }
-
   template <class F>
   bool step(const F& flow, const Batch& b, int i, const Motion& move) const {
     const Matrix F_0 = at(b.old_F, i), F_1 = at(b.F, i);
@@ -207,13 +162,13 @@ class Metal final : public Material {
     Symmetric S = trial.S;
     const double size = std::sqrt(double_dot(S, S));
     const auto here = flow.at(state);
-    Return r;
+    MetalReturn r;
     const bool liquid = T > state.melt;
     if (liquid && c_.melts) {
       r.keep = 0;
     } else {
-      r = returned(flow, here, size, trial.mu, old_strain, b.old_history[1][i], -3 * p_0,
-                   old_porosity, dt);
+      r = returned(flow, here, c_.yield,
+                   {size, trial.mu, old_strain, b.old_history[1][i], -3 * p_0, old_porosity, dt});
     }
     const Symmetric direction = combined(1 / (size + 1e-300), S, 0, S);
     for (double& x : S) x *= r.keep;
@@ -259,7 +214,7 @@ class Metal final : public Material {
   }
 
   // Heating by plastic work, and by compression along an isentrope; C: J/(kg K).
-  void add_heating(const Batch& b, int i, const MetalState& state, const Return& r, double C,
+  void add_heating(const Batch& b, int i, const MetalState& state, const MetalReturn& r, double C,
                    double stretch) const {
     b.heating[i] += c_.taylor_quinney * r.yield * r.more_strain / (state.density * C * b.dt);
     if (c_.pressure.form == MetalPressure::Form::mie_gruneisen)
@@ -268,7 +223,7 @@ class Metal final : public Material {
 
   // The porosity behind the step; `stretch`: of the volume.
   double grow_pores(const Batch& b, int i, double stretch, double old_porosity, double old_strain,
-                    const Return& r) const {
+                    const MetalReturn& r) const {
     if (porosity_at_ < 0) return old_porosity;
     double porosity = old_porosity;
     if (c_.pores.evolve)
@@ -278,7 +233,7 @@ class Metal final : public Material {
 
   // Writes the Maxwell elements; what they turned into heat, J/m^3.
   double relaxed(const Batch& b, int i, double mu, const Symmetric& strain,
-                 const MaxwellElements::Trial& trial, const Return& r, bool melted) const {
+                 const MaxwellElements::Trial& trial, const MetalReturn& r, bool melted) const {
     const std::size_t at_first = elements_at_;
     const std::span<double* const> now = b.history.subspan(at_first);
     if (melted) {
@@ -293,8 +248,8 @@ class Metal final : public Material {
   // 1 where the particle fails in this step.
   template <class F, class Here>
   double failed(const F& flow, const Here& here, const MetalState& state, const Symmetric& strain,
-                const Symmetric& N, const Return& r, double old_strain, double porosity, double C,
-                double dt, bool liquid) const {
+                const Symmetric& N, const MetalReturn& r, double old_strain, double porosity,
+                double C, double dt, bool liquid) const {
     if (liquid || r.soft) return 1;
     if (c_.check_pores && porosity_at_ >= 0 && porosity > c_.pores.critical) return 1;
     if (c_.stability == Stability::none || !(r.more_strain > 0)) return 0;
@@ -309,41 +264,10 @@ class Metal final : public Material {
   }
 
   MetalConstants c_;
-  Flow flow_;
+  MetalFlow flow_;
   std::vector<HistoryColumn> history_;
   int porosity_at_ = -1, failed_at_ = -1, temperature_at_ = -1, elements_at_ = -1;
 };
-
-const std::vector<Part>& flows() {
-  static const std::vector<Part> list = {{"isotropic_hardening", IsotropicHardening::tags()},
-                                         {"johnson_cook", JohnsonCook::tags()},
-                                         {"mts_model", MechanicalThreshold::tags()},
-                                         {"zerilli_armstrong", ZerilliArmstrong::tags()},
-                                         {"steinberg_cochran_guinan", SteinbergGuinan::tags()},
-                                         {"preston_tonks_wallace", PrestonTonksWallace::tags()}};
-  return list;
-}
-const std::vector<std::string> flows_not_supported = {"zerilli_armstrong_polymer"};
-std::optional<Flow> read_flow(const Parameters& model) {
-  const ChosenPart chosen = choose_part(model, "flow_model", flows(), flows_not_supported);
-  if (chosen.index < 0) return std::nullopt;
-  const Parameters p = inside_part(model, "flow_model", flows()[chosen.index]);
-  if (!p.good()) return std::nullopt;
-  switch (chosen.index) {
-    case 0:
-      return IsotropicHardening::read(p);
-    case 1:
-      return JohnsonCook::read(p);
-    case 2:
-      return MechanicalThreshold::read(p);
-    case 3:
-      return ZerilliArmstrong::read(p);
-    case 4:
-      return SteinbergGuinan::read(p);
-    default:
-      return PrestonTonksWallace::read(p);
-  }
-}
 
 std::shared_ptr<const Material> make(const Parameters& p) {
   MetalConstants c;
@@ -370,7 +294,7 @@ std::shared_ptr<const Material> make(const Parameters& p) {
   if (p.word("plastic_convergence_algo") == "biswajit")
     add_warning(p.faults(), p.block("plastic_convergence_algo")->where,
                 "biswajit is an older return algorithm; radialReturn is used", "remove the tag");
-  const std::optional<Flow> flow = read_flow(p);
+  const std::optional<MetalFlow> flow = read_metal_flow(p);
   return flow ? std::make_shared<Metal>(c, *flow) : nullptr;
 }
 
@@ -391,7 +315,7 @@ Tags tags() {
              "whether a particle fails at <critical_porosity>; "
              "with <erosion>",
              true),
-      part_tag("flow_model", "the flow stress", flows(), flows_not_supported).once(),
+      metal_flow_tag(),
       metal_pressure_tag(),
       shear_modulus_tag(),
       melting_tag(),
