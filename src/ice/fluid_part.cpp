@@ -31,20 +31,20 @@ std::unique_ptr<TransferOperators> make_flow_transfer(const Scene& scene, const 
   const bool matches = matches_fluxes(scene, ice);
   std::unique_ptr<TransferOperators> flow;
   std::vector<std::size_t> by_volume;  // views of scalars
-  const std::size_t materials = o.fluids.size();
+  const std::size_t materials = o.materials.fluids.size();
   std::size_t views = 0;  // of the flow: the components of its slots, which scalars follow
   const std::size_t beside =
-      ice.models.scalars.size() + (o.implicit ? 1 : 0) + (ice.solids > 0 ? 1 : 0);
+      ice.models.scalars.size() + (o.scheme.implicit ? 1 : 0) + (ice.solids > 0 ? 1 : 0);
   for (std::size_t s = 0; s + beside < slots.size(); ++s) views += slots[s].components;
   for (std::size_t s = 0; s < ice.models.scalars.size(); ++s)
     if (ice.models.scalars[s].by_volume) by_volume.push_back(views + s);
   if (materials == 1)
-    flow = std::make_unique<IceTransfer>(o.components, o.internal_energy_form, matches, o.fluid,
-                                         by_volume);
+    flow = std::make_unique<IceTransfer>(o.grid.components, o.scheme.internal_energy_form, matches,
+                                         o.materials.fluid, by_volume);
   else
     flow = std::make_unique<MixtureTransfer>(
-        o.fluids, o.components, matches, o.multi_velocity,
-        by_volume.empty() ? MixedGasView{} : MixedGasView{o.mixed, by_volume.front()});
+        o.materials.fluids, o.grid.components, matches, o.materials.multi_velocity,
+        by_volume.empty() ? MixedGasView{} : MixedGasView{o.materials.mixed, by_volume.front()});
   if (ice.models.scalars.empty()) return flow;
   std::vector<std::size_t> mass;
   for (const models::TransportedScalar& s : ice.models.scalars) mass.push_back(s.material);
@@ -56,7 +56,7 @@ std::unique_ptr<TransferOperators> make_transfer(const Scene& scene, const IceSc
                                                  const SchemeOptions& o,
                                                  const std::vector<SlotInfo>& slots) {
   auto flow = make_flow_transfer(scene, ice, o, slots);
-  if (o.implicit) flow = std::make_unique<OffsetTransfer>(std::move(flow));
+  if (o.scheme.implicit) flow = std::make_unique<OffsetTransfer>(std::move(flow));
   if (ice.solids > 0) flow = std::make_unique<OffsetTransfer>(std::move(flow));  // theta
   return flow;
 }
@@ -70,20 +70,21 @@ FluidPart::FluidPart(const Scene& scene, IceScene ice_scene, IndexOffsets places
       options_(scheme_options(scene, ice_)),
       estimates_(wanted_estimates(scene.refinement.errors)) {
   for (const models::TransportedScalar& s : ice_.models.scalars) s.declare_labels();
-  options_.places = std::move(places);
+  options_.accounts.places = std::move(places);
   StateSlots slots;
-  slots.places = options_.places;
+  slots.places = options_.accounts.places;
   slots.mass = labels().mass;
   slots.momentum = labels().momentum;
   slots.energy = labels().energy;
   if (material_count() > 1) slots.volume = labels().volume;
-  if (options_.multi_velocity) slots.slip = labels().slip;
-  if (options_.implicit) slots.offset = labels().pressure_offset;
-  for (int c = 0; c < options_.components; ++c) slots.directions.push_back(options_.direction[c]);
+  if (options_.materials.multi_velocity) slots.slip = labels().slip;
+  if (options_.scheme.implicit) slots.offset = labels().pressure_offset;
+  for (int c = 0; c < options_.grid.components; ++c)
+    slots.directions.push_back(options_.grid.direction[c]);
   for (int level = 0; level < static_cast<int>(scene.grid.levels.size()); ++level)
     boundary_.push_back(std::make_unique<BoundaryFill>(scene, std::span(ice_.materials), slots,
                                                        level, ice_.conditions, ice_.models.scalars,
-                                                       options_.mixed));
+                                                       options_.materials.mixed));
   effects_.add(open_faces(ice_, *boundary_.front()));
   if (ice_.solids > 0)
     effects_.add(
@@ -93,26 +94,26 @@ FluidPart::FluidPart(const Scene& scene, IceScene ice_scene, IndexOffsets places
   if (effects_.on(effect_tracers))
     tracers_ = std::make_unique<Tracers>(
         ice_.models.tracers, ice_.models.scalars, scene.grid, boundary_,
-        FlowStorage{material_count(), slots.directions, options_.multi_velocity, options_.places,
-                    ice_.solids > 0},
+        FlowStorage{material_count(), slots.directions, options_.materials.multi_velocity,
+                    options_.accounts.places, ice_.solids > 0},
         scene.time.max_time);
   transfer_ = make_transfer(scene, ice_, options_, state_slots());
   if (!effects_.on(effect_sources)) return;
   for (const Level& level : scene.grid.levels)
-    sources_.push_back(std::make_unique<Sources>(ice_.models, ice_.added_heat, options_.fluids,
-                                                 level, options_.direction));
-  options_.sources = sources_.front().get();
+    sources_.push_back(std::make_unique<Sources>(
+        ice_.models, ice_.added_heat, options_.materials.fluids, level, options_.grid.direction));
+  options_.forces.sources = sources_.front().get();
 }
 
 SchemeOptions FluidPart::at_level(int level) const {
   SchemeOptions o = options_;
   const Level& cells = scene_->grid.levels[level];
-  o.level = &cells;
-  o.domain = cells.domain;
-  o.transports = transport_models(ice_, cells);
-  o.transport = o.transports.front();
-  o.boundary = boundary_[level].get();
-  if (!sources_.empty()) o.sources = sources_[level].get();
+  o.grid.level = &cells;
+  o.grid.domain = cells.domain;
+  o.transport.models_of_each = transport_models(ice_, cells);
+  o.transport.models = o.transport.models_of_each.front();
+  o.grid.boundary = boundary_[level].get();
+  if (!sources_.empty()) o.forces.sources = sources_[level].get();
   return o;
 }
 
@@ -127,11 +128,12 @@ std::vector<SlotInfo> FluidPart::state_slots() const {
   const int aside = waves + std::max(waves - 1, 0) + (ice_.conditions.slip ? 1 : 0);
   // Their friction follows what the dynamic model has filtered.
   const bool filtered = ice_.turbulence && ice_.turbulence->dynamic;
-  const int around = options_.multi_velocity ? (filtered ? 3 : 2) : filtered ? 2 : 0;
+  const int around = options_.materials.multi_velocity ? (filtered ? 3 : 2) : filtered ? 2 : 0;
   // Slopes of the semi-implicit step reach one cell further.
-  const int own = options_.internal_energy_form ? internal_energy_form::ghost_layers(options_)
-                  : options_.implicit           ? 4
-                                                : 3;
+  const int own = options_.scheme.internal_energy_form
+                      ? internal_energy_form::ghost_layers(options_)
+                  : options_.scheme.implicit ? 4
+                                             : 3;
   // What cells without fluid close to is known of their neighbours' neighbours, and of several
   // fluids what they pass on is what the neighbours give.
   const int closing = ice_.solids == 0 ? 0 : material_count() == 1 ? 1 : 2;
@@ -142,23 +144,24 @@ std::vector<SlotInfo> FluidPart::state_slots() const {
       slots.push_back({label, options_.place(m), 1, ghosts});
   };
   of_each(labels().mass);
-  slots.push_back({labels().momentum, options_.place(0), options_.components, ghosts});
+  slots.push_back({labels().momentum, options_.place(0), options_.grid.components, ghosts});
   of_each(labels().energy);
   if (material_count() > 1) of_each(labels().volume);
-  if (options_.multi_velocity)
+  if (options_.materials.multi_velocity)
     for (int m = 0; m < material_count(); ++m)
-      slots.push_back({labels().slip, options_.place(m), options_.components, ghosts});
+      slots.push_back({labels().slip, options_.place(m), options_.grid.components, ghosts});
   for (const models::TransportedScalar& s : ice_.models.scalars)
     slots.push_back({s.state(), options_.place(s.material), 1, ghosts});
-  if (options_.implicit) slots.push_back({labels().pressure_offset, options_.place(0), 1, ghosts});
+  if (options_.scheme.implicit)
+    slots.push_back({labels().pressure_offset, options_.place(0), 1, ghosts});
   if (ice_.solids > 0) slots.push_back({labels().solid_fraction, options_.place(0), 1, ghosts});
   return slots;
 }
 
 std::vector<std::vector<Label>> FluidPart::checkpoint_labels() const {
   std::vector<Label> momentum, slip;
-  for (int c = 0; c < options_.components; ++c) {
-    const int d = options_.direction[c];
+  for (int c = 0; c < options_.grid.components; ++c) {
+    const int d = options_.grid.direction[c];
     momentum.push_back(labels().momentum_component[d]);
     slip.push_back(labels().slip_component[d]);
   }
@@ -178,56 +181,39 @@ std::vector<FlagSeeds> FluidPart::flag_seeds(const Warehouse& state) const {
 
 SchemeOptions FluidPart::graph_options(const StepVariant& variant) const {
   SchemeOptions o = at_level(variant.level);
-  o.masked = variant.masked;
-  o.coverage = variant.coverage;
-  o.meets_coarser = o.implicit && variant.level > 0;
-  o.meets_finer = o.implicit && variant.level + 1 < static_cast<int>(scene_->grid.levels.size());
-  o.recorder = transfer_->flux_quantities() > 0 ? variant.recorder : nullptr;
-  o.shocks_leave = o.recorder != nullptr && interface_depth(*o.level) != IntVec3{};
-  o.volumes = variant.volumes;
-  o.first_volume_sum = first_volume_sum();
-  if (o.internal_energy_form) return o;
-  o.solids = ice_.solids > 0;
-  o.has_cut_cells = has_cut_cells(variant.kind);
-  if (o.has_cut_cells && o.fluids.size() == 1) {
-    o.material = 0;
-    return o;
-  }
-  if (o.has_cut_cells || variant.kind == static_cast<int>(o.fluids.size())) {
-    o.mixture = true;
-    o.viscosity_varies = o.viscous;
-    return o;
-  }
-  o.material = variant.kind;
-  const std::size_t m = o.material;
-  o.fluid = o.fluids[m];
-  if (!is_mixed(o, m)) {
-    o.mixed = nullptr;
-    o.density_bound = DensityBound::sharp;
-    o.conductivity_varies = ice_.turbulence.has_value();
-  }
-  if (o.fluids.size() > 1) {
-    o.transport = o.transports[m];
-    o.viscosity = o.viscosities[m];
-    o.viscous = ice_.materials[m].viscous();
-    o.viscosity_varies = o.transport.molecular_varies() || ice_.turbulence;
-    o.conductivity = o.conductivities[m];
-    o.conducting = o.conductivity > 0 || ice_.turbulence;
-  }
+  o.scheme.masked = variant.masked;
+  o.accounts.coverage = variant.coverage;
+  o.grid.meets_coarser = o.scheme.implicit && variant.level > 0;
+  o.grid.meets_finer =
+      o.scheme.implicit && variant.level + 1 < static_cast<int>(scene_->grid.levels.size());
+  o.accounts.recorder = transfer_->flux_quantities() > 0 ? variant.recorder : nullptr;
+  o.grid.shocks_leave =
+      o.accounts.recorder != nullptr && interface_depth(*o.grid.level) != IntVec3{};
+  o.accounts.volumes = variant.volumes;
+  o.accounts.first_volume_sum = first_volume_sum();
+  if (o.scheme.internal_energy_form) return o;
+  o.grid.solids = ice_.solids > 0;
+  o.grid.has_cut_cells = has_cut_cells(variant.kind);
+  const int materials = material_count();
+  if (o.grid.has_cut_cells && materials == 1) return o;
+  if (o.grid.has_cut_cells || variant.kind == materials)
+    select_mixture(o);
+  else
+    select_material(o, ice_, variant.kind);
   return o;
 }
 
 void FluidPart::declare_step(TaskList& list, const StepVariant& variant) const {
   const SchemeOptions o = graph_options(variant);
-  list.enter(o.places);
-  if (o.internal_energy_form) return declare_step_of_internal_energy(list, o, effects_);
-  if (o.has_cut_cells) return declare_step_of_cut_cells(list, o, effects_);
+  list.enter(o.accounts.places);
+  if (o.scheme.internal_energy_form) return declare_step_of_internal_energy(list, o, effects_);
+  if (o.grid.has_cut_cells) return declare_step_of_cut_cells(list, o, effects_);
   declare_step_of_full_cells(list, o, effects_);
 }
 
 // Semi-implicit: d by passes over a system that is made once, then the step with what came out.
 void FluidPart::shape_step(StepShape& shape) const {
-  if (!options_.implicit) return;
+  if (!options_.scheme.implicit) return;
   declare_passes(shape, nullptr);
   shape.commit();
 }
@@ -235,12 +221,12 @@ void FluidPart::shape_step(StepShape& shape) const {
 void FluidPart::declare_passes(StepShape& shape,
                                const std::function<void(StepShape&)>& behind_solve) const {
   const Labels& l = labels();
-  const auto pressure =
-      std::make_shared<pressure::PressureSolve>(*ice_.implicit, options_.places.maximum, solves_);
+  const auto pressure = std::make_shared<pressure::PressureSolve>(
+      *ice_.implicit, options_.accounts.places.maximum, solves_);
   std::vector<Label> system{l.matrix_cell, l.right_side}, stored{l.volume_error};
   const bool several = scene_->grid.levels.size() > 1;
-  for (int a = 0; a < options_.axes.count; ++a) {
-    const int d = options_.axes.direction[a];
+  for (int a = 0; a < options_.grid.axes.count; ++a) {
+    const int d = options_.grid.axes.direction[a];
     system.push_back(l.matrix_face[d]);
     if (!several) continue;
     for (auto* labels_of_sweep : {&system, &stored}) {
@@ -276,8 +262,8 @@ std::vector<SlotInfo> FluidPart::wall_slots() const {
   const Labels& l = labels();
   for (const Label label : {l.solid_fraction_next, l.wall_pressure})
     slots.push_back({label, options_.place(0), 1, 0});
-  for (int a = 0; a < options_.axes.count; ++a) {
-    const int d = options_.axes.direction[a];
+  for (int a = 0; a < options_.grid.axes.count; ++a) {
+    const int d = options_.grid.axes.direction[a];
     for (const Label label :
          {l.covered[d], l.mean_covered[d], l.swept[d], l.solid_face_velocity[d]})
       slots.push_back({label, options_.place(0), 1, 0});
@@ -287,13 +273,13 @@ std::vector<SlotInfo> FluidPart::wall_slots() const {
 
 std::vector<SlotInfo> FluidPart::work_slots() const {
   std::vector<SlotInfo> slots = wall_slots();
-  if (!options_.implicit) return slots;
+  if (!options_.scheme.implicit) return slots;
   slots.insert(slots.end(), {{labels().pressure_increment, options_.place(0), 1, 0},
                              {labels().pressure_correction, options_.place(0), 1, 0}});
   if (scene_->grid.levels.size() == 1) return slots;
   slots.push_back({labels().interface_pressure, options_.place(0), 1, 0});
-  for (int a = 0; a < options_.axes.count; ++a) {
-    const int d = options_.axes.direction[a];
+  for (int a = 0; a < options_.grid.axes.count; ++a) {
+    const int d = options_.grid.axes.direction[a];
     for (const Label label : {labels().finer_face_velocity[d], labels().finer_face_pressure[d]})
       slots.push_back({label, options_.place(0), 1, 0});
   }
@@ -331,12 +317,13 @@ int FluidPart::step_kind(const Warehouse& old_state, int local_box,
 }
 
 void FluidPart::declare_diagnostics(TaskList& list, int level) const {
-  list.enter(options_.places);
+  list.enter(options_.accounts.places);
   declare_diagnostic_outputs(list, at_level(level), ice_.criteria, estimates_);
 }
 
 int FluidPart::first_volume_sum() const {
-  return options_.first_source_sum + (sources_.empty() ? 0 : SourceSums::count(material_count()));
+  return options_.accounts.first_source_sum +
+         (sources_.empty() ? 0 : SourceSums::count(material_count()));
 }
 
 int FluidPart::reduction_sums() const {
@@ -352,7 +339,7 @@ void FluidPart::initialise(Warehouse& state) const {
     for (int box = 0; box < static_cast<int>(state.local_boxes().size()); ++box)
       fill(state.view(fraction, 0, box), state.view(fraction, 0, box).box, 0.0);
   }
-  if (!options_.implicit) return;
+  if (!options_.scheme.implicit) return;
   solve::start_library(ice_.implicit->linear);  // here, and not in the first step
   // The work pressure begins as that of the state.
   const int offset = state.find(labels().pressure_offset, options_.place(0));
@@ -366,12 +353,12 @@ void FluidPart::initialise(Warehouse& state) const {
 // that exchange heat change where nothing flows; so may those that a finer level left at pressures
 // of their own.
 bool FluidPart::skipping_allowed() const {
-  if (material_count() > 1 &&
-      (options_.heat_exchange.any() || options_.multi_velocity || scene_->grid.levels.size() > 1))
+  if (material_count() > 1 && (options_.materials.heat_exchange.any() ||
+                               options_.materials.multi_velocity || scene_->grid.levels.size() > 1))
     return false;
   for (const models::TransportedScalar& s : ice_.models.scalars)
     if (s.grows()) return false;
-  return !options_.gravity_on && !options_.implicit && sources_.empty() &&
+  return !options_.forces.on && !options_.scheme.implicit && sources_.empty() &&
          control_volumes(scene_->analysis).empty();
 }
 
@@ -380,7 +367,7 @@ IntVec3 FluidPart::interface_depth(const Level& level) const {
   const RefinementSettings& r = scene_->refinement;
   const bool follow =
       r.adaptive && !r.once && !(ice_.criteria.empty() && r.errors.empty() && r.interfaces.empty());
-  if (options_.internal_energy_form || !options_.second_order || follow) return {};
+  if (options_.scheme.internal_energy_form || !options_.scheme.second_order || follow) return {};
   return leaving_depth(level);
 }
 

@@ -29,7 +29,7 @@ void Ice::add_boundary_sums(const Warehouse& state, std::span<ExactSum> sums) co
 }
 
 std::optional<double> Ice::absent_value(Label label, int material, int kind) const {
-  const IndexOffsets& places = fluid_.options().places;
+  const IndexOffsets& places = fluid_.options().accounts.places;
   return label == labels().volume && material == places.material_of(kind) ? 1.0 : 0.0;
 }
 
@@ -47,7 +47,7 @@ bool Ice::diffusive() const {
 
 void Ice::measure_rates(const Warehouse& state, Reductions& rates) const {
   const ice::SchemeOptions o = fluid_.at_level(state.level().index);
-  ice::measure_rates(state, o, {rates, o.places.reduction_offsets()});
+  ice::measure_rates(state, o, {rates, o.accounts.places.reduction_offsets()});
 }
 
 StepLimit Ice::step_limit(const std::vector<double>& maxima) const {

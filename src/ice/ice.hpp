@@ -51,7 +51,7 @@ class Ice : public Component {
   const ParticleMethod* particles() const override { return fluid_.tracers(); }
 
   int reduction_maxima() const override {
-    return fluid_.options().implicit ? StepSlots::maxima_with_solve : StepSlots::maxima;
+    return fluid_.options().scheme.implicit ? StepSlots::maxima_with_solve : StepSlots::maxima;
   }
   void shape_step(StepShape& shape) const override { fluid_.shape_step(shape); }
   std::vector<SlotInfo> work_slots() const override { return fluid_.work_slots(); }
@@ -60,7 +60,7 @@ class Ice : public Component {
   int first_volume_sum() const override { return fluid_.first_volume_sum(); }
   bool skipping_allowed() const override { return fluid_.skipping_allowed(); }
   bool may_be_skipped(int kind) const override { return !fluid_.has_cut_cells(kind); }
-  double courant_number() const override { return fluid_.options().cfl; }
+  double courant_number() const override { return fluid_.options().scheme.cfl; }
   bool diffusive() const override;
   void measure_rates(const Warehouse& state, Reductions& rates) const override;
   StepLimit step_limit(const std::vector<double>& maxima) const override;

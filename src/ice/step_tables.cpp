@@ -21,7 +21,7 @@ namespace sluice::ice {
 namespace {
 
 internal_energy_form::Variables declare_classic_variables(TaskList& list, const SchemeOptions& o) {
-  const int C = o.components, D = o.axes.count;
+  const int C = o.grid.components, D = o.grid.axes.count;
   internal_energy_form::Variables v;
   v.common = declare_common_variables(list, o);
   v.common.pressure_change = list.temporary("pressure change");
@@ -36,7 +36,7 @@ internal_energy_form::Variables declare_classic_variables(TaskList& list, const 
 
 // Velocity and pressure of the faces: from Riemann problems, or from a pressure that is solved for.
 void add_face_states(TaskList& list, const SchemeVariables& v, const SchemeOptions& o) {
-  if (o.implicit) return pressure::add_solved_faces(list, v, o, effect_pressure_solve);
+  if (o.scheme.implicit) return pressure::add_solved_faces(list, v, o, effect_pressure_solve);
   add_slopes(list, v, o, effect_second_order);
   add_faces(list, v, o, effect_flow);
 }
@@ -53,7 +53,7 @@ void add_budgets(TaskList& list, const SchemeVariables& v, const SchemeOptions& 
 }
 
 mixture::Variables declare_variables(TaskList& list, const SchemeOptions& o) {
-  if (o.mixture) return mixture::declare_variables(list, o);
+  if (o.materials.mixture) return mixture::declare_variables(list, o);
   mixture::Variables one;
   one.common = declare_conservative_variables(list, o);
   return one;
@@ -92,10 +92,10 @@ void add_mixture_friction(TaskList& list, const mixture::Variables& m, const Sch
 mixture::Variables declare_full_cells(TaskList& list, const SchemeOptions& o, bool apart) {
   mixture::Variables m = declare_variables(list, o);
   if (apart) mixture::declare_relative_velocities(list, o, m);
-  if (o.implicit) pressure::declare_variables(list, o, m.common);
-  if (o.implicit && apart) m.slip.common.solve = m.common.solve;
+  if (o.scheme.implicit) pressure::declare_variables(list, o, m.common);
+  if (o.scheme.implicit && apart) m.slip.common.solve = m.common.solve;
   std::span<const VariableId> remapped(&m.common.rho_remap, 1);
-  if (o.mixture) remapped = apart ? m.mass_new : m.mass_remap;
+  if (o.materials.mixture) remapped = apart ? m.mass_new : m.mass_remap;
   scalars::declare_variables(list, o, m.common, masses_of(m, remapped));
   return m;
 }
@@ -107,12 +107,12 @@ mixture::Variables declare_cut_cells(TaskList& list, const SchemeOptions& o, boo
   SchemeVariables& v = m.common;
   if (apart) mixture::declare_relative_velocities(list, o, m);
   cut_cells::declare_variables(list, o, v);
-  if (o.implicit) pressure::declare_variables(list, o, v);
-  if (o.mixture) x = cut_cells::declare_materials(list, o, m);
+  if (o.scheme.implicit) pressure::declare_variables(list, o, v);
+  if (o.materials.mixture) x = cut_cells::declare_materials(list, o, m);
   scalars::declare_variables(
       list, o, v,
-      masses_of(m, o.mixture ? std::span<const VariableId>(m.mass_remap)
-                             : std::span<const VariableId>(&v.walls.after_rho, 1)));
+      masses_of(m, o.materials.mixture ? std::span<const VariableId>(m.mass_remap)
+                                       : std::span<const VariableId>(&v.walls.after_rho, 1)));
   cut_cells::declare_scalar_walls(list, o, v);
   return m;
 }
@@ -153,10 +153,10 @@ CutCellViews views_of(const mixture::Variables& m, const cut_cells::MaterialVari
 // What passes the faces, as between full cells.
 void add_cut_remap_fluxes(TaskList& list, const mixture::Variables& m,
                           const cut_cells::MaterialVariables& x, const SchemeOptions& masked) {
-  for (int axis = 0; axis < masked.axes.count; ++axis)
-    if (!masked.mixture)
+  for (int axis = 0; axis < masked.grid.axes.count; ++axis)
+    if (!masked.materials.mixture)
       add_remap_flux(list, cut_cells::remap_variables(m.common, axis), masked, effect_flow, axis);
-    else if (masked.multi_velocity)
+    else if (masked.materials.multi_velocity)
       mixture::add_slip_flux(list, cut_cells::full_cell_remap(m, x, axis), masked, effect_flow,
                              axis);
     else
@@ -168,9 +168,9 @@ void add_cut_remap_fluxes(TaskList& list, const mixture::Variables& m,
 void add_end_of_solve(TaskList& list, const mixture::Variables& m, const SchemeVariables& moving,
                       const SchemeOptions& o) {
   constexpr int solve = effect_pressure_solve;
-  if (!o.implicit) return;
-  if (o.mixture) return pressure::add_end_of_mixture(list, m, moving, o, solve);
-  if (o.has_cut_cells) return pressure::add_cut_cell_end_of_step(list, m.common, o, solve);
+  if (!o.scheme.implicit) return;
+  if (o.materials.mixture) return pressure::add_end_of_mixture(list, m, moving, o, solve);
+  if (o.grid.has_cut_cells) return pressure::add_cut_cell_end_of_step(list, m.common, o, solve);
   pressure::add_end_of_one(list, m.common, o, solve);
 }
 
@@ -186,14 +186,15 @@ void add_scalars_of_each(TaskList& list, const mixture::Variables& m, const Sche
 // for each axis where it says "faces" or "remap"), in the file of its name under one_material/ or
 // under the folder of its namespace; when it is absent is said here or there in its first line.
 void declare_step_of_full_cells(TaskList& list, const SchemeOptions& o, const EffectList& effects) {
-  const bool several = o.mixture, one = !several, apart = several && o.multi_velocity;
+  const bool several = o.materials.mixture, one = !several,
+             apart = several && o.materials.multi_velocity;
   const bool together = several && !apart;
   mixture::Variables m = declare_full_cells(list, o, apart);
   const SchemeVariables &v = m.common, &moving = apart ? m.slip.common : m.common;
   constexpr int flow = effect_flow, second_order = effect_second_order,
                 drag = effect_momentum_exchange;
   constexpr int friction = effect_viscosity, equilibrium = effect_equilibration;
-  const int heat = o.conducting ? effect_conduction : effect_viscosity;
+  const int heat = o.transport.conducting ? effect_conduction : effect_viscosity;
   const Rows row{list, o};
   // when        task, variables, effect                          // reads -> writes
   row(one, add_primitives, v, flow);                           // state -> u, p, c
@@ -237,7 +238,8 @@ void declare_step_of_full_cells(TaskList& list, const SchemeOptions& o, const Ef
 // The same of cells that solids cut; materials that move apart do so in cells that no solid cuts.
 // Tasks of cells and faces that are cut are those under cut_cells/.
 void declare_step_of_cut_cells(TaskList& list, const SchemeOptions& o, const EffectList& effects) {
-  const bool several = o.mixture, one = !several, apart = several && o.multi_velocity;
+  const bool several = o.materials.mixture, one = !several,
+             apart = several && o.materials.multi_velocity;
   const bool together = several && !apart;
   cut_cells::MaterialVariables x;
   const mixture::Variables m = declare_cut_cells(list, o, apart, x);
@@ -247,9 +249,9 @@ void declare_step_of_cut_cells(TaskList& list, const SchemeOptions& o, const Eff
                 drag = effect_momentum_exchange;
   constexpr int friction = effect_viscosity, equilibrium = effect_equilibration;
   constexpr int solids = effect_solids;
-  const int heat = o.conducting ? effect_conduction : effect_viscosity;
+  const int heat = o.transport.conducting ? effect_conduction : effect_viscosity;
   SchemeOptions masked = o;
-  masked.masked = true;  // weights of slopes take the place of the mask of a redone step
+  masked.scheme.masked = true;  // weights of slopes take the place of the mask of a redone step
   const Rows row{list, o}, masked_row{list, masked};
   // when        task, variables, effect                             // reads -> writes
   row(several, cut_cells::add_cut_cells, m, solids);       // theta -> which cells are cut
@@ -260,7 +262,8 @@ void declare_step_of_cut_cells(TaskList& list, const SchemeOptions& o, const Eff
   add_face_states(list, s.fluid, o);                       // u, p, c -> slopes, u_f, p_f
   cut_cells::add_open_faces(list, s.fluid, v, o, solids);  // u_f, p_f, A, C -> u_f, p_f, w
   row(true, add_shock_shear, v, effect_shock_shear);       // u, p, c -> k along shocks
-  row(o.implicit, pressure::add_cut_cell_system, s.moving, effect_pressure_solve);  // w -> matrix
+  row(o.scheme.implicit, pressure::add_cut_cell_system, s.moving,
+      effect_pressure_solve);                                       // w -> matrix
   row(one, add_transport_models, v, friction);                      // rho, E, u -> mu, k of cells
   row(one, add_viscous_stress, s.open.common, friction);            // u -> t_f
   row(one, add_heat_flux, s.open.common, effect_conduction);        // rho, E -> T, q_f

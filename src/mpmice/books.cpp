@@ -148,7 +148,8 @@ Totals MpmIce::fluid_totals(const Totals& all) const {
   Totals own = all;
   if (has_budget()) own.amounts.resize(own.amounts.size() - 2);
   own.tracked_totals.resize(std::min(own.tracked_totals.size(), fluid_.tracked_names().size()));
-  const auto scalars = static_cast<std::ptrdiff_t>(fluid_.part().options().scalars.size());
+  const auto scalars =
+      static_cast<std::ptrdiff_t>(fluid_.part().options().materials.scalars.size());
   if (static_cast<std::ptrdiff_t>(own.amounts.size()) > scalars)
     own.amounts.erase(own.amounts.begin(), own.amounts.end() - scalars);
   return own;

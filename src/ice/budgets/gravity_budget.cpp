@@ -18,10 +18,10 @@ struct Handles {
 void account_cells(const Row& row, const Handles& h, const SchemeOptions& o, int first, int end) {
   const double volume = cell_volume(row);
   const double* rho = row(h.rho);
-  for (int c = 0; c < o.components; ++c) {
-    const int direction = o.direction[c];
-    const double kick = row.step().dt * o.gravity[direction] * volume;
-    const double push = row.step().dt * o.force[direction] * volume;
+  for (int c = 0; c < o.grid.components; ++c) {
+    const int direction = o.grid.direction[c];
+    const double kick = row.step().dt * o.forces.gravity[direction] * volume;
+    const double push = row.step().dt * o.forces.driving[direction] * volume;
     if (kick == 0.0 && push == 0.0) continue;
     const double* m = row(h.momentum, c);
     const double* dp = row(h.impulse, c);
@@ -36,7 +36,7 @@ void account_cells(const Row& row, const Handles& h, const SchemeOptions& o, int
 
 void add_gravity_budget(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
                         int effect) {
-  if (!o.gravity_on || (o.coverage == nullptr && !o.force_on)) return;
+  if (!o.forces.on || (o.accounts.coverage == nullptr && !o.forces.driving_on)) return;
   TaskBuilder task = list.task("gravity account", effect);
   Handles h;
   h.rho = task.read(v.rho);

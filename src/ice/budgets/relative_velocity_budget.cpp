@@ -7,7 +7,7 @@
 namespace sluice::ice::mixture {
 void add_relative_velocity_force_budget(TaskList& list, const Variables& v, const SchemeOptions& o,
                                         int effect) {
-  if (!o.force_on) return;
+  if (!o.forces.driving_on) return;
   TaskBuilder task = list.task("account of the force on slip", effect);
   const In work = task.read(v.slip.force_work);
   task.always().kernel([=](const Row& row) {

@@ -64,15 +64,15 @@ struct Sides {
 
   Sides(const Row& row, const SchemeOptions& o) {
     const IntVec3 cell = row.cell();
-    for (int a = 1; a < o.axes.count; ++a) {
-      const int d = o.axes.direction[a];
-      if (o.periodic[d]) continue;
-      all |= cell[d] == o.domain.lower[d] || cell[d] == o.domain.upper[d] - 1;
+    for (int a = 1; a < o.grid.axes.count; ++a) {
+      const int d = o.grid.axes.direction[a];
+      if (o.grid.periodic[d]) continue;
+      all |= cell[d] == o.grid.domain.lower[d] || cell[d] == o.grid.domain.upper[d] - 1;
     }
-    const int d = o.axes.direction[0];
-    if (o.periodic[d]) return;
-    first = o.domain.lower[d] - cell[d];
-    last = o.domain.upper[d] - 1 - cell[d];
+    const int d = o.grid.axes.direction[0];
+    if (o.grid.periodic[d]) return;
+    first = o.grid.domain.lower[d] - cell[d];
+    last = o.grid.domain.upper[d] - 1 - cell[d];
   }
   bool meets(int i) const { return all | (i == first) | (i == last); }
 };
@@ -125,7 +125,7 @@ void impulse_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
         dP[i] = l * ((high * pp[i] - low * pm[i]) - pw[i] * (high - low)) + dP[i];
       }
     }
-    if (o.viscous) pull_row<D>(row, h, s, c, dP);
+    if (o.transport.viscous) pull_row<D>(row, h, s, c, dP);
   }
 }
 
@@ -133,13 +133,13 @@ void impulse_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
 template <int D, int C>
 void add_heat(const Row& row, const Handles& h, const ImpulseConstants& s, const SchemeOptions& o,
               double* energy) {
-  if (o.viscous) {
+  if (o.transport.viscous) {
     const int n = row.count();
-    double* friction = o.mixture ? row(h.mixture, 1) : row(h.energy_L);
+    double* friction = o.materials.mixture ? row(h.mixture, 1) : row(h.energy_L);
     friction_rows<D, C>(row, h.friction, row(h.inverse_mass), s, o.friction_tilts(), friction);
     for (int i = 0; i < n; ++i) energy[i] += friction[i];
   }
-  if (o.conducting) conduction_rows<D>(row, h.heat_flux, s, energy);
+  if (o.transport.conducting) conduction_rows<D>(row, h.heat_flux, s, energy);
 }
 
 // 1/M, and E* of the cell: what the pressures on its faces and on the wall work, and heat.
@@ -261,7 +261,7 @@ template <int D, int C>
 void cell_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
                const SchemeOptions& o) {
   impulse_rows<D, C>(row, h, s, o);
-  const bool sheared = o.shears_shocks && is_sheared<D>(row, h.shear);
+  const bool sheared = o.scheme.shears_shocks && is_sheared<D>(row, h.shear);
   if (sheared) take_shear<D, C>(row, h.shear);
   leave_held_ghosts(row, o, h.velocity, h.sound, h.impulse);
   const FaceRows<D> f(row, h);
@@ -278,7 +278,7 @@ void add_lagrangian(TaskList& list, const SchemeVariables& v, const SchemeOption
   Handles h;
   h.rho = task.read(v.rho);
   h.inverse_rho = task.read(v.inverse_rho);
-  h.velocity = task.read(v.velocity, o.viscous ? Stencil::box(1) : Stencil::point());
+  h.velocity = task.read(v.velocity, o.transport.viscous ? Stencil::box(1) : Stencil::point());
   if (holds_velocities(o)) h.sound = task.read(v.sound);
   h.momentum = task.read(v.momentum);
   h.energy = task.read(v.energy);
@@ -286,13 +286,13 @@ void add_lagrangian(TaskList& list, const SchemeVariables& v, const SchemeOption
   h.next = task.read(w.next);
   h.wall_pressure = task.read(w.pressure);
   h.open = task.read(w.open);
-  for (int axis = 0; axis < o.axes.count; ++axis) {
-    const Stencil both = Stencil::along(o.axes.direction[axis], 0, 1);
+  for (int axis = 0; axis < o.grid.axes.count; ++axis) {
+    const Stencil both = Stencil::along(o.grid.axes.direction[axis], 0, 1);
     h.face_pressure[axis] = task.read(v.face_pressure[axis], both);
     h.flow[axis] = task.read(w.flow[axis], both);
     h.covered[axis] = task.read(w.covered[axis], both);
-    if (o.viscous) h.stress[axis] = task.read(v.stress[axis], both);
-    if (o.conducting) h.heat_flux[axis] = task.read(v.heat_flux[axis], both);
+    if (o.transport.viscous) h.stress[axis] = task.read(v.stress[axis], both);
+    if (o.transport.conducting) h.heat_flux[axis] = task.read(v.heat_flux[axis], both);
     h.remap_mask[axis] = task.write(w.remap_mask[axis]);
   }
   h.inverse_J = task.write(v.inverse_J);
@@ -307,7 +307,7 @@ void add_lagrangian(TaskList& list, const SchemeVariables& v, const SchemeOption
   h.friction.velocity = h.velocity;
   h.friction.stress = h.stress;
   h.friction.impulse = h.impulse;
-  if (o.shears_shocks) h.shear = read_shock_shear(task, v);
+  if (o.scheme.shears_shocks) h.shear = read_shock_shear(task, v);
   h.shear.impulse = h.impulse;
   h.mass = task.write(w.mass);
   h.cell_momentum = task.write(w.momentum);
@@ -316,13 +316,14 @@ void add_lagrangian(TaskList& list, const SchemeVariables& v, const SchemeOption
   h.base_mask = task.write(w.base_mask);
   h.gives_old = task.write(w.gives_old);
   if (o.keeps_work()) h.mixture = task.write(v.lagrangian_mixture);
-  const bool scaled = !o.mixture && o.fluid.gamma_law() == nullptr;
+  const bool scaled = !o.materials.mixture && o.materials.fluid.gamma_law() == nullptr;
   if (scaled) h.scale = task.write(v.energy_scale);
-  dispatch(o.axes.count, o.components, [&]<int D, int C>() {
+  dispatch(o.grid.axes.count, o.grid.components, [&]<int D, int C>() {
     task.kernel([=](const Row& row) {
       cell_rows<D, C>(row, h, impulse_constants(o, row.step()), o);
       if (scaled)
-        energy_scale_row(o.fluid, row.count(), row(h.rho_L), row(h.energy_L), row(h.scale));
+        energy_scale_row(o.materials.fluid, row.count(), row(h.rho_L), row(h.energy_L),
+                         row(h.scale));
     });
   });
 }

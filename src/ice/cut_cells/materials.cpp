@@ -8,7 +8,7 @@
 namespace sluice::ice::cut_cells {
 
 MaterialVariables declare_materials(TaskList& list, const SchemeOptions& o, mixture::Variables& v) {
-  const int M = static_cast<int>(o.fluids.size());
+  const int M = static_cast<int>(o.materials.fluids.size());
   MaterialVariables x;
   x.energy_L = list.temporary("Lagrangian energy of each material beside solids", M);
   x.volume_L = list.temporary("Lagrangian volume beside solids");
@@ -17,19 +17,20 @@ MaterialVariables declare_materials(TaskList& list, const SchemeOptions& o, mixt
   v.cut_volume = x.volume_L;
   v.cut_energy = x.energy_L;
   v.old_momentum = v.common.momentum;
-  for (int a = 0; a < o.axes.count; ++a) {
+  for (int a = 0; a < o.grid.axes.count; ++a) {
     const std::string axis = " of whole cells, axis " + std::to_string(a);
-    const int d = o.axes.direction[a];
-    x.whole_flux[a] = list.temporary("flux" + axis, 2 + o.components, d);
+    const int d = o.grid.axes.direction[a];
+    x.whole_flux[a] = list.temporary("flux" + axis, 2 + o.grid.components, d);
     x.whole_flux_of_each[a] = list.temporary("flux of each material" + axis, 3 * M, d);
-    if (o.conducting)
+    if (o.transport.conducting)
       x.whole_heat_of_each[a] = list.temporary("heat through contacts" + axis, 2 * M, d);
-    if (!o.multi_velocity) continue;
-    x.whole_velocity[a] = list.temporary("velocity of each material" + axis, M * o.components, d);
-    if (o.viscous)
+    if (!o.materials.multi_velocity) continue;
+    x.whole_velocity[a] =
+        list.temporary("velocity of each material" + axis, M * o.grid.components, d);
+    if (o.transport.viscous)
       v.slip.stress[a] =
           list.temporary("friction of each material on open faces, axis " + std::to_string(a),
-                         M * o.components, d);
+                         M * o.grid.components, d);
   }
   return x;
 }
@@ -66,21 +67,21 @@ void add_cut_cells(TaskList& list, const mixture::Variables& v, const SchemeOpti
 
 void add_stress_of_open_faces(TaskList& list, const mixture::Variables& whole,
                               const mixture::Variables& v, const SchemeOptions& o, int effect) {
-  for (int axis = 0; axis < o.axes.count && o.viscous; ++axis) {
+  for (int axis = 0; axis < o.grid.axes.count && o.transport.viscous; ++axis) {
     add_open_share(list, v.common, o, axis,
                    {whole.slip.stress[axis], v.slip.stress[axis],
-                    static_cast<int>(o.fluids.size()) * o.components},
+                    static_cast<int>(o.materials.fluids.size()) * o.grid.components},
                    "friction of each material on open faces " + std::to_string(axis), effect);
   }
 }
 
 void add_heat_of_open_faces(TaskList& list, const mixture::Variables& v, const MaterialVariables& x,
                             const SchemeOptions& o, int effect) {
-  for (int axis = 0; axis < o.axes.count && o.conducting; ++axis) {
-    add_open_share(
-        list, v.common, o, axis,
-        {x.whole_heat_of_each[axis], v.heat_flux[axis], 2 * static_cast<int>(o.fluids.size())},
-        "heat through contacts of open faces " + std::to_string(axis), effect);
+  for (int axis = 0; axis < o.grid.axes.count && o.transport.conducting; ++axis) {
+    add_open_share(list, v.common, o, axis,
+                   {x.whole_heat_of_each[axis], v.heat_flux[axis],
+                    2 * static_cast<int>(o.materials.fluids.size())},
+                   "heat through contacts of open faces " + std::to_string(axis), effect);
   }
 }
 
@@ -93,7 +94,8 @@ double energy_of_slip(const Row& row, const mixture::StateReads& state, const st
   for (std::size_t m = 0; m < slip.size(); ++m) {
     const double M = row(state.mass[m])[i];
     double squares[3] = {0, 0, 0};
-    for (int c = 0; c < o.components; ++c) squares[c] = row(slip[m], c)[i] * row(slip[m], c)[i];
+    for (int c = 0; c < o.grid.components; ++c)
+      squares[c] = row(slip[m], c)[i] * row(slip[m], c)[i];
     if (M > 0) sum += 0.5 / M * ((squares[0] + squares[1]) + squares[2]);
   }
   return sum;
@@ -110,20 +112,21 @@ void add_shares_of_each(TaskList& list, const mixture::Variables& v, const Mater
   const In p_in = task.read(v.common.pressure), w_in = task.read(v.common.inverse_rho);
   const In star = task.read(v.common.energy_star), energy = task.read(v.common.energy);
   std::array<In, 3> flow;
-  for (int a = 0; a < o.axes.count; ++a)
-    flow[a] = task.read(w.flow[a], Stencil::along(o.axes.direction[a], 0, 1));
+  for (int a = 0; a < o.grid.axes.count; ++a)
+    flow[a] = task.read(w.flow[a], Stencil::along(o.grid.axes.direction[a], 0, 1));
   const Out volume = task.write(x.volume_L), E_L = task.write(x.energy_L);
-  const int materials = static_cast<int>(o.fluids.size());
+  const int materials = static_cast<int>(o.materials.fluids.size());
   std::vector<In> slip;
-  for (int m = 0; m < materials && o.multi_velocity; ++m) slip.push_back(task.read(v.slip.slip[m]));
+  for (int m = 0; m < materials && o.materials.multi_velocity; ++m)
+    slip.push_back(task.read(v.slip.slip[m]));
   task.kernel([=](const Row& row) {
     const int n = row.count();
     const double *before = row(theta), *next = row(after), *p = row(p_in), *inverse = row(w_in);
     const double *Es = row(star), *E = row(energy);
     double* V_L = row(volume);
     for (int i = 0; i < n; ++i) V_L[i] = 1.0 - next[i];
-    for (int a = 0; a < o.axes.count; ++a) {
-      const double l = row.step().dt / row.step().spacing[o.axes.direction[a]];
+    for (int a = 0; a < o.grid.axes.count; ++a) {
+      const double l = row.step().dt / row.step().spacing[o.grid.axes.direction[a]];
       const In f = flow[a];
       const double *low = row(f), *high = row(f, 0, a, 1);
       for (int i = 0; i < n; ++i) V_L[i] += l * (high[i] - low[i]);
@@ -172,8 +175,8 @@ class TouchedFaces {
         h_(h),
         axis_(axis),
         shift_(shift),
-        materials_(static_cast<int>(o.fluids.size())),
-        l_(row.step().dt / row.step().spacing[o.axes.direction[axis]]) {}
+        materials_(static_cast<int>(o.materials.fluids.size())),
+        l_(row.step().dt / row.step().spacing[o.grid.axes.direction[axis]]) {}
 
   // The volume that passes, and whether b gives it.
   double volume(int i) const { return l_ * face(h_.flow)[i]; }
@@ -227,8 +230,7 @@ class TouchedFaces {
         return face(h_.whole_each, mixture::component(m, q))[i];
       };
       if (apart)
-        take(m,
-             {each(mixture::of_volume), each(mixture::of_mass), each(mixture::of_energy)});
+        take(m, {each(mixture::of_volume), each(mixture::of_mass), each(mixture::of_energy)});
       else
         take(m, m == pure ? Carried{volume(i), face(h_.whole, 0)[i], face(h_.whole, 1)[i]}
                           : Carried{});
@@ -275,13 +277,13 @@ void add_passed_on(TaskList& list, const mixture::Variables& v, const MaterialVa
                    const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("what cells without fluid pass on", effect);
   std::vector<FluxHandles> of_axis;
-  for (int axis = 0; axis < o.axes.count; ++axis) {
-    const int d = o.axes.direction[axis];
+  for (int axis = 0; axis < o.grid.axes.count; ++axis) {
+    const int d = o.grid.axes.direction[axis];
     of_axis.push_back(
         read_fluxes(task, v, x, axis, Stencil::along(d, 1, 1), Stencil::along(d, 0, 1)));
   }
   const Out out = task.write(x.passed_on);
-  const int materials = static_cast<int>(o.fluids.size());
+  const int materials = static_cast<int>(o.materials.fluids.size());
   task.kernel([=](const Row& row) {
     const double* theta = row(of_axis.front().theta);
     for (int c = 0; c < 3 * materials; ++c) std::fill_n(row(out, c), row.count(), 0.0);
@@ -302,7 +304,7 @@ void add_passed_on(TaskList& list, const mixture::Variables& v, const MaterialVa
         };
         face.donor_is_touched(i) ? face.give(i, take) : face.give_whole(i, take);
       };
-      for (int axis = 0; axis < o.axes.count; ++axis) {
+      for (int axis = 0; axis < o.grid.axes.count; ++axis) {
         const FluxHandles& h = of_axis[axis];
         take_in(TouchedFaces(row, h, o, axis, 0), 1);
         take_in(TouchedFaces(row, h, o, axis, 1), -1);
@@ -311,8 +313,7 @@ void add_passed_on(TaskList& list, const mixture::Variables& v, const MaterialVa
       const mixture::StateReads& state = of_axis.front().state;
       for (int m = 0; m < materials; ++m) {
         const In own[] = {state.volume[m], state.mass[m], state.energy[m]};
-        for (const mixture::Carried q :
-             {mixture::of_volume, mixture::of_mass, mixture::of_energy})
+        for (const mixture::Carried q : {mixture::of_volume, mixture::of_mass, mixture::of_energy})
           to(m, q, i) = all > 0 ? to(m, q, i) / all : row(own[q])[i];
       }
     }
@@ -321,25 +322,25 @@ void add_passed_on(TaskList& list, const mixture::Variables& v, const MaterialVa
 
 // Fluids that move apart in whole cells.
 void copy_velocities(const Row& row, const FluxHandles& h, const SchemeOptions& o) {
-  const int count = static_cast<int>(o.fluids.size()) * o.components;
+  const int count = static_cast<int>(o.materials.fluids.size()) * o.grid.components;
   for (int c = 0; c < count; ++c)
     std::copy_n(row(h.whole_velocity, c), row.count(), row(h.velocity, c));
 }
 // All that passes face i has one velocity.
 void one_velocity(const Row& row, const FluxHandles& h, const SchemeOptions& o, int i) {
-  for (int m = 0; m < static_cast<int>(o.fluids.size()); ++m)
-    for (int c = 0; c < o.components; ++c)
-      row(h.velocity, m * o.components + c)[i] = row(h.flux, 2 + c)[i];
+  for (int m = 0; m < static_cast<int>(o.materials.fluids.size()); ++m)
+    for (int c = 0; c < o.grid.components; ++c)
+      row(h.velocity, m * o.grid.components + c)[i] = row(h.flux, 2 + c)[i];
 }
 // That of all, where each fluid has its own.
 void mean_velocity(const Row& row, const FluxHandles& h, const SchemeOptions& o, int i) {
   const double F = row(h.flux, 0)[i];
   if (F == 0) return;
-  for (int c = 0; c < o.components; ++c) {
+  for (int c = 0; c < o.grid.components; ++c) {
     double sum = 0;
-    for (int m = 0; m < static_cast<int>(o.fluids.size()); ++m)
+    for (int m = 0; m < static_cast<int>(o.materials.fluids.size()); ++m)
       sum += row(h.each, mixture::component(m, mixture::of_mass))[i] *
-             row(h.velocity, m * o.components + c)[i];
+             row(h.velocity, m * o.grid.components + c)[i];
     row(h.flux, 2 + c)[i] = sum / F;
   }
 }
@@ -349,23 +350,24 @@ void mean_velocity(const Row& row, const FluxHandles& h, const SchemeOptions& o,
 void add_fluxes_of_cut_cells(TaskList& list, const mixture::Variables& v,
                              const MaterialVariables& x, const SchemeOptions& o, int effect) {
   add_passed_on(list, v, x, o, effect);
-  for (int axis = 0; axis < o.axes.count; ++axis) {
-    const Stencil both = Stencil::along(o.axes.direction[axis], 1, 0);
+  for (int axis = 0; axis < o.grid.axes.count; ++axis) {
+    const Stencil both = Stencil::along(o.grid.axes.direction[axis], 1, 0);
     TaskBuilder task = list.task("fluxes beside solids " + std::to_string(axis), effect);
     FluxHandles h = read_fluxes(task, v, x, axis, both, Stencil::point());
     h.passed_on = task.read(x.passed_on, both);
     h.flux = task.write(v.common.flux[axis]);
     h.each = task.write(v.flux[axis]);
-    if (o.multi_velocity) {
+    if (o.materials.multi_velocity) {
       h.whole_velocity = task.read(x.whole_velocity[axis]);
       h.velocity = task.write(v.common.material_velocity[axis]);
     }
     task.kernel([=](const Row& row) {
       const int n = row.count();
-      for (int c = 0; c < 2 + o.components; ++c) std::copy_n(row(h.whole, c), n, row(h.flux, c));
-      for (int c = 0; c < 3 * static_cast<int>(o.fluids.size()); ++c)
+      for (int c = 0; c < 2 + o.grid.components; ++c)
+        std::copy_n(row(h.whole, c), n, row(h.flux, c));
+      for (int c = 0; c < 3 * static_cast<int>(o.materials.fluids.size()); ++c)
         std::copy_n(row(h.whole_each, c), n, row(h.each, c));
-      if (o.multi_velocity) copy_velocities(row, h, o);
+      if (o.materials.multi_velocity) copy_velocities(row, h, o);
       const TouchedFaces face(row, h, o, axis);
       for (int i = 0; i < n; ++i) {
         if (!face.meets_touched(i)) continue;
@@ -380,8 +382,8 @@ void add_fluxes_of_cut_cells(TaskList& list, const mixture::Variables& v,
         if (!face.donor_is_touched(i)) {
           if (!face.tells_apart(i)) {
             face.give_whole(i, take);
-            if (o.multi_velocity) one_velocity(row, h, o, i);
-          } else if (o.multi_velocity) {
+            if (o.materials.multi_velocity) one_velocity(row, h, o, i);
+          } else if (o.materials.multi_velocity) {
             mean_velocity(row, h, o, i);
           }
           continue;
@@ -389,8 +391,9 @@ void add_fluxes_of_cut_cells(TaskList& list, const mixture::Variables& v,
         face.donor_is_dry(i) ? face.pass_on(i, take) : face.give(i, take);
         row(h.flux, 0)[i] = F;
         row(h.flux, 1)[i] = G;
-        for (int c = 0; c < o.components; ++c) row(h.flux, 2 + c)[i] = face.donor_velocity(c, i);
-        if (o.multi_velocity) one_velocity(row, h, o, i);
+        for (int c = 0; c < o.grid.components; ++c)
+          row(h.flux, 2 + c)[i] = face.donor_velocity(c, i);
+        if (o.materials.multi_velocity) one_velocity(row, h, o, i);
       }
     });
   }

@@ -56,9 +56,9 @@ void outflow_row(const Row& row, In fraction, In next, const std::array<In, 3>& 
     if (theta[i] < 1) continue;
     double sum = (1.0 - after[i]) / dt;
     int wet = 0;
-    for (int a = 0; a < o.axes.count; ++a) {
+    for (int a = 0; a < o.grid.axes.count; ++a) {
       const In w = flow[a];
-      const double inverse_dx = 1.0 / row.step().spacing[o.axes.direction[a]];
+      const double inverse_dx = 1.0 / row.step().spacing[o.grid.axes.direction[a]];
       sum += (row(w, 0, a, 1)[i] - row(w)[i]) * inverse_dx;
       wet += (row(fraction, 0, a, -1)[i] < 1) + (row(fraction, 0, a, 1)[i] < 1);
     }
@@ -89,8 +89,8 @@ void add_open_faces(TaskList& list, const SchemeVariables& fluid, const SchemeVa
   // threshold: volume that flows out of a cell without fluid, of the cell's, up to which it is
   //   the round-off of overlaps; unit: 1; test: none
   constexpr double round_off = 1e-12;
-  for (int axis = 0; axis < o.axes.count; ++axis) {
-    const int d = o.axes.direction[axis];
+  for (int axis = 0; axis < o.grid.axes.count; ++axis) {
+    const int d = o.grid.axes.direction[axis];
     const Stencil both = Stencil::along(d, 1, 0);
     TaskBuilder task = list.task("faces with solids " + std::to_string(axis), effect);
     FaceHandles h;
@@ -112,13 +112,13 @@ void add_open_faces(TaskList& list, const SchemeVariables& fluid, const SchemeVa
   const In fraction = closing.read(v.walls.fraction, Stencil::box(1));
   const In next = closing.read(v.walls.next);
   std::array<In, 3> flows;
-  for (int axis = 0; axis < o.axes.count; ++axis)
+  for (int axis = 0; axis < o.grid.axes.count; ++axis)
     flows[axis] =
-        closing.read(v.walls.raw_flow[axis], Stencil::along(o.axes.direction[axis], 0, 1));
+        closing.read(v.walls.raw_flow[axis], Stencil::along(o.grid.axes.direction[axis], 0, 1));
   const Out outflow = closing.write(v.walls.outflow);
   closing.kernel([=](const Row& row) { outflow_row(row, fraction, next, flows, outflow, o); });
-  for (int axis = 0; axis < o.axes.count; ++axis) {
-    const int d = o.axes.direction[axis];
+  for (int axis = 0; axis < o.grid.axes.count; ++axis) {
+    const int d = o.grid.axes.direction[axis];
     const Stencil both = Stencil::along(d, 1, 0);
     TaskBuilder task = list.task("volume flow " + std::to_string(axis), effect);
     const In theta = task.read(v.walls.fraction, both), raw = task.read(v.walls.raw_flow[axis]);
@@ -134,7 +134,7 @@ void add_open_faces(TaskList& list, const SchemeVariables& fluid, const SchemeVa
 void add_open_share(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int axis,
                     const FaceShare& of, const std::string& name, int effect) {
   TaskBuilder task = list.task(name, effect);
-  const In theta = task.read(v.walls.fraction, Stencil::along(o.axes.direction[axis], 1, 0));
+  const In theta = task.read(v.walls.fraction, Stencil::along(o.grid.axes.direction[axis], 1, 0));
   const In covered = task.read(v.walls.covered[axis]), in = task.read(of.whole);
   const Out out = task.write(of.open);
   task.kernel([=, components = of.components](const Row& row) {
@@ -156,11 +156,11 @@ void add_open_share(TaskList& list, const SchemeVariables& v, const SchemeOption
 // Friction and conduction between cells of fluid, on the open share of their face.
 void add_shares(TaskList& list, const SchemeVariables& whole, const SchemeVariables& v,
                 const SchemeOptions& o, int effect) {
-  for (int axis = 0; axis < o.axes.count; ++axis) {
-    if (o.viscous)
-      add_open_share(list, v, o, axis, {whole.stress[axis], v.stress[axis], o.components},
+  for (int axis = 0; axis < o.grid.axes.count; ++axis) {
+    if (o.transport.viscous)
+      add_open_share(list, v, o, axis, {whole.stress[axis], v.stress[axis], o.grid.components},
                      "stress of open faces " + std::to_string(axis), effect);
-    if (o.conducting)
+    if (o.transport.conducting)
       add_open_share(list, v, o, axis, {whole.heat_flux[axis], v.heat_flux[axis]},
                      "heat flux of open faces " + std::to_string(axis), effect);
   }

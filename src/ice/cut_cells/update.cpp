@@ -78,21 +78,21 @@ void store_row(const Row& row, const Handles& h, int components) {
 // As check_row: of cells without solids.
 void check_cells(const Row& row, const Handles& h, const SchemeOptions& o) {
   const auto inverse = [](double x) { return 1.0 / x; };
-  const int state = fault_of_material * (o.material + 1);
+  const int state = fault_of_material * (o.materials.index + 1);
   const double *rho = row(h.amounts.next.rho), *energy = row(h.amounts.next.energy);
-  if (o.fluid.gamma_law() == nullptr) {
+  if (o.materials.fluid.gamma_law() == nullptr) {
     double* good = row(h.amounts.next.closure, 2);
-    admissible_row(o.fluid, row.count(), rho, energy, good);
-    return admissible_row<3>(row, o.axes,
+    admissible_row(o.materials.fluid, row.count(), rho, energy, good);
+    return admissible_row<3>(row, o.grid.axes,
                              {{{rho, fault_density},
                                {row(h.amounts.inverse_J), fault_volume, inverse},
                                {good, state, nullptr, energy}}},
-                             o.material);
+                             o.materials.index);
   }
   admissible_row<3>(
-      row, o.axes,
+      row, o.grid.axes,
       {{{rho, fault_density}, {row(h.amounts.inverse_J), fault_volume, inverse}, {energy, state}}},
-      o.material);
+      o.materials.index);
 }
 
 }  // namespace
@@ -118,9 +118,9 @@ void add_update(TaskList& list, const SchemeVariables& v, const SchemeOptions& o
   h.rho_new = task.write(v.rho_new);
   h.momentum_new = task.write(v.momentum_new);
   h.energy_new = task.write(v.energy_new);
-  const int components = o.components;
+  const int components = o.grid.components;
   const SourceHandles sources = declare_sources(task, v, o);
-  dispatch(o.axes.count, o.components, [&]<int D, int C>() {
+  dispatch(o.grid.axes.count, o.grid.components, [&]<int D, int C>() {
     task.kernel([=](const Row& row) {
       update_cells<D, C>(row, h);
       const RateHandles& amounts = h.amounts.next;

@@ -70,8 +70,8 @@ void pressure_row(const Row& row, const PressureHandles& h, int axis) {
 void add_face_velocity(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
   static const char* names[] = {"face velocity of axis 0", "face velocity of axis 1",
                                 "face velocity of axis 2"};
-  for (int axis = 0; axis < o.axes.count; ++axis) {
-    const int direction = o.axes.direction[axis];
+  for (int axis = 0; axis < o.grid.axes.count; ++axis) {
+    const int direction = o.grid.axes.direction[axis];
     const Stencil both = Stencil::along(direction, 1, 0);
     TaskBuilder task = list.task(names[axis], effect);
     VelocityHandles h;
@@ -80,7 +80,7 @@ void add_face_velocity(TaskList& list, const Variables& v, const SchemeOptions& 
     h.pressure = task.read(v.common.pressure, both);
     if (holds_velocities(o)) h.sound = task.read(v.common.sound, both);
     h.face_velocity = task.write(v.common.face_velocity[axis]);
-    const double gravity = o.gravity[direction], force = o.force[direction];
+    const double gravity = o.forces.gravity[direction], force = o.forces.driving[direction];
     task.kernel([=](const Row& row) {
       const double dt = row.step().dt;
       velocity_row(row, h, axis, dt / row.step().spacing[direction], dt * gravity, dt * force);
@@ -95,8 +95,8 @@ void add_face_velocity(TaskList& list, const Variables& v, const SchemeOptions& 
 void add_face_pressure(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
   static const char* names[] = {"face pressure of axis 0", "face pressure of axis 1",
                                 "face pressure of axis 2"};
-  for (int axis = 0; axis < o.axes.count; ++axis) {
-    const Stencil both = Stencil::along(o.axes.direction[axis], 1, 0);
+  for (int axis = 0; axis < o.grid.axes.count; ++axis) {
+    const Stencil both = Stencil::along(o.grid.axes.direction[axis], 1, 0);
     TaskBuilder task = list.task(names[axis], effect);
     PressureHandles h;
     h.rho = task.read(v.common.rho, both);
@@ -106,11 +106,12 @@ void add_face_pressure(TaskList& list, const Variables& v, const SchemeOptions& 
       h.sound = task.read(v.common.sound, both);
     }
     h.face_pressure = task.write(v.common.face_pressure[axis]);
-    const int direction = o.axes.direction[axis];
+    const int direction = o.grid.axes.direction[axis];
     task.kernel([=](const Row& row) {
       pressure_row(row, h, axis);
       const double half = 0.5 * row.step().spacing[direction];
-      held_pressures(row, h, o, axis, half * o.gravity[direction], half * o.force[direction]);
+      held_pressures(row, h, o, axis, half * o.forces.gravity[direction],
+                     half * o.forces.driving[direction]);
     });
   }
 }

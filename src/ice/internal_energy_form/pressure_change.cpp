@@ -51,17 +51,18 @@ void add_pressure_change(TaskList& list, const Variables& v, const SchemeOptions
   h.inverse_rho = task.read(v.common.inverse_rho);
   h.pressure = task.read(v.common.pressure);
   h.sound = task.read(v.common.sound);
-  for (int axis = 0; axis < o.axes.count; ++axis) {
+  for (int axis = 0; axis < o.grid.axes.count; ++axis) {
     h.face_velocity[axis] =
-        task.read(v.common.face_velocity[axis], Stencil::along(o.axes.direction[axis], 0, 1));
+        task.read(v.common.face_velocity[axis], Stencil::along(o.grid.axes.direction[axis], 0, 1));
   }
   h.change = task.write(v.common.pressure_change);
   h.pressure_new = task.write(v.pressure);
   h.energy_star = task.write(v.common.energy_star);
-  dispatch(o.axes.count, o.components, [&]<int D, int C>() {
+  dispatch(o.grid.axes.count, o.grid.components, [&]<int D, int C>() {
     task.kernel([=](const Row& row) {
       double l[3] = {0, 0, 0};
-      for (int d = 0; d < D; ++d) l[d] = row.step().dt / row.step().spacing[o.axes.direction[d]];
+      for (int d = 0; d < D; ++d)
+        l[d] = row.step().dt / row.step().spacing[o.grid.axes.direction[d]];
       change_row<D>(row, h, l);
     });
   });

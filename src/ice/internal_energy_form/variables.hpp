@@ -26,7 +26,7 @@ struct Variables {
 
 // The fluxes of energy and momentum are mass flux times specific value: "compatible" fluxes.
 inline bool specific(const SchemeOptions& o) {
-  return !o.second_order || o.compatible_fluxes;
+  return !o.scheme.second_order || o.scheme.compatible_fluxes;
 }
 
 // Place of the slope of quantity q (0 density, 1 energy, 2 + c momentum) along an axis.
@@ -44,7 +44,7 @@ void add_update(TaskList&, const Variables&, const SchemeOptions&, int effect);
 
 // Ghost layers of state that the step needs so that nothing is exchanged inside it.
 inline int ghost_layers(const SchemeOptions& o) {
-  return o.second_order ? 4 : 3;
+  return o.scheme.second_order ? 4 : 3;
 }
 
 }  // namespace sluice::ice::internal_energy_form

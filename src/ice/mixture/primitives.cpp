@@ -215,8 +215,8 @@ void add_mixture_values(TaskList& list, const Variables& v, const SchemeOptions&
   h.pi = task.write(v.common.pi);
   h.scratch = task.write(list.temporary("closure of a material", 5));
   h.laws = LawsOfCells(task, list, o);
-  const std::vector<Fluid> fluids = o.fluids;
-  const int components = o.components;
+  const std::vector<Fluid> fluids = o.materials.fluids;
+  const int components = o.grid.components;
   const bool gases = h.laws.all_plain() && all_ideal_gases(fluids);
   task.kernel([=](const Row& row) {
     const int room = row.whole_vectors();

@@ -68,14 +68,14 @@ class MaterialCells {
   template <class Move>
   void run(int first, int count, int room, Move&& move) {
     constexpr int most = IdealRelaxation::max_cells;
-    const int all = o_.sources == nullptr ? whole_vectors(count, room) : count;
+    const int all = o_.forces.sources == nullptr ? whole_vectors(count, room) : count;
     if (h_.closes) mark_alone(row_.part(first, all), -1);
     for (int done = 0; done < count; done += most) {
       const int some = std::min(most, count - done), whole = std::min(most, all - done);
       remap_materials(first + done, whole);
       move(first + done, whole);
       share_defect(first + done, whole);
-      if (o_.sources != nullptr) add_sources(row_.part(first + done, some), h_, o_);
+      if (o_.forces.sources != nullptr) add_sources(row_.part(first + done, some), h_, o_);
       if (!h_.closes) continue;
       repeat_first(first + done, some, whole);
       find_pressure(first + done, some, whole);
@@ -283,10 +283,11 @@ void add_update(TaskList& list, const Variables& v, const SchemeOptions& o, int 
   declare_update(task, v, o, h);
   declare_cut_cells(task, v, o, h.cut);
   const std::vector<SchemeOptions> of_material = options_of_materials(o);
-  dispatch(o.axes.count, o.components, [&]<int D, int C>() {
+  dispatch(o.grid.axes.count, o.grid.components, [&]<int D, int C>() {
     task.kernel([=,
-                 laws = Laws{CellClosure(o.fluids, o.heat_exchange, o.multi_velocity_exchange),
-                             IdealRelaxation(o.fluids)},
+                 laws = Laws{CellClosure(o.materials.fluids, o.materials.heat_exchange,
+                                         o.materials.multi_velocity_exchange),
+                             IdealRelaxation(o.materials.fluids)},
                  diffusion = DiffusionRates(o)](const Row& row) {
       const RunRow runs = runs_of(row, h.pure);
       const auto alone = [&](int first, int count, double pure) {  // true: one pressure is to find

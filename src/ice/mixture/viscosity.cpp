@@ -23,9 +23,10 @@ namespace {
 std::vector<double> usual_viscosities(const SchemeOptions& o) {
   // coefficient: temperature at which the viscosities of materials are compared; unit: K
   constexpr double usual_temperature = 300;
-  std::vector<double> mu = o.viscosities;
+  std::vector<double> mu = o.transport.viscosities;
   for (std::size_t m = 0; m < mu.size(); ++m)
-    if (const auto& law = o.transports[m].sutherland) mu[m] = law->viscosity(usual_temperature);
+    if (const auto& law = o.transport.models_of_each[m].sutherland)
+      mu[m] = law->viscosity(usual_temperature);
   return mu;
 }
 
@@ -84,14 +85,14 @@ void add_total(TaskList& list, const SchemeVariables& v, int effect) {
 void add_viscosity(TaskList& list, const Variables& v, const SchemeOptions& o, int effect,
                    int turbulence_effect) {
   const SchemeVariables& c = v.common;
-  const bool turbulent = o.transport.turbulence.has_value();
+  const bool turbulent = o.transport.models.turbulence.has_value();
   const VariableId molecular = turbulent ? c.molecular_viscosity : c.viscosity;
   if (o.own_viscosity_varies()) {
     add_own_viscosities(list, v, o, effect);
     add_shares_of_fields(list, v, molecular, effect);
     add_shares(list, v, usual_viscosities(o), "viscosity of fronts", c.front_viscosity, effect);
   } else {
-    add_shares(list, v, o.viscosities, "viscosity of the mixture", molecular, effect);
+    add_shares(list, v, o.transport.viscosities, "viscosity of the mixture", molecular, effect);
   }
   if (!turbulent) return;
   add_eddy_viscosity({list, o, turbulence_effect, ""}, {c.rho, c.energy, c.velocity},
@@ -108,8 +109,9 @@ void add_own_viscosities(TaskList& list, const Variables& v, const SchemeOptions
   const Out viscosity = task.write(v.own_viscosity);
   const Out own = task.write(list.temporary("density and energy of a viscous material", 2));
   std::vector<MolecularViscosity> viscous;
-  for (std::size_t m = 0; m < o.fluids.size(); ++m)
-    viscous.push_back({o.transports[m], o.viscosities[m], o.axes.direction[0]});
+  for (std::size_t m = 0; m < o.materials.fluids.size(); ++m)
+    viscous.push_back(
+        {o.transport.models_of_each[m], o.transport.viscosities[m], o.grid.axes.direction[0]});
   const LawsOfCells laws(task, list, o);
   task.kernel([=](const Row& row) {
     for (int m = 0; m < static_cast<int>(viscous.size()); ++m)
@@ -127,15 +129,15 @@ void add_own_viscosities(TaskList& list, const Variables& v, const SchemeOptions
 }
 
 void add_friction(TaskList& list, const Variables& v, const SchemeOptions& o) {
-  if (!o.viscous) return;
+  if (!o.transport.viscous) return;
   add_viscosity(list, v, o, effect_viscosity, effect_turbulence);
   // With velocities of their own slip follows later: multi_velocity/stress.cpp.
-  if (!o.multi_velocity_exchange || o.multi_velocity)
+  if (!o.materials.multi_velocity_exchange || o.materials.multi_velocity)
     return add_viscous_stress(list, v.common, o, effect_viscosity);
   SchemeVariables raw = v.common;
-  for (int a = 0; a < o.axes.count; ++a)
-    raw.stress[a] = list.temporary("stress without slip of axis " + std::to_string(a), o.components,
-                                   o.axes.direction[a]);
+  for (int a = 0; a < o.grid.axes.count; ++a)
+    raw.stress[a] = list.temporary("stress without slip of axis " + std::to_string(a),
+                                   o.grid.components, o.grid.axes.direction[a]);
   add_viscous_stress(list, raw, o, effect_viscosity);
   add_slip_of_friction(list, v, o, raw.stress, effect_momentum_exchange);
 }

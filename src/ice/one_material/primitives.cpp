@@ -22,7 +22,7 @@ void add_primitives(TaskList& list, const SchemeVariables& v, const SchemeOption
   const Out velocity = task.write(v.velocity), pressure = task.write(v.pressure);
   const Out sound = task.write(v.sound), inverse = task.write(v.inverse_rho);
   const LawsOfCells laws(task, list, o);
-  const int components = o.components;
+  const int components = o.grid.components;
   task.kernel([=](const Row& row) {
     const LawRow law = laws.of_one(row);
     const int n = law.takes_any_number() ? row.whole_vectors() : row.count();

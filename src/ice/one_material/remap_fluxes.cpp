@@ -101,9 +101,9 @@ template <int D, int C, bool Second, bool Masked, bool Scaled, DensityBound Boun
 template <int D, int C, bool Scaled, DensityBound Bound>
 void flux_row_by_order(const Row& row, const RemapFluxHandles& h, int axis, double l,
                        const SchemeOptions& o) {
-  if (!o.second_order)
+  if (!o.scheme.second_order)
     flux_row<D, C, false, false, Scaled, DensityBound::sharp>(row, h, axis, l);  // has no bound
-  else if (o.masked)
+  else if (o.scheme.masked)
     flux_row<D, C, true, true, Scaled, Bound>(row, h, axis, l);
   else
     flux_row<D, C, true, false, Scaled, Bound>(row, h, axis, l);
@@ -140,14 +140,15 @@ template void flux_row_of<3, 3>(const Row&, const RemapFluxHandles&, int, double
 void add_remap_flux(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect,
                     int axis) {
   static const char* names[] = {"remap along axis 0", "remap along axis 1", "remap along axis 2"};
-  const int direction = o.axes.direction[axis];
-  const RemapLaw law = o.fluid.gamma_law() == nullptr               ? RemapLaw::scaled
-                       : o.density_bound == DensityBound::as_energy ? RemapLaw::ideal_by_energy
-                                                                    : RemapLaw::ideal;
+  const int direction = o.grid.axes.direction[axis];
+  const RemapLaw law = o.materials.fluid.gamma_law() == nullptr ? RemapLaw::scaled
+                       : o.scheme.density_bound == DensityBound::as_energy
+                           ? RemapLaw::ideal_by_energy
+                           : RemapLaw::ideal;
   TaskBuilder task = list.task(names[axis], effect);
   RemapFluxHandles h = read_remap_inputs(task, v, o, axis);
   h.flux = task.write(v.flux[axis]);
-  dispatch(o.axes.count, o.components, [&]<int D, int C>() {
+  dispatch(o.grid.axes.count, o.grid.components, [&]<int D, int C>() {
     task.kernel([=](const Row& row) {
       const double l = row.step().dt / row.step().spacing[direction];
       flux_row_of<D, C>(row, h, axis, l, o, law);
@@ -157,7 +158,7 @@ void add_remap_flux(TaskList& list, const SchemeVariables& v, const SchemeOption
 
 void add_remap_fluxes(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
                       int effect) {
-  for (int axis = 0; axis < o.axes.count; ++axis) add_remap_flux(list, v, o, effect, axis);
+  for (int axis = 0; axis < o.grid.axes.count; ++axis) add_remap_flux(list, v, o, effect, axis);
 }
 
 }  // namespace sluice::ice

@@ -66,8 +66,8 @@ void save_pressure_gradient(TaskList& list, const SchemeVariables& v, const Sche
 }  // namespace
 
 int axis_along(const SchemeOptions& o, int direction) {
-  for (int a = 0; a < o.axes.count; ++a)
-    if (o.axes.direction[a] == direction) return a;
+  for (int a = 0; a < o.grid.axes.count; ++a)
+    if (o.grid.axes.direction[a] == direction) return a;
   return -1;
 }
 

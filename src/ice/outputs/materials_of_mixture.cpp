@@ -31,7 +31,7 @@ VariableId declare_energy(TaskList& list, const Variables& v, int m) {
 // material. Nothing passes: mean of the two cells.
 VariableId declare_passing(TaskList& list, const Variables& v, const SchemeOptions& o, int m,
                            int axis) {
-  const int d = o.axes.direction[axis];
+  const int d = o.grid.axes.direction[axis];
   const std::string name =
       material_label("share of what passes", m) + ", axis " + std::to_string(axis);
   const VariableId share = list.temporary(name, 1, d);
@@ -39,9 +39,9 @@ VariableId declare_passing(TaskList& list, const Variables& v, const SchemeOptio
   const In pure = task.read(v.pure, Stencil::along(d, 1, 0));
   const In volume = task.read(v.volume[m], Stencil::along(d, 1, 0));
   const In flux = task.read(v.flux[axis]);
-  const In velocity =
-      task.read(o.multi_velocity ? v.slip.face_velocity[axis] : v.common.face_velocity[axis]);
-  const int own = o.multi_velocity ? m : 0;
+  const In velocity = task.read(o.materials.multi_velocity ? v.slip.face_velocity[axis]
+                                                           : v.common.face_velocity[axis]);
+  const int own = o.materials.multi_velocity ? m : 0;
   const Out out = task.write(share);
   task.kernel([=](const Row& row) {
     const double l = row.step().dt / row.step().spacing[d];
@@ -64,13 +64,13 @@ VariableId declare_passing(TaskList& list, const Variables& v, const SchemeOptio
 // Momentum by which friction pushes the material apart from the others.
 VariableId declare_friction(TaskList& list, const Variables& v, const SchemeOptions& o, int m) {
   const std::string name = material_label("friction against the others", m);
-  const VariableId friction = list.temporary(name, o.components);
+  const VariableId friction = list.temporary(name, o.grid.components);
   TaskBuilder task = list.task(name, effect_saved_intermediates);
   const FrictionOnSlip pull = read_friction(task, v, o);
   RelativeVelocityReads state;
   read_slip(task, v, o, state);
   const Out out = task.write(friction);
-  task.kernel([=, components = o.components](const Row& row) {
+  task.kernel([=, components = o.grid.components](const Row& row) {
     const double *mass[max_materials], *volume[max_materials];
     const int materials = static_cast<int>(state.mass.size());
     for (std::size_t k = 0; k < state.mass.size(); ++k) {
@@ -98,9 +98,9 @@ VariableId declare_friction(TaskList& list, const Variables& v, const SchemeOpti
 MaterialsOfStep materials_of_step(TaskList& list, const Variables& v, const SchemeOptions& o) {
   MaterialsOfStep materials;
   materials.density_new = v.end;
-  for (int m = 0; m < static_cast<int>(o.fluids.size()); ++m) {
+  for (int m = 0; m < static_cast<int>(o.materials.fluids.size()); ++m) {
     MaterialOfStep one{m,
-                       o.fluids[m],
+                       o.materials.fluids[m],
                        v.mass[m],
                        v.volume[m],
                        v.energy[m],
@@ -110,16 +110,16 @@ MaterialsOfStep materials_of_step(TaskList& list, const Variables& v, const Sche
                        declare_energy(list, v, m),
                        {},
                        {}};
-    for (int axis = 0; axis < o.axes.count; ++axis)
+    for (int axis = 0; axis < o.grid.axes.count; ++axis)
       one.passing[axis] = declare_passing(list, v, o, m, axis);
-    if (o.multi_velocity) {
-      one.motion =
-          OwnMotion{v.slip.slip[m], v.slip.slip_new[m], v.slip.velocity_L, m * o.components, {}};
-      if (o.viscous) one.motion->friction = declare_friction(list, v, o, m);
+    if (o.materials.multi_velocity) {
+      one.motion = OwnMotion{
+          v.slip.slip[m], v.slip.slip_new[m], v.slip.velocity_L, m * o.grid.components, {}};
+      if (o.transport.viscous) one.motion->friction = declare_friction(list, v, o, m);
     }
     materials.each.push_back(std::move(one));
   }
-  if (o.mixed != nullptr) {
+  if (o.materials.mixed != nullptr) {
     materials.f = old_fraction(list, o);
     materials.f_new = new_fraction(list, o);
   }

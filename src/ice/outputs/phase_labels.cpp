@@ -18,11 +18,12 @@ VariableId declare_dilation(TaskList& list, const SchemeVariables& v, const Sche
   const VariableId dilation = list.temporary("dilation");
   TaskBuilder task = list.task("dilation", effect);
   std::array<In, 3> velocity;
-  for (int axis = 0; axis < o.axes.count; ++axis) {
-    velocity[axis] = task.read(v.face_velocity[axis], Stencil::along(o.axes.direction[axis], 0, 1));
+  for (int axis = 0; axis < o.grid.axes.count; ++axis) {
+    velocity[axis] =
+        task.read(v.face_velocity[axis], Stencil::along(o.grid.axes.direction[axis], 0, 1));
   }
   const Out out = task.write(dilation);
-  task.kernel([=, axes = o.axes](const Row& row) {
+  task.kernel([=, axes = o.grid.axes](const Row& row) {
     double* to = row(out);
     std::fill_n(to, row.count(), 0.0);
     for (int axis = 0; axis < axes.count; ++axis) {
@@ -69,7 +70,7 @@ double Thermometer::at(double M, double V, double E, double f) const {
 
 Thermometer thermometer_of(const MaterialOfStep& m, const SchemeOptions& o) {
   const bool composed = is_mixed(o, m.index);
-  return {m.fluid, composed ? o.mixed : nullptr};
+  return {m.fluid, composed ? o.materials.mixed : nullptr};
 }
 
 MaterialsOfStep material_alone(TaskList& list, const SchemeVariables& v, const SchemeOptions& o) {
@@ -79,8 +80,8 @@ MaterialsOfStep material_alone(TaskList& list, const SchemeVariables& v, const S
   const Out out = task.write(all);
   task.kernel([=](const Row& row) { std::fill_n(row(out), row.count(), 1.0); });
   MaterialsOfStep materials;
-  materials.each.push_back({o.material,
-                            o.fluid,
+  materials.each.push_back({o.materials.index,
+                            o.materials.fluid,
                             v.rho,
                             all,
                             v.energy,
@@ -91,7 +92,7 @@ MaterialsOfStep material_alone(TaskList& list, const SchemeVariables& v, const S
                             {},
                             {}});
   materials.density_new = v.rho_new;
-  if (o.mixed != nullptr) {
+  if (o.materials.mixed != nullptr) {
     materials.f = old_fraction(list, o);
     materials.f_new = new_fraction(list, o);
   }

@@ -13,7 +13,7 @@ namespace {
 // p(new state) - p(old state).
 void pressure_change_task(TaskList& list, const SchemeVariables& v, const SchemeOptions& o) {
   const Label label = labels().pressure_change;
-  if (o.mixture)
+  if (o.materials.mixture)
     return save_values(list, label, 0, effect_saved_intermediates,
                        std::array{v.pressure, v.new_pressure},
                        [](const Row&, const auto& q, int i) { return q[1][i] - q[0][i]; });
@@ -34,8 +34,8 @@ void inactive_face_task(TaskList& list, const SchemeVariables& v, const SchemeOp
                         Label label, bool pressure) {
   TaskBuilder task = list.task("save " + label.name(), effect_saved_intermediates);
   int carried = -1;
-  for (int c = o.axes.count; c < o.components; ++c)
-    if (o.direction[c] == d) carried = c;
+  for (int c = o.grid.axes.count; c < o.grid.components; ++c)
+    if (o.grid.direction[c] == d) carried = c;
   const In in = task.read(pressure ? v.pressure : v.velocity);
   const Out out = task.write(list.output(label, 0));
   task.kernel([=](const Row& row) {
@@ -54,7 +54,7 @@ void declare_step_outputs(TaskList& list, const SchemeVariables& v, const Scheme
     save_copy(list, label, 0, effect_saved_intermediates, from);
   };
   save(l.equilibrium_pressure, v.pressure);
-  if (o.internal_energy_form)
+  if (o.scheme.internal_energy_form)
     save(l.pressure_change, v.pressure_change);
   else
     pressure_change_task(list, v, o);

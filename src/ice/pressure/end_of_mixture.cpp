@@ -34,7 +34,7 @@ struct Handles {
 
 Cut read_touched(TaskBuilder& task, const mixture::Variables& v, const SchemeOptions& o) {
   Cut t;
-  t.any = o.has_cut_cells;
+  t.any = o.grid.has_cut_cells;
   if (!t.any) return t;
   t.cells = task.read(v.cut);
   t.fraction = task.read(v.common.walls.fraction);
@@ -125,7 +125,7 @@ VariableId add_lagrangian_pressure(TaskList& list, const mixture::Variables& v,
   h.laws = LawsOfCells(task, list, o);
   h.p = task.write(p_L);
   h.scratch = task.write(list.temporary("closure after the Lagrangian phase", 5));
-  task.kernel([=, materials = o.fluids.size()](const Row& row) {
+  task.kernel([=, materials = o.materials.fluids.size()](const Row& row) {
     for_each_run(runs_of(row, h.pure), row.count(), [&](int first, int count, double pure) {
       const Row part = row.part(first, count);
       pure >= 0.0 ? alone(part, h, static_cast<std::size_t>(pure)) : mixed(part, h, materials);
@@ -139,7 +139,7 @@ VariableId add_new_pressure(TaskList& list, const mixture::Variables& v, const S
   const VariableId p_new = list.temporary("pressure of the new state");
   TaskBuilder task = list.task("pressure of the new state", effect);
   std::vector<In> mass, energy;
-  for (std::size_t m = 0; m < o.fluids.size(); ++m) {
+  for (std::size_t m = 0; m < o.materials.fluids.size(); ++m) {
     mass.push_back(task.read(v.mass_new[m]));
     energy.push_back(task.read(v.energy_new[m]));
   }
@@ -172,8 +172,8 @@ VariableId add_new_pressure(TaskList& list, const mixture::Variables& v, const S
 void add_end_of_mixture(TaskList& list, const mixture::Variables& v, const SchemeVariables& faces,
                         const SchemeOptions& o, int effect) {
   const VariableId p_L = add_lagrangian_pressure(list, v, o, effect);
-  o.has_cut_cells ? add_cut_cell_error(list, faces, o, p_L, effect)
-                  : add_volume_error(list, faces, o, p_L, effect);
+  o.grid.has_cut_cells ? add_cut_cell_error(list, faces, o, p_L, effect)
+                       : add_volume_error(list, faces, o, p_L, effect);
   add_offset(list, faces, o, add_new_pressure(list, v, o, effect), effect);
 }
 

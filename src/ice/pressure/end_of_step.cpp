@@ -21,8 +21,8 @@ void add_volume_error(TaskList& list, const SchemeVariables& v, const SchemeOpti
   const In rho = task.read(v.rho), sound = task.read(v.sound), p_in = task.read(p_L);
   const Out out = task.write(v.solve.error);
   task.always();
-  dispatch(o.axes.count, o.components, [&]<int D, int C>() {
-    task.kernel([=, axes = o.axes](const Row& row) {
+  dispatch(o.grid.axes.count, o.grid.components, [&]<int D, int C>() {
+    task.kernel([=, axes = o.grid.axes](const Row& row) {
       const int n = row.count();
       const double *r = row(rho), *c = row(sound), *p = row(in.pressure), *pL = row(p_in);
       double* R = row(out);

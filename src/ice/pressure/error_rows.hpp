@@ -23,8 +23,8 @@ inline ErrorReads read_error(TaskBuilder& task, const SchemeVariables& v, const 
   h.velocity = task.read(v.velocity);
   h.pressure_slope = task.read(v.pressure_slope);
   h.rho = task.read(v.rho);
-  h.gravity = o.gravity_on ? o.gravity : Vec3{};
-  h.force = o.force;
+  h.gravity = o.forces.on ? o.forces.gravity : Vec3{};
+  h.force = o.forces.driving;
   return h;
 }
 

@@ -29,7 +29,7 @@ namespace {
 
 void add_open_coefficient(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
                           int axis, int effect) {
-  const int direction = o.axes.direction[axis];
+  const int direction = o.grid.axes.direction[axis];
   const std::string name = "coefficients of whole faces " + std::to_string(axis);
   const VariableId of_whole = list.temporary(name, 1, direction);
   add_face_coefficient(list, v, o, axis, of_whole, effect);
@@ -54,10 +54,10 @@ void add_cell_coefficient(TaskList& list, const SchemeVariables& v, const Scheme
   const In fraction = task.read(v.walls.fraction, Stencil::box(1));
   const In after = task.read(v.walls.next);
   std::array<In, 3> covered;
-  for (int a = 0; a < o.axes.count; ++a)
-    covered[a] = task.read(v.walls.mean_covered[a], Stencil::along(o.axes.direction[a], 0, 1));
+  for (int a = 0; a < o.grid.axes.count; ++a)
+    covered[a] = task.read(v.walls.mean_covered[a], Stencil::along(o.grid.axes.direction[a], 0, 1));
   const Out out = task.write(list.output(labels().matrix_cell, 0));
-  task.kernel([=, axes = o.axes](const Row& row) {
+  task.kernel([=, axes = o.grid.axes](const Row& row) {
     const double al = solve_constants(row.step()).al;
     const double *r = row(rho), *c = row(sound), *theta = row(fraction), *next = row(after);
     double* to = row(out);
@@ -112,9 +112,9 @@ void add_right_side(TaskList& list, const SchemeVariables& v, const SchemeOption
   const VolumeReads h = read_volumes(task, v, o);
   std::array<In, 3> flow;
   for (int a = 0; a < D; ++a)
-    flow[a] = task.read(v.walls.flow[a], Stencil::along(o.axes.direction[a], 0, 1));
+    flow[a] = task.read(v.walls.flow[a], Stencil::along(o.grid.axes.direction[a], 0, 1));
   const Out out = task.write(list.output(labels().right_side, 0));
-  task.kernel([=, axes = o.axes](const Row& row) {
+  task.kernel([=, axes = o.grid.axes](const Row& row) {
     const double *theta = row(h.fraction), *after = row(h.next);
     const double *low[D], *high[D];
     double l[D];
@@ -156,7 +156,7 @@ void add_error(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
   const In inverse = task.read(v.inverse_J), gives_old = task.read(v.walls.gives_old);
   const Out out = task.write(v.solve.error);
   task.always();
-  task.kernel([=, axes = o.axes](const Row& row) {
+  task.kernel([=, axes = o.grid.axes](const Row& row) {
     const double *pL = row(pL_in), *p = row(p_in), *per_V = row(inverse), *old = row(gives_old);
     double* R = row(out);
     error_row<D>(
@@ -183,15 +183,16 @@ void add_error(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
 
 void add_cut_cell_error(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
                         VariableId p_L, int effect) {
-  dispatch(o.axes.count, o.components,
+  dispatch(o.grid.axes.count, o.grid.components,
            [&]<int D, int C>() { add_error<D>(list, v, o, p_L, effect); });
 }
 
 void add_cut_cell_system(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
                          int effect) {
-  for (int axis = 0; axis < o.axes.count; ++axis) add_open_coefficient(list, v, o, axis, effect);
+  for (int axis = 0; axis < o.grid.axes.count; ++axis)
+    add_open_coefficient(list, v, o, axis, effect);
   add_cell_coefficient(list, v, o, effect);
-  dispatch(o.axes.count, o.components,
+  dispatch(o.grid.axes.count, o.grid.components,
            [&]<int D, int C>() { add_right_side<D>(list, v, o, effect); });
 }
 

@@ -21,17 +21,17 @@ void declare_variables(TaskList& list, const SchemeOptions& o, SchemeVariables& 
   x.work = list.temporary("work pressure");
   x.smooth = list.temporary("smooth pressure");
   x.error = list.temporary("relative volume error");
-  if (o.viscous) x.force = list.temporary("viscous force", o.axes.count);
-  if (o.meets_coarser) x.interface = list.old_state(l.interface_pressure, 0, 1);
-  if (o.meets_finer)
-    for (int a = 0; a < o.axes.count; ++a) {
-      const int d = o.axes.direction[a];
+  if (o.transport.viscous) x.force = list.temporary("viscous force", o.grid.axes.count);
+  if (o.grid.meets_coarser) x.interface = list.old_state(l.interface_pressure, 0, 1);
+  if (o.grid.meets_finer)
+    for (int a = 0; a < o.grid.axes.count; ++a) {
+      const int d = o.grid.axes.direction[a];
       x.finer_velocity[a] = list.old_state(l.finer_face_velocity[d], 0, 1);
       x.finer_pressure[a] = list.old_state(l.finer_face_pressure[d], 0, 1);
     }
-  for (int a = 0; a < o.axes.count; ++a)
+  for (int a = 0; a < o.grid.axes.count; ++a)
     x.prediction[a] = list.temporary("prediction of axis " + std::to_string(a), prediction_count,
-                                     o.axes.direction[a]);
+                                     o.grid.axes.direction[a]);
 }
 
 void add_work_pressure(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
@@ -40,9 +40,9 @@ void add_work_pressure(TaskList& list, const SchemeVariables& v, const SchemeOpt
   const In p_in = task.read(v.pressure), c_in = task.read(v.sound),
            offset = task.read(v.solve.offset);
   In interface;
-  if (o.meets_coarser) interface = task.read(v.solve.interface);
+  if (o.grid.meets_coarser) interface = task.read(v.solve.interface);
   const Out work = task.write(v.solve.work), smooth = task.write(v.solve.smooth);
-  task.kernel([=, axes = o.axes](const Row& row) {
+  task.kernel([=, axes = o.grid.axes](const Row& row) {
     double per_dx = 0;
     for (int a = 0; a < axes.count; ++a)
       per_dx = std::max(per_dx, 1.0 / row.step().spacing[axes.direction[a]]);

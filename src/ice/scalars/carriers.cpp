@@ -9,13 +9,13 @@
 namespace sluice::ice::scalars {
 
 void add_carriers(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
-  if (!o.mixture) return;
+  if (!o.materials.mixture) return;
   static const char* names[] = {"mass with scalars of axis 0", "mass with scalars of axis 1",
                                 "mass with scalars of axis 2"};
-  for (int axis = 0; axis < o.axes.count; ++axis) {
+  for (int axis = 0; axis < o.grid.axes.count; ++axis) {
     TaskBuilder task = list.task(names[axis], effect);
     const In flux = task.read(v.flux[axis]), materials = task.read(v.material_flux[axis]);
-    const In pure = task.read(v.pure, Stencil::along(o.axes.direction[axis], 1, 0));
+    const In pure = task.read(v.pure, Stencil::along(o.grid.axes.direction[axis], 1, 0));
     const Out out = task.write(v.scalars.carrier[axis]);
     task.kernel([=, carried = v.scalars.materials](const Row& row) {
       const int n = row.count();
@@ -44,7 +44,7 @@ void add_choice(TaskList& list, const char* name, const mixture::Variables& v, i
                 VariableId to) {
   TaskBuilder task = list.task(name, effect);
   const In of_all = task.read(mixture), of_each = task.read(own);
-  const Stencil around = axis < 0 ? Stencil{} : Stencil::along(o.axes.direction[axis], 1, 0);
+  const Stencil around = axis < 0 ? Stencil{} : Stencil::along(o.grid.axes.direction[axis], 1, 0);
   const In pure = task.read(v.pure, around);
   const Out out = task.write(to);
   task.kernel([=, carried = v.common.scalars.materials](const Row& row) {
@@ -70,8 +70,8 @@ SchemeVariables add_own_motion(TaskList& list, const mixture::Variables& m, cons
                                 "velocity with scalars of axis 1",
                                 "velocity with scalars of axis 2"};
   const int count = static_cast<int>(v.scalars.materials.size());
-  for (int axis = 0; axis < o.axes.count; ++axis) {
-    v.face_velocity[axis] = list.temporary(names[axis], count, o.axes.direction[axis]);
+  for (int axis = 0; axis < o.grid.axes.count; ++axis) {
+    v.face_velocity[axis] = list.temporary(names[axis], count, o.grid.axes.direction[axis]);
     add_choice(list, names[axis], m, effect, o, axis, m.common.face_velocity[axis],
                m.slip.face_velocity[axis], v.face_velocity[axis]);
   }

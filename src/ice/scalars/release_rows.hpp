@@ -34,7 +34,7 @@ inline void begin_release(const Row& row, const ReleaseHandles& h, const SchemeO
   };
   copy(row(h.rho), row(h.end.next.rho));
   copy(row(h.energy), row(h.end.next.energy));
-  for (int c = 0; c < o.components; ++c) copy(row(h.momentum, c), row(h.end.next.momentum, c));
+  for (int c = 0; c < o.grid.components; ++c) copy(row(h.momentum, c), row(h.end.next.momentum, c));
   add_sources_of_one(row, h.sources, o, h.end.next.rho, h.end.next.momentum, h.end.next.energy);
 }
 
@@ -53,7 +53,7 @@ struct HeatBudget {
 
 template <int D>
 void end_release(const Row& row, const ReleaseHandles& h, const SchemeOptions& o) {
-  check_row(row, h.end, o, o.material);
+  check_row(row, h.end, o, o.materials.index);
   rates_of_row<D>(row, h.end.next, o);
 }
 

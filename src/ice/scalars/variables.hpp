@@ -19,8 +19,8 @@ namespace sluice::ice::scalars {
 // along each axis.
 enum Base { lowest = 0, highest = 1, offered = 2 };
 
-// Declares the variables of the scalars of material `o.material`, or of all in a mixture: state,
-// mass and its fluxes are those of `v` (one material) or these of all materials.
+// Declares the variables of the scalars of material `o.materials.index`, or of all in a mixture:
+// state, mass and its fluxes are those of `v` (one material) or these of all materials.
 struct Masses {
   std::span<const VariableId> old, now, volume;  // no volumes of one material
 };

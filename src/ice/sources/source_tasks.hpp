@@ -5,7 +5,7 @@
 
 namespace sluice::ice {
 
-// Where the exact sums of sources stand among those of a step, from SchemeOptions::first_source_sum
+// Where the exact sums of sources stand among those of a step, from AccountOptions::first_source_sum
 // on: the mass of each material, then these.
 struct SourceSums {
   enum {
