@@ -59,7 +59,7 @@ void account_side(const Row& row, const FaceFluxHandles& h, const SchemeOptions&
 
 }  // namespace
 
-void add_boundary_budget(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+void add_boundary_budget(TaskList& list, const FaceFluxInput& v, const SchemeOptions& o,
                          int effect) {
   static const char* names[] = {"boundary account 0", "boundary account 1", "boundary account 2"};
   for (int axis = 0; axis < o.grid.axes.count; ++axis) {

@@ -11,6 +11,32 @@
 
 namespace sluice::ice {
 
+struct FaceFluxInput {
+  std::array<VariableId, 3> flux, face_velocity, face_pressure, stress, heat_flux;
+  VariableId velocity, front_viscosity;
+  std::array<VariableId, 3> material_flux, material_velocity;  // of a mixture
+  VariableId pure;                                             // likewise
+  std::array<VariableId, 3> covered;                           // by solids
+  VariableId shear, shear_marks, rho;                          // along strong shocks
+
+  static FaceFluxInput of(const SchemeVariables& v) {
+    return {v.flux,
+            v.face_velocity,
+            v.face_pressure,
+            v.stress,
+            v.heat_flux,
+            v.velocity,
+            v.front_viscosity,
+            v.material_flux,
+            v.material_velocity,
+            v.pure,
+            v.walls.covered,
+            v.shear,
+            v.shear_marks,
+            v.rho};
+  }
+};
+
 struct FaceFluxHandles {
   In flux, face_velocity, face_pressure, stress, velocity, viscosity, heat_flux;
   In materials, pure;      // of a mixture
@@ -20,7 +46,7 @@ struct FaceFluxHandles {
 };
 
 // Low and high faces of the cells of a row.
-inline FaceFluxHandles read_face_fluxes(TaskBuilder& task, const SchemeVariables& v,
+inline FaceFluxHandles read_face_fluxes(TaskBuilder& task, const FaceFluxInput& v,
                                         const SchemeOptions& o, int axis) {
   const int direction = o.grid.axes.direction[axis];
   const Stencil both = Stencil::along(direction, 0, 1);
@@ -28,7 +54,7 @@ inline FaceFluxHandles read_face_fluxes(TaskBuilder& task, const SchemeVariables
   h.flux = task.read(v.flux[axis], both);
   h.face_velocity = task.read(v.face_velocity[axis], both);
   h.face_pressure = task.read(v.face_pressure[axis], both);
-  if (o.grid.has_cut_cells) h.covered = task.read(v.walls.covered[axis], both);
+  if (o.grid.has_cut_cells) h.covered = task.read(v.covered[axis], both);
   if (o.materials.mixture) {
     h.materials = task.read(v.material_flux[axis], both);
     h.pure = task.read(v.pure, Stencil::along(direction, 1, 1));

@@ -34,7 +34,7 @@ void account_cells(const Row& row, const Handles& h, const SchemeOptions& o, int
 
 }  // namespace
 
-void add_gravity_budget(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+void add_gravity_budget(TaskList& list, const ForceBudgetInput& v, const SchemeOptions& o,
                         int effect) {
   if (!o.forces.on || (o.accounts.coverage == nullptr && !o.forces.driving_on)) return;
   TaskBuilder task = list.task("gravity account", effect);

@@ -5,11 +5,11 @@
 #include "ice/step/cell_sums.hpp"
 
 namespace sluice::ice::mixture {
-void add_relative_velocity_force_budget(TaskList& list, const Variables& v, const SchemeOptions& o,
-                                        int effect) {
+void add_relative_velocity_force_budget(TaskList& list, VariableId force_work,
+                                        const SchemeOptions& o, int effect) {
   if (!o.forces.driving_on) return;
   TaskBuilder task = list.task("account of the force on slip", effect);
-  const In work = task.read(v.slip.force_work);
+  const In work = task.read(force_work);
   task.always().kernel([=](const Row& row) {
     const double* W = row(work);
     const double volume = cell_volume(row);

@@ -95,14 +95,13 @@ void account_inside(const Row& row, const Handles& h, const SchemeOptions& o) {
 
 }  // namespace
 
-void add_volume_budget(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
-                       int effect) {
+void add_volume_budget(TaskList& list, const BudgetInput& v, const SchemeOptions& o, int effect) {
   if (o.accounts.volumes == nullptr || o.accounts.volumes->count() == 0) return;
   static const char* names[] = {"control volumes, axis 0", "control volumes, axis 1",
                                 "control volumes, axis 2"};
   for (int axis = 0; axis < o.grid.axes.count; ++axis) {
     TaskBuilder task = list.task(names[axis], effect);
-    const FaceFluxHandles h = read_face_fluxes(task, v, o, axis);
+    const FaceFluxHandles h = read_face_fluxes(task, v.faces, o, axis);
     task.always().only_in([volumes = o.accounts.volumes, axis](int box, const IndexBox& block) {
       return volumes->cells_with_faces(box, axis, block);
     });
@@ -111,9 +110,9 @@ void add_volume_budget(TaskList& list, const SchemeVariables& v, const SchemeOpt
   if (!o.forces.on) return;
   TaskBuilder task = list.task("control volumes, gravity", effect);
   Handles h;
-  h.rho = task.read(v.rho);
-  h.momentum = task.read(v.momentum);
-  h.impulse = task.read(v.impulse);
+  h.rho = task.read(v.cells.rho);
+  h.momentum = task.read(v.cells.momentum);
+  h.impulse = task.read(v.cells.impulse);
   task.always().kernel([=](const Row& row) { account_inside(row, h, o); });
 }
 

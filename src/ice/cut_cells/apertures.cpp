@@ -4,15 +4,15 @@
 
 namespace sluice::ice::cut_cells {
 
-void add_apertures(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
+void add_apertures(TaskList& list, const AperturesInput& v, const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("where slopes count", effect);
-  const In fraction = task.read(v.walls.fraction, Stencil::box(1));
+  const In fraction = task.read(v.fraction, Stencil::box(1));
   std::array<In, 3> covered;
   for (int a = 0; a < o.grid.axes.count; ++a)
-    covered[a] = task.read(v.walls.covered[a], Stencil::along(o.grid.axes.direction[a], 0, 1));
+    covered[a] = task.read(v.covered[a], Stencil::along(o.grid.axes.direction[a], 0, 1));
   In mask;
   if (o.scheme.masked) mask = task.read(v.mask);
-  const Out open = task.write(v.walls.open);
+  const Out open = task.write(v.open);
   task.kernel([=](const Row& row) {
     const int n = row.count();
     const double* here = row(fraction);

@@ -272,52 +272,53 @@ void cell_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
 
 }  // namespace
 
-void add_lagrangian(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
+void add_lagrangian(TaskList& list, const LagrangianInput& v, const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("Lagrangian phase with solids", effect);
-  const WallVariables& w = v.walls;
   Handles h;
-  h.rho = task.read(v.rho);
-  h.inverse_rho = task.read(v.inverse_rho);
-  h.velocity = task.read(v.velocity, o.transport.viscous ? Stencil::box(1) : Stencil::point());
-  if (holds_velocities(o)) h.sound = task.read(v.sound);
+  h.rho = task.read(v.fluid.rho);
+  h.inverse_rho = task.read(v.fluid.inverse_rho);
+  h.velocity =
+      task.read(v.fluid.velocity, o.transport.viscous ? Stencil::box(1) : Stencil::point());
+  if (holds_velocities(o)) h.sound = task.read(v.fluid.sound);
   h.momentum = task.read(v.momentum);
-  h.energy = task.read(v.energy);
-  h.fraction = task.read(w.fraction);
-  h.next = task.read(w.next);
-  h.wall_pressure = task.read(w.pressure);
-  h.open = task.read(w.open);
+  h.energy = task.read(v.fluid.energy);
+  h.fraction = task.read(v.fraction);
+  h.next = task.read(v.next);
+  h.wall_pressure = task.read(v.wall_pressure);
+  h.open = task.read(v.open);
   for (int axis = 0; axis < o.grid.axes.count; ++axis) {
     const Stencil both = Stencil::along(o.grid.axes.direction[axis], 0, 1);
-    h.face_pressure[axis] = task.read(v.face_pressure[axis], both);
-    h.flow[axis] = task.read(w.flow[axis], both);
-    h.covered[axis] = task.read(w.covered[axis], both);
-    if (o.transport.viscous) h.stress[axis] = task.read(v.stress[axis], both);
-    if (o.transport.conducting) h.heat_flux[axis] = task.read(v.heat_flux[axis], both);
-    h.remap_mask[axis] = task.write(w.remap_mask[axis]);
+    h.face_pressure[axis] = task.read(v.fluid.face_pressure[axis], both);
+    h.flow[axis] = task.read(v.flow[axis], both);
+    h.covered[axis] = task.read(v.covered[axis], both);
+    if (o.transport.viscous) h.stress[axis] = task.read(v.fluid.stress[axis], both);
+    if (o.transport.conducting) h.heat_flux[axis] = task.read(v.fluid.heat_flux[axis], both);
+    h.remap_mask[axis] = task.write(v.remap_mask[axis]);
   }
-  h.inverse_J = task.write(v.inverse_J);
-  h.rho_L = task.write(v.rho_L);
-  h.energy_L = task.write(v.energy_L);
-  h.velocity_L = task.write(v.velocity_L);
-  h.energy_star = task.write(v.energy_star);
-  h.courant = task.write(v.courant);
-  h.inverse_courant = task.write(v.inverse_courant);
-  h.impulse = task.write(v.impulse);
-  if (o.friction_tilts()) h.friction.viscosity = task.read(v.front_viscosity, Stencil::box(1));
+  h.inverse_J = task.write(v.fluid.donors.inverse_J);
+  h.rho_L = task.write(v.fluid.donors.rho_L);
+  h.energy_L = task.write(v.fluid.donors.energy_L);
+  h.velocity_L = task.write(v.fluid.donors.velocity_L);
+  h.energy_star = task.write(v.fluid.energy_star);
+  h.courant = task.write(v.fluid.donors.courant);
+  h.inverse_courant = task.write(v.fluid.donors.inverse_courant);
+  h.impulse = task.write(v.fluid.impulse);
+  if (o.friction_tilts())
+    h.friction.viscosity = task.read(v.fluid.front_viscosity, Stencil::box(1));
   h.friction.velocity = h.velocity;
   h.friction.stress = h.stress;
   h.friction.impulse = h.impulse;
-  if (o.scheme.shears_shocks) h.shear = read_shock_shear(task, v);
+  if (o.scheme.shears_shocks) h.shear = read_shock_shear(task, v.fluid.shear);
   h.shear.impulse = h.impulse;
-  h.mass = task.write(w.mass);
-  h.cell_momentum = task.write(w.momentum);
-  h.inverse_mass = task.write(w.inverse_mass);
-  h.donor_velocity = task.write(w.donor_velocity);
-  h.base_mask = task.write(w.base_mask);
-  h.gives_old = task.write(w.gives_old);
-  if (o.keeps_work()) h.mixture = task.write(v.lagrangian_mixture);
+  h.mass = task.write(v.mass);
+  h.cell_momentum = task.write(v.cell_momentum);
+  h.inverse_mass = task.write(v.inverse_mass);
+  h.donor_velocity = task.write(v.donor_velocity);
+  h.base_mask = task.write(v.base_mask);
+  h.gives_old = task.write(v.gives_old);
+  if (o.keeps_work()) h.mixture = task.write(v.fluid.lagrangian_mixture);
   const bool scaled = !o.materials.mixture && o.materials.fluid.gamma_law() == nullptr;
-  if (scaled) h.scale = task.write(v.energy_scale);
+  if (scaled) h.scale = task.write(v.fluid.donors.energy_scale);
   dispatch(o.grid.axes.count, o.grid.components, [&]<int D, int C>() {
     task.kernel([=](const Row& row) {
       cell_rows<D, C>(row, h, impulse_constants(o, row.step()), o);

@@ -35,28 +35,55 @@ MaterialVariables declare_materials(TaskList& list, const SchemeOptions& o, mixt
   return x;
 }
 
-mixture::Variables full_cell_remap(const mixture::Variables& v, const MaterialVariables& x,
-                                   int axis) {
-  mixture::Variables remap = v;
-  remap.common = remap_variables(v.common, axis);
-  remap.common.flux = x.whole_flux;
-  remap.flux = x.whole_flux_of_each;
-  if (v.common.material_velocity[0].index >= 0) remap.common.material_velocity = x.whole_velocity;
+SharesOfEachInput SharesOfEachInput::of(const mixture::Variables& v, const MaterialVariables& x) {
+  const SchemeVariables& c = v.common;
+  return {mixture::StateOfEach::of(v),
+          v.slip.slip,
+          c.walls.fraction,
+          c.walls.next,
+          c.pressure,
+          c.inverse_rho,
+          c.energy_star,
+          c.energy,
+          c.walls.flow,
+          x.volume_L,
+          x.energy_L};
+}
+
+CutFluxInput CutFluxInput::of(const mixture::Variables& v, const MaterialVariables& x) {
+  const WallVariables& w = v.common.walls;
+  return {mixture::StateOfEach::of(v),
+          v.cut,
+          w.fraction,
+          v.common.inverse_J,
+          v.pure,
+          w.donor_velocity,
+          x.energy_L,
+          w.gives_old,
+          w.flow,
+          x.whole_flux,
+          x.whole_flux_of_each,
+          x.whole_velocity};
+}
+
+CutFluxes CutFluxes::of(const mixture::Variables& v, const MaterialVariables& x) {
+  return {x.passed_on, v.common.flux, v.flux, v.common.material_velocity};
+}
+
+// The remap of a whole cell moves l u_f of the cell's volume, differences of the old state count
+// (1 - nu)/J, a share |F|/rho of the mass leaves: here l w_f, (1 - nu) V/V_L, |F|/(rho V).
+RemapFluxInput whole_cell_remap(const SchemeVariables& v, int axis) {
+  RemapFluxInput remap = RemapFluxInput::of(v);
+  remap.face_velocity = v.walls.flow;
+  remap.inverse_rho = v.walls.inverse_mass;
+  remap.donors.velocity_L = v.walls.donor_velocity;
+  remap.mask = v.walls.remap_mask[axis];
   return remap;
 }
 
-SchemeVariables volume_variables(const mixture::Variables& v) {
-  SchemeVariables volume = v.common;
-  volume.rho = v.slip.common.rho;
-  volume.inverse_rho = v.slip.common.inverse_rho;
-  volume.velocity = v.slip.common.velocity;
-  volume.sound = v.slip.common.sound;
-  return volume;
-}
-
-void add_cut_cells(TaskList& list, const mixture::Variables& v, const SchemeOptions&, int effect) {
+void add_cut_cells(TaskList& list, const WhichCutInput& v, const SchemeOptions&, int effect) {
   TaskBuilder task = list.task("cells that solids touch", effect);
-  const In theta = task.read(v.common.walls.fraction), after = task.read(v.common.walls.next);
+  const In theta = task.read(v.fraction), after = task.read(v.next);
   const Out cut = task.write(v.cut);
   task.kernel([=](const Row& row) {
     const double *before = row(theta), *next = row(after);
@@ -65,24 +92,20 @@ void add_cut_cells(TaskList& list, const mixture::Variables& v, const SchemeOpti
   });
 }
 
-void add_stress_of_open_faces(TaskList& list, const mixture::Variables& whole,
-                              const mixture::Variables& v, const SchemeOptions& o, int effect) {
-  for (int axis = 0; axis < o.grid.axes.count && o.transport.viscous; ++axis) {
-    add_open_share(list, v.common, o, axis,
-                   {whole.slip.stress[axis], v.slip.stress[axis],
-                    static_cast<int>(o.materials.fluids.size()) * o.grid.components},
+void add_stress_of_open_faces(TaskList& list, const OpenShareInput& v, const SchemeOptions& o,
+                              int effect) {
+  const int components = static_cast<int>(o.materials.fluids.size()) * o.grid.components;
+  for (int axis = 0; axis < o.grid.axes.count && o.transport.viscous; ++axis)
+    add_open_share(list, v, o, axis, components,
                    "friction of each material on open faces " + std::to_string(axis), effect);
-  }
 }
 
-void add_heat_of_open_faces(TaskList& list, const mixture::Variables& v, const MaterialVariables& x,
-                            const SchemeOptions& o, int effect) {
-  for (int axis = 0; axis < o.grid.axes.count && o.transport.conducting; ++axis) {
-    add_open_share(list, v.common, o, axis,
-                   {x.whole_heat_of_each[axis], v.heat_flux[axis],
-                    2 * static_cast<int>(o.materials.fluids.size())},
+void add_heat_of_open_faces(TaskList& list, const OpenShareInput& v, const SchemeOptions& o,
+                            int effect) {
+  const int components = 2 * static_cast<int>(o.materials.fluids.size());
+  for (int axis = 0; axis < o.grid.axes.count && o.transport.conducting; ++axis)
+    add_open_share(list, v, o, axis, components,
                    "heat through contacts of open faces " + std::to_string(axis), effect);
-  }
 }
 
 namespace {
@@ -103,22 +126,21 @@ double energy_of_slip(const Row& row, const mixture::StateReads& state, const st
 
 }  // namespace
 
-void add_shares_of_each(TaskList& list, const mixture::Variables& v, const MaterialVariables& x,
-                        const SchemeOptions& o, int effect) {
+void add_shares_of_each(TaskList& list, const SharesOfEachInput& v, const SchemeOptions& o,
+                        int effect) {
   TaskBuilder task = list.task("Lagrangian phase of each material beside solids", effect);
-  const WallVariables& w = v.common.walls;
-  const mixture::StateReads state = mixture::read_state(task, v);
-  const In theta = task.read(w.fraction), after = task.read(w.next);
-  const In p_in = task.read(v.common.pressure), w_in = task.read(v.common.inverse_rho);
-  const In star = task.read(v.common.energy_star), energy = task.read(v.common.energy);
+  const mixture::StateReads state = mixture::read_state(task, v.state);
+  const In theta = task.read(v.fraction), after = task.read(v.next);
+  const In p_in = task.read(v.pressure), w_in = task.read(v.inverse_rho);
+  const In star = task.read(v.energy_star), energy = task.read(v.energy);
   std::array<In, 3> flow;
   for (int a = 0; a < o.grid.axes.count; ++a)
-    flow[a] = task.read(w.flow[a], Stencil::along(o.grid.axes.direction[a], 0, 1));
-  const Out volume = task.write(x.volume_L), E_L = task.write(x.energy_L);
+    flow[a] = task.read(v.flow[a], Stencil::along(o.grid.axes.direction[a], 0, 1));
+  const Out volume = task.write(v.volume_L), E_L = task.write(v.energy_L);
   const int materials = static_cast<int>(o.materials.fluids.size());
   std::vector<In> slip;
   for (int m = 0; m < materials && o.materials.multi_velocity; ++m)
-    slip.push_back(task.read(v.slip.slip[m]));
+    slip.push_back(task.read(v.slip[m]));
   task.kernel([=](const Row& row) {
     const int n = row.count();
     const double *before = row(theta), *next = row(after), *p = row(p_in), *inverse = row(w_in);
@@ -250,39 +272,38 @@ class TouchedFaces {
 };
 
 // `cells`, `faces`: around those of a row.
-FluxHandles read_fluxes(TaskBuilder& task, const mixture::Variables& v, const MaterialVariables& x,
-                        std::size_t axis, const Stencil& cells, const Stencil& faces) {
+FluxHandles read_fluxes(TaskBuilder& task, const CutFluxInput& v, std::size_t axis,
+                        const Stencil& cells, const Stencil& faces) {
   FluxHandles h;
-  for (std::size_t m = 0; m < v.mass.size(); ++m) {
-    h.state.mass.push_back(task.read(v.mass[m], cells));
-    h.state.volume.push_back(task.read(v.volume[m], cells));
-    h.state.energy.push_back(task.read(v.energy[m], cells));
+  for (std::size_t m = 0; m < v.state.mass.size(); ++m) {
+    h.state.mass.push_back(task.read(v.state.mass[m], cells));
+    h.state.volume.push_back(task.read(v.state.volume[m], cells));
+    h.state.energy.push_back(task.read(v.state.energy[m], cells));
   }
   h.cut = task.read(v.cut, cells);
-  h.theta = task.read(v.common.walls.fraction, cells);
-  h.inverse_J = task.read(v.common.inverse_J, cells);
-  h.flow = task.read(v.common.walls.flow[axis], faces);
+  h.theta = task.read(v.fraction, cells);
+  h.inverse_J = task.read(v.inverse_J, cells);
+  h.flow = task.read(v.flow[axis], faces);
   h.pure = task.read(v.pure, cells);
-  h.whole = task.read(x.whole_flux[axis], faces);
-  h.whole_each = task.read(x.whole_flux_of_each[axis], faces);
-  h.velocity_L = task.read(v.common.walls.donor_velocity, cells);
-  h.energy_L = task.read(x.energy_L, cells);
-  h.gives_old = task.read(v.common.walls.gives_old, cells);
+  h.whole = task.read(v.whole_flux[axis], faces);
+  h.whole_each = task.read(v.whole_flux_of_each[axis], faces);
+  h.velocity_L = task.read(v.donor_velocity, cells);
+  h.energy_L = task.read(v.energy_L, cells);
+  h.gives_old = task.read(v.gives_old, cells);
   return h;
 }
 
 // What cells without fluid take in of each fluid, per volume. Had they another mixture to give than
 // that, of some fluid they would give what they do not have.
-void add_passed_on(TaskList& list, const mixture::Variables& v, const MaterialVariables& x,
+void add_passed_on(TaskList& list, const CutFluxInput& v, VariableId passed_on,
                    const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("what cells without fluid pass on", effect);
   std::vector<FluxHandles> of_axis;
   for (int axis = 0; axis < o.grid.axes.count; ++axis) {
     const int d = o.grid.axes.direction[axis];
-    of_axis.push_back(
-        read_fluxes(task, v, x, axis, Stencil::along(d, 1, 1), Stencil::along(d, 0, 1)));
+    of_axis.push_back(read_fluxes(task, v, axis, Stencil::along(d, 1, 1), Stencil::along(d, 0, 1)));
   }
-  const Out out = task.write(x.passed_on);
+  const Out out = task.write(passed_on);
   const int materials = static_cast<int>(o.materials.fluids.size());
   task.kernel([=](const Row& row) {
     const double* theta = row(of_axis.front().theta);
@@ -347,19 +368,19 @@ void mean_velocity(const Row& row, const FluxHandles& h, const SchemeOptions& o,
 
 }  // namespace
 
-void add_fluxes_of_cut_cells(TaskList& list, const mixture::Variables& v,
-                             const MaterialVariables& x, const SchemeOptions& o, int effect) {
-  add_passed_on(list, v, x, o, effect);
+void add_fluxes_of_cut_cells(TaskList& list, const CutFluxInput& v, const CutFluxes& written,
+                             const SchemeOptions& o, int effect) {
+  add_passed_on(list, v, written.passed_on, o, effect);
   for (int axis = 0; axis < o.grid.axes.count; ++axis) {
     const Stencil both = Stencil::along(o.grid.axes.direction[axis], 1, 0);
     TaskBuilder task = list.task("fluxes beside solids " + std::to_string(axis), effect);
-    FluxHandles h = read_fluxes(task, v, x, axis, both, Stencil::point());
-    h.passed_on = task.read(x.passed_on, both);
-    h.flux = task.write(v.common.flux[axis]);
-    h.each = task.write(v.flux[axis]);
+    FluxHandles h = read_fluxes(task, v, axis, both, Stencil::point());
+    h.passed_on = task.read(written.passed_on, both);
+    h.flux = task.write(written.flux[axis]);
+    h.each = task.write(written.flux_of_each[axis]);
     if (o.materials.multi_velocity) {
-      h.whole_velocity = task.read(x.whole_velocity[axis]);
-      h.velocity = task.write(v.common.material_velocity[axis]);
+      h.whole_velocity = task.read(v.whole_velocity[axis]);
+      h.velocity = task.write(written.material_velocity[axis]);
     }
     task.kernel([=](const Row& row) {
       const int n = row.count();

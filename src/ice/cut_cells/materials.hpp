@@ -37,23 +37,48 @@ struct MaterialVariables {
 
 MaterialVariables declare_materials(TaskList&, const SchemeOptions&, mixture::Variables&);
 // Which cells solids touch.
-void add_cut_cells(TaskList&, const mixture::Variables&, const SchemeOptions&, int effect);
-// Of what moves apart: friction of each, on the open share of faces.
-void add_stress_of_open_faces(TaskList&, const mixture::Variables& whole, const mixture::Variables&,
-                              const SchemeOptions&, int effect);
-// Of what conducts: heat through contacts, on the open share of faces.
-void add_heat_of_open_faces(TaskList&, const mixture::Variables&, const MaterialVariables&,
-                            const SchemeOptions&, int effect);
-// E_mL, V_L of touched cells.
-void add_shares_of_each(TaskList&, const mixture::Variables&, const MaterialVariables&,
-                        const SchemeOptions&, int effect);
-// Fluxes of faces at touched cells.
-void add_fluxes_of_cut_cells(TaskList&, const mixture::Variables&, const MaterialVariables&,
-                             const SchemeOptions&, int effect);
+struct WhichCutInput {
+  VariableId fraction, next;
+  VariableId cut;  // written
 
-// Variables of the volume, which moves and is inert as its materials are together.
-SchemeVariables volume_variables(const mixture::Variables&);
-// As mixture/ has them, of the remap along an axis.
-mixture::Variables full_cell_remap(const mixture::Variables&, const MaterialVariables&, int axis);
+  static WhichCutInput of(const mixture::Variables& v) {
+    return {v.common.walls.fraction, v.common.walls.next, v.cut};
+  }
+};
+void add_cut_cells(TaskList&, const WhichCutInput&, const SchemeOptions&, int effect);
+// Of what moves apart: friction of each, on the open share of faces.
+void add_stress_of_open_faces(TaskList&, const OpenShareInput&, const SchemeOptions&, int effect);
+// Of what conducts: heat through contacts, on the open share of faces.
+void add_heat_of_open_faces(TaskList&, const OpenShareInput&, const SchemeOptions&, int effect);
+// E_mL, V_L of touched cells.
+struct SharesOfEachInput {
+  mixture::StateOfEach state;
+  std::vector<VariableId> slip;
+  VariableId fraction, next, pressure, inverse_rho, energy_star, energy;
+  std::array<VariableId, 3> flow;
+  VariableId volume_L, energy_L;  // written
+
+  static SharesOfEachInput of(const mixture::Variables&, const MaterialVariables&);
+};
+void add_shares_of_each(TaskList&, const SharesOfEachInput&, const SchemeOptions&, int effect);
+// Fluxes of faces at touched cells.
+struct CutFluxInput {
+  mixture::StateOfEach state;
+  VariableId cut, fraction, inverse_J, pure, donor_velocity, energy_L, gives_old;
+  std::array<VariableId, 3> flow, whole_flux, whole_flux_of_each, whole_velocity;
+
+  static CutFluxInput of(const mixture::Variables&, const MaterialVariables&);
+};
+struct CutFluxes {  // written
+  VariableId passed_on;
+  std::array<VariableId, 3> flux, flux_of_each, material_velocity;
+
+  static CutFluxes of(const mixture::Variables&, const MaterialVariables&);
+};
+void add_fluxes_of_cut_cells(TaskList&, const CutFluxInput&, const CutFluxes&, const SchemeOptions&,
+                             int effect);
+
+// As mixture/ has it, of the remap along an axis: what a whole cell gives.
+RemapFluxInput whole_cell_remap(const SchemeVariables&, int axis);
 
 }  // namespace sluice::ice::cut_cells

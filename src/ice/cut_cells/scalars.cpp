@@ -33,10 +33,10 @@ void declare_scalar_walls(TaskList& list, const SchemeOptions& o, SchemeVariable
 
 namespace {
 
-void add_cells(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
+void add_cells(TaskList& list, const ScalarWallsInput& v, const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("cells with scalars beside solids", effect);
   const ScalarVariables& s = v.scalars;
-  const In fraction = task.read(v.walls.fraction), next = task.read(v.walls.next);
+  const In fraction = task.read(v.fraction), next = task.read(v.next);
   std::vector<In> density;
   std::vector<Out> mass;
   for (const ScalarVariables::Each& e : s.each) {
@@ -58,7 +58,7 @@ void add_cells(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
   });
   if (!o.scheme.second_order) return;
   TaskBuilder weights = list.task("weight of slopes of scalars", effect);
-  const In touches = weights.read(s.cut), open = weights.read(v.walls.open);
+  const In touches = weights.read(s.cut), open = weights.read(v.open);
   const Out whole = weights.write(s.slopes);
   std::array<Out, 3> along;
   for (int a = 0; a < o.grid.axes.count; ++a) along[a] = weights.write(s.axis_slopes[a]);
@@ -78,15 +78,14 @@ void add_cells(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
 
 }  // namespace
 
-void add_scalar_walls(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+void add_scalar_walls(TaskList& list, const ScalarWallsInput& v, const SchemeOptions& o,
                       int effect) {
   if (v.scalars.each.empty()) return;
   add_cells(list, v, o, effect);
   for (int axis = 0; axis < o.grid.axes.count && v.scalars.diffusive; ++axis) {
     TaskBuilder task = list.task("open share with scalars " + std::to_string(axis), effect);
-    const In fraction =
-        task.read(v.walls.fraction, Stencil::along(o.grid.axes.direction[axis], 1, 0));
-    const In covered = task.read(v.walls.covered[axis]);
+    const In fraction = task.read(v.fraction, Stencil::along(o.grid.axes.direction[axis], 1, 0));
+    const In covered = task.read(v.covered[axis]);
     const Out share = task.write(v.scalars.open_share[axis]);
     task.kernel([=](const Row& row) {
       const double *ta = row(fraction, 0, axis, -1), *tb = row(fraction), *a = row(covered);

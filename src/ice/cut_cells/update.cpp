@@ -97,29 +97,22 @@ void check_cells(const Row& row, const Handles& h, const SchemeOptions& o) {
 
 }  // namespace
 
-void add_update(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
+void add_update(TaskList& list, const UpdateInput& v, const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("update with solids", effect);
-  const WallVariables& w = v.walls;
-  SchemeVariables cell = v;
-  cell.rho = w.mass;
-  cell.momentum = w.momentum;
-  cell.rho_remap = w.after_rho;
-  cell.momentum_remap = w.after_momentum;
-  cell.energy_remap = w.after_energy;
   Handles h;
-  h.amounts = declare_update(task, cell, o);
+  h.amounts = declare_update(task, v.amounts, o);
   h.frame = task.read(v.velocity_L);
-  h.fraction = task.read(w.fraction);
-  h.next = task.read(w.next);
+  h.fraction = task.read(v.fraction);
+  h.next = task.read(v.next);
   h.rho = task.read(v.rho);
   h.momentum = task.read(v.momentum);
   h.energy = task.read(v.energy);
-  h.fraction_new = task.write(w.fraction_new);
+  h.fraction_new = task.write(v.fraction_new);
   h.rho_new = task.write(v.rho_new);
   h.momentum_new = task.write(v.momentum_new);
   h.energy_new = task.write(v.energy_new);
   const int components = o.grid.components;
-  const SourceHandles sources = declare_sources(task, v, o);
+  const SourceHandles sources = declare_sources(task, v.amounts.source_change, o);
   dispatch(o.grid.axes.count, o.grid.components, [&]<int D, int C>() {
     task.kernel([=](const Row& row) {
       update_cells<D, C>(row, h);

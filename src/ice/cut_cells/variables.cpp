@@ -39,34 +39,10 @@ void declare_variables(TaskList& list, const SchemeOptions& o, SchemeVariables& 
   w.donor_velocity = list.temporary("velocity of donors", C);
   w.gives_old = list.temporary("donors that give their old state");
   w.base_mask = list.temporary("weight of transverse slopes");
-  w.after_rho = list.temporary("density after the step");
-  w.after_momentum = list.temporary("momentum after the step", C);
-  w.after_energy = list.temporary("energy after the step");
-}
-
-SchemeVariables fluid_face_variables(const SchemeVariables& v) {
-  SchemeVariables fluid = v;
-  fluid.face_velocity = v.walls.fluid_velocity;
-  fluid.face_pressure = v.walls.fluid_pressure;
-  return fluid;
-}
-
-// The remap of a whole cell moves l u_f of the cell's volume, differences of the old state count
-// (1 - nu)/J, a share |F|/rho of the mass leaves: here l w_f, (1 - nu) V/V_L, |F|/(rho V).
-SchemeVariables remap_variables(const SchemeVariables& v, int axis) {
-  SchemeVariables remap = v;
-  remap.face_velocity = v.walls.flow;
-  remap.inverse_rho = v.walls.inverse_mass;
-  remap.velocity_L = v.walls.donor_velocity;
-  remap.mask = v.walls.remap_mask[axis];
-  return remap;
-}
-
-SchemeVariables base_variables(const SchemeVariables& v) {
-  SchemeVariables bases = v;
-  bases.velocity_L = v.walls.donor_velocity;
-  bases.mask = v.walls.base_mask;
-  return bases;
+  w.after.rho = list.temporary("density after the step");
+  w.after.momentum = list.temporary("momentum after the step", C);
+  w.after.energy = list.temporary("energy after the step");
+  if (!o.materials.mixture) v.after = w.after;
 }
 
 }  // namespace sluice::ice::cut_cells

@@ -109,7 +109,7 @@ Handles declare(TaskBuilder& task, const Variables& v, const SchemeOptions& o) {
 void add_update(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("update", effect);
   const Handles h = declare(task, v, o);
-  const SourceHandles sources = declare_sources(task, v.common, o);
+  const SourceHandles sources = declare_sources(task, v.common.source_change, o);
   dispatch(o.grid.axes.count, o.grid.components, [&]<int D, int C>() {
     task.kernel([=](const Row& row) {
       update_rows<D, C>(row, h);

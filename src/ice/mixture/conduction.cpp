@@ -12,7 +12,7 @@
 #include "ice/fluid/face_mean.hpp"
 #include "ice/fluid/limiters.hpp"
 #include "ice/mixture/surface.hpp"
-#include "ice/mixture/variables.hpp"
+#include "ice/mixture/tasks.hpp"
 #include "ice/one_material/heat_flux_rows.hpp"
 #include "ice/step/laws_of_cells.hpp"
 #include "ice/step/material_runs.hpp"
@@ -24,18 +24,18 @@ namespace {
 
 // T and rho_m cv_m of each material that conducts, where it is; where it varies its k too,
 //   k_m + cp_m mu_t/Pr_t (rho_m/rho), k_m of a mixed gas that of its fraction.
-void add_temperatures(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
+void add_temperatures(TaskList& list, const HeatFluxInput& v, const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("temperature of each material", effect);
-  const StateReads state = read_state(task, v);
+  const StateReads state = read_state(task, v.state);
   const In presence = task.read(v.presence);
   const Out temperature = task.write(v.temperature), capacity = task.write(v.heat_capacity);
   const bool varies = o.transport.conductivity_varies,
              turbulent = o.transport.models.turbulence.has_value();
   const Out own = task.write(list.temporary("density and energy of a material", turbulent ? 3 : 2));
   const LawsOfCells laws(task, list, o);
-  const In eddy = turbulent ? task.read(v.common.eddy_viscosity) : In{};
-  const In rho = turbulent ? task.read(v.common.rho) : In{};
-  const Out conductivity = varies ? task.write(v.common.conductivity) : Out{};
+  const In eddy = turbulent ? task.read(v.eddy_viscosity) : In{};
+  const In rho = turbulent ? task.read(v.rho) : In{};
+  const Out conductivity = varies ? task.write(v.conductivity) : Out{};
   task.kernel([=](const Row& row) {
     // The end of the step asks for it where a material may have come in.
     for (int m = 0; varies && m < static_cast<int>(o.materials.fluids.size()); ++m)
@@ -306,7 +306,7 @@ class FaceHeat {
 
 }  // namespace
 
-void add_heat_flux(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
+void add_heat_flux(TaskList& list, const HeatFluxInput& v, const SchemeOptions& o, int effect) {
   if (!o.transport.conducting) return;
   add_temperatures(list, v, o, effect);
   static const char* names[] = {"heat through contacts on axis 0",
@@ -321,12 +321,12 @@ void add_heat_flux(TaskList& list, const Variables& v, const SchemeOptions& o, i
     h.temperature = task.read(v.temperature, both);
     h.capacity = task.read(v.heat_capacity, both);
     if (o.materials.multi_velocity_exchange) h.surface = task.read(v.surface, both);
-    if (o.transport.conductivity_varies) h.conductivity = task.read(v.common.conductivity, both);
-    for (const VariableId volume : v.volume) h.volume.push_back(task.read(volume, both));
-    for (std::size_t m = 0; m < v.mass.size() && o.materials.heat_exchange.varies(); ++m)
-      h.mass.push_back(task.read(v.mass[m], both));
-    h.flux = task.write(v.common.heat_flux[axis]);
-    h.of_materials = task.write(v.heat_flux[axis]);
+    if (o.transport.conductivity_varies) h.conductivity = task.read(v.conductivity, both);
+    for (const VariableId volume : v.state.volume) h.volume.push_back(task.read(volume, both));
+    for (std::size_t m = 0; m < v.state.mass.size() && o.materials.heat_exchange.varies(); ++m)
+      h.mass.push_back(task.read(v.state.mass[m], both));
+    h.flux = task.write(v.heat_flux[axis]);
+    h.of_materials = task.write(v.of_materials[axis]);
     task.kernel([heat = FaceHeat(o, h, axis)](const Row& row) { heat.run(row); });
   }
 }

@@ -8,15 +8,15 @@
 
 namespace sluice::ice::mixture {
 
-MaterialHandles read_materials(TaskBuilder& task, const Variables& v, const SchemeOptions& o,
+MaterialHandles read_materials(TaskBuilder& task, const DonorsInput& v, const SchemeOptions& o,
                                int axis) {
   const int direction = o.grid.axes.direction[axis];
   const Stencil both = Stencil::along(direction, 1, 0), four = Stencil::along(direction, 2, 1);
   const Stencil six = Stencil::along(direction, 3, 2);
   MaterialHandles h;
-  for (const VariableId id : v.mass) h.mass.push_back(task.read(id, four));
-  for (const VariableId id : v.energy) h.energy.push_back(task.read(id, four));
-  for (const VariableId id : v.volume) h.volume.push_back(task.read(id, six));
+  for (const VariableId id : v.state.mass) h.mass.push_back(task.read(id, four));
+  for (const VariableId id : v.state.energy) h.energy.push_back(task.read(id, four));
+  for (const VariableId id : v.state.volume) h.volume.push_back(task.read(id, six));
   h.presence = task.read(v.presence, six);
   h.pure = task.read(v.pure, both);
   h.energy_L = task.read(v.energy_L, both);
@@ -29,7 +29,7 @@ MaterialHandles read_materials(TaskBuilder& task, const Variables& v, const Sche
   return h;
 }
 
-void read_blends(TaskBuilder& task, const Variables& v, int axis, const SchemeOptions& o,
+void read_blends(TaskBuilder& task, const BlendInput& v, int axis, const SchemeOptions& o,
                  MaterialHandles& h) {
   if (!o.scheme.second_order) return;
   const int direction = o.grid.axes.direction[axis];

@@ -8,8 +8,8 @@
 
 #include "ice/closure/cell_closure.hpp"
 #include "ice/mixture/diffusion_rates.hpp"
+#include "ice/mixture/tasks.hpp"
 #include "ice/mixture/update_state.hpp"
-#include "ice/mixture/variables.hpp"
 #include "ice/step/laws_of_cells.hpp"
 #include "ice/step/material_runs.hpp"
 
@@ -28,28 +28,29 @@ struct Handles {
   LawsOfCells laws;  // of the new state
 };
 
-Handles declare(TaskBuilder& task, TaskList& list, const Variables& v, const SchemeOptions& o) {
+Handles declare(TaskBuilder& task, TaskList& list, const OnePressureInput& v,
+                const SchemeOptions& o) {
   Handles h;
   UpdateState& end = h.end;
-  end.common = read_end_of_step(task, v.common, o);
-  end.common.energy_scale = task.read(v.common.energy_scale);
+  end.common = read_end_of_step(task, v.end, o);
+  end.common.energy_scale = task.read(v.energy_scale);
   end.pure = task.read(v.pure);
-  h.remapped.momentum = task.read(v.common.momentum_remap);
+  h.remapped.momentum = task.read(v.momentum_remap);
   for (std::size_t m = 0; m < o.materials.fluids.size(); ++m) {
-    h.remapped.mass.push_back(task.read(v.mass_remap[m]));
-    h.remapped.volume.push_back(task.read(v.volume_remap[m]));
-    h.remapped.energy.push_back(task.read(v.energy_remap[m]));
+    h.remapped.mass.push_back(task.read(v.remapped.mass[m]));
+    h.remapped.volume.push_back(task.read(v.remapped.volume[m]));
+    h.remapped.energy.push_back(task.read(v.remapped.energy[m]));
     MaterialState s;
-    s.mass_new = task.write(v.mass_new[m]);
-    s.volume_new = task.write(v.volume_new[m]);
-    s.energy_new = task.write(v.energy_new[m]);
+    s.mass_new = task.write(v.next.mass[m]);
+    s.volume_new = task.write(v.next.volume[m]);
+    s.energy_new = task.write(v.next.energy[m]);
     end.state.push_back(s);
   }
-  end.common.next.momentum = task.write(v.common.momentum_new);
-  end.end = task.write(v.end);
+  end.common.next.momentum = task.write(v.momentum_new);
+  end.end = task.write(v.density_new);
   end.common.next.rho = end.end;
-  end.pressure = task.write(v.common.new_pressure);
-  end.closure = task.write(v.common.closure);
+  end.pressure = task.write(v.new_pressure);
+  end.closure = task.write(v.closure);
   h.laws = LawsOfCells(task, list, o, LawsOfCells::When::new_state);
   return h;
 }
@@ -100,7 +101,8 @@ bool may_hold_others(const Row& row, const SchemeOptions& o, int m) {
 
 }  // namespace
 
-void add_one_pressure(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
+void add_one_pressure(TaskList& list, const OnePressureInput& v, const SchemeOptions& o,
+                      int effect) {
   if (o.materials.mixed == nullptr) return;
   TaskBuilder task = list.task("one pressure", effect);
   const Handles h = declare(task, list, v, o);

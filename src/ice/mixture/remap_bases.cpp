@@ -8,8 +8,8 @@
 // energy .9 scales below the Lagrangian value.
 #include <algorithm>
 
+#include "ice/mixture/tasks.hpp"
 #include "ice/mixture/trace_rules.hpp"
-#include "ice/mixture/variables.hpp"
 #include "ice/one_material/remap_base_rows.hpp"
 #include "ice/step/material_runs.hpp"
 #include "ice/step/remap_bounds.hpp"
@@ -244,24 +244,26 @@ void base_rows_of(const Row& row, const Handles& h, const SchemeOptions& o, Vec3
 
 }  // namespace
 
-void add_remap_bases(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
+void add_remap_bases(TaskList& list, const RemapBasesInput& v, const SchemeOptions& o, int effect) {
   if (!o.scheme.second_order || o.grid.axes.count == 1) return;  // the base is the Lagrangian value
   TaskBuilder task = list.task("remap bases", effect);
   Handles h;
-  h.common = declare_remap_bases(task, v.common, o);
+  h.common = declare_remap_bases(task, v.mixture, o);
   h.pure = task.read(v.pure);
   h.near = task.read(v.near);
-  for (const VariableId volume : v.volume) h.volume.push_back(task.read(volume, Stencil::box(1)));
-  for (const VariableId mass : v.mass) h.mass.push_back(task.read(mass, Stencil::box(1)));
-  for (const VariableId energy : v.energy) h.energy.push_back(task.read(energy, Stencil::box(1)));
+  for (const VariableId volume : v.state.volume)
+    h.volume.push_back(task.read(volume, Stencil::box(1)));
+  for (const VariableId mass : v.state.mass) h.mass.push_back(task.read(mass, Stencil::box(1)));
+  for (const VariableId energy : v.state.energy)
+    h.energy.push_back(task.read(energy, Stencil::box(1)));
   h.blend = task.read(v.blend, Stencil::box(1));
   h.blend_density = task.read(v.blend_density, Stencil::box(1));
   h.blend_energy = task.read(v.blend_energy, Stencil::box(1));
   if (o.materials.multi_velocity) {
-    h.own_velocity = task.read(v.slip.velocity);
+    h.own_velocity = task.read(v.own_velocity);
     h.velocity_components = o.grid.components;
   }
-  h.inverse_J = task.read(v.common.inverse_J);
+  h.inverse_J = task.read(v.inverse_J);
   h.specific_energy_L = task.read(v.specific_energy_L);
   if (relaxes_before_remap(o)) h.strain = task.read(v.strain);
   h.scale = task.read(v.energy_scale);

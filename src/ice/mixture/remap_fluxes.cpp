@@ -22,7 +22,7 @@
 #include <algorithm>
 
 #include "ice/mixture/face_donors.hpp"
-#include "ice/mixture/variables.hpp"
+#include "ice/mixture/tasks.hpp"
 #include "ice/one_material/remap_flux_rows.hpp"
 #include "ice/step/laws_of_cells.hpp"
 #include "ice/step/material_runs.hpp"
@@ -194,21 +194,21 @@ class MixedFaces {
 
 }  // namespace
 
-void add_remap_fluxes(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
+void add_remap_fluxes(TaskList& list, const RemapFluxInput& v, const SchemeOptions& o, int effect) {
   for (int axis = 0; axis < o.grid.axes.count; ++axis) add_remap_flux(list, v, o, effect, axis);
 }
 
-void add_remap_flux(TaskList& list, const Variables& v, const SchemeOptions& o, int effect,
+void add_remap_flux(TaskList& list, const RemapFluxInput& v, const SchemeOptions& o, int effect,
                     int axis) {
   static const char* names[] = {"remap along axis 0", "remap along axis 1", "remap along axis 2"};
   const int direction = o.grid.axes.direction[axis];
   TaskBuilder task = list.task(names[axis], effect);
   Handles h;
-  h.common = read_remap_inputs(task, v.common, o, axis);
-  h.common.flux = task.write(v.common.flux[axis]);
-  h.materials = read_materials(task, v, o, axis);
-  read_blends(task, v, axis, o, h.materials);
-  h.pure = task.read(v.pure, Stencil::along(direction, 1, 0));
+  h.common = read_remap_inputs(task, v.mixture, o, axis);
+  h.common.flux = task.write(v.mixture.flux[axis]);
+  h.materials = read_materials(task, v.materials, o, axis);
+  read_blends(task, v.blend, axis, o, h.materials);
+  h.pure = task.read(v.materials.pure, Stencil::along(direction, 1, 0));
   h.flux = task.write(v.flux[axis]);
   dispatch(o.grid.axes.count, o.grid.components, [&]<int D, int C>() {
     task.kernel([=](const Row& row) {

@@ -93,17 +93,17 @@ double FaceOfSurface::left_to_face() const {
   return 1.0 - larger(shared_part(gas[0], solid[0]), shared_part(gas[1], solid[1]));
 }
 
-void add_surface(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
+void add_surface(TaskList& list, const SurfaceInput& v, const SchemeOptions& o, int effect) {
   if (!o.materials.multi_velocity_exchange) return;
   TaskBuilder task = list.task("surface along which gas slips", effect);
   const std::size_t gas = o.materials.multi_velocity_exchange->fluid;
   const std::size_t solid = o.materials.multi_velocity_exchange->solid;
   Handles h;
   h.pure = task.read(v.pure);
-  h.gas = task.read(v.volume[gas], Stencil::box(1));
-  h.solid = task.read(v.volume[solid], Stencil::box(1));
-  h.mass = task.read(v.mass[gas]);
-  h.energy = task.read(v.energy[gas]);
+  h.gas = task.read(v.state.volume[gas], Stencil::box(1));
+  h.solid = task.read(v.state.volume[solid], Stencil::box(1));
+  h.mass = task.read(v.state.mass[gas]);
+  h.energy = task.read(v.state.energy[gas]);
   h.surface = task.write(v.surface);
   task.kernel([=](const Row& row) {
     for_each_run(runs_of(row, h.pure), row.count(), [&](int first, int count, double alone) {
@@ -114,18 +114,20 @@ void add_surface(TaskList& list, const Variables& v, const SchemeOptions& o, int
   });
 }
 
-void add_slip_of_friction(TaskList& list, const Variables& v, const SchemeOptions& o,
+void add_slip_of_friction(TaskList& list, const FrictionInput& v, const SchemeOptions& o,
                           const std::array<VariableId, 3>& raw, int effect) {
   const auto of = [](int material) { return static_cast<std::size_t>(material); };
   for (int axis = 0; axis < o.grid.axes.count; ++axis) {
     static const char* names[] = {"slip on axis 0", "slip on axis 1", "slip on axis 2"};
     TaskBuilder task = list.task(names[axis], effect);
     const Stencil both = Stencil::along(o.grid.axes.direction[axis], 1, 0);
-    const In stress = task.read(raw[of(axis)]), viscosity = task.read(v.common.viscosity, both);
-    const In gas = task.read(v.volume[of(o.materials.multi_velocity_exchange->fluid)], both);
-    const In solid = task.read(v.volume[of(o.materials.multi_velocity_exchange->solid)], both);
+    const In stress = task.read(raw[of(axis)]), viscosity = task.read(v.mixture.viscosity, both);
+    const In gas =
+        task.read(v.of_each.state.volume[of(o.materials.multi_velocity_exchange->fluid)], both);
+    const In solid =
+        task.read(v.of_each.state.volume[of(o.materials.multi_velocity_exchange->solid)], both);
     const In surface = task.read(v.surface, both);
-    const Out slipping = task.write(v.common.stress[of(axis)]);
+    const Out slipping = task.write(v.mixture.stress[of(axis)]);
     task.kernel([=, components = o.grid.components](const Row& row) {
       const auto low = [&](In in, int c = 0) { return row(in, c, axis, -1); };
       const double dx = row.step().spacing[o.grid.axes.direction[axis]];

@@ -1,29 +1,28 @@
 // The end of the update in cells that solids touch, where fluids have one velocity:
 // cut_cells/materials.hpp.
 #pragma once
+#include "ice/mixture/tasks.hpp"
 #include "ice/mixture/update_state.hpp"
-#include "ice/mixture/variables.hpp"
 
 namespace sluice::ice::mixture {
 
-inline void declare_cut_cells(TaskBuilder& task, const Variables& v, const SchemeOptions& o,
+inline void declare_cut_cells(TaskBuilder& task, const CutCellsInput& v, const SchemeOptions& o,
                               CutCells& t) {
   t.any = o.grid.has_cut_cells;
   if (!t.any) return;
-  const WallVariables& w = v.common.walls;
   t.cells = task.read(v.cut);
   t.volume_L = task.read(v.cut_volume);
   t.energy_L = task.read(v.cut_energy);
-  t.frame = task.read(v.common.velocity_L);
-  t.gives_old = task.read(w.gives_old);
-  t.before = task.read(w.fraction);
-  t.next = task.read(w.next);
+  t.frame = task.read(v.velocity_L);
+  t.gives_old = task.read(v.gives_old);
+  t.before = task.read(v.fraction);
+  t.next = task.read(v.next);
   t.old_momentum = task.read(v.old_momentum);
   for (const VariableId energy : v.energy) t.old_energy.push_back(task.read(energy));
-  t.kinetic = task.write(w.fraction_new);
+  t.kinetic = task.write(v.fraction_new);
   for (int axis = 0; axis < o.grid.axes.count && o.materials.multi_velocity; ++axis) {
-    t.velocity[axis] = task.read(v.common.material_velocity[axis],
-                                 Stencil::along(o.grid.axes.direction[axis], 0, 1));
+    t.velocity[axis] =
+        task.read(v.material_velocity[axis], Stencil::along(o.grid.axes.direction[axis], 0, 1));
   }
 }
 

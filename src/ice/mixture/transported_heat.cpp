@@ -13,7 +13,7 @@
 // The rest, and a defect below zero (where a wave accelerates the cell), goes by mass. Absent
 // without friction and conduction.
 #include "ice/fluid/limiters.hpp"
-#include "ice/mixture/variables.hpp"
+#include "ice/mixture/tasks.hpp"
 #include "ice/step/material_runs.hpp"
 
 namespace sluice::ice::mixture {
@@ -105,21 +105,22 @@ void heat_cells(const Row& row, const Handles& h, const SchemeOptions& o) {
 
 }  // namespace
 
-void add_transported_heat(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
+void add_transported_heat(TaskList& list, const TransportedHeatInput& v, const SchemeOptions& o,
+                          int effect) {
   if (!o.transport.viscous && !o.transport.conducting) return;
   TaskBuilder task = list.task("heat of friction and conduction", effect);
   Handles h;
   h.pure = task.read(v.pure);
   h.presence = task.read(v.presence);
   if (o.transport.viscous) {
-    h.dissipation = task.read(v.common.lagrangian_mixture);
-    h.viscosity = task.read(v.common.viscosity);
-    h.inverse_rho = task.read(v.common.inverse_rho);
+    h.dissipation = task.read(v.lagrangian_mixture);
+    h.viscosity = task.read(v.viscosity);
+    h.inverse_rho = task.read(v.inverse_rho);
     if (o.own_viscosity_varies()) h.own_viscosity = task.read(v.own_viscosity);
-    if (o.transport.models.turbulence) h.eddy_viscosity = task.read(v.common.eddy_viscosity);
-    for (std::size_t m = 0; m < v.mass.size(); ++m) {
-      h.mass.push_back(task.read(v.mass[m]));
-      h.volume.push_back(task.read(v.volume[m]));
+    if (o.transport.models.turbulence) h.eddy_viscosity = task.read(v.eddy_viscosity);
+    for (std::size_t m = 0; m < v.state.mass.size(); ++m) {
+      h.mass.push_back(task.read(v.state.mass[m]));
+      h.volume.push_back(task.read(v.state.volume[m]));
     }
   }
   for (int axis = 0; o.transport.conducting && axis < o.grid.axes.count; ++axis) {

@@ -14,8 +14,8 @@
 #include "ice/closure/ideal_relaxation.hpp"
 #include "ice/closure/traces.hpp"
 #include "ice/mixture/diffusion_rates.hpp"
+#include "ice/mixture/tasks.hpp"
 #include "ice/mixture/touched_update.hpp"
-#include "ice/mixture/variables.hpp"
 #include "ice/one_material/update_rows.hpp"
 #include "ice/step/material_runs.hpp"
 
@@ -277,11 +277,11 @@ class MixedCells : public MaterialCells<D> {
 
 }  // namespace
 
-void add_update(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
+void add_update(TaskList& list, const UpdateInput& v, const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("update", effect);
   UpdateState h;
   declare_update(task, v, o, h);
-  declare_cut_cells(task, v, o, h.cut);
+  declare_cut_cells(task, v.cut_cells, o, h.cut);
   const std::vector<SchemeOptions> of_material = options_of_materials(o);
   dispatch(o.grid.axes.count, o.grid.components, [&]<int D, int C>() {
     task.kernel([=,

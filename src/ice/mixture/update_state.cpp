@@ -26,10 +26,11 @@ void fill_where_other(double* to, int n, double value) {
 
 }  // namespace
 
-void declare_update(TaskBuilder& task, const Variables& v, const SchemeOptions& o, UpdateState& h) {
+void declare_update(TaskBuilder& task, const UpdateInput& v, const SchemeOptions& o,
+                    UpdateState& h) {
   h.closes = o.materials.mixed == nullptr;
-  h.common = read_update(task, v.common, o);
-  h.common.energy_scale = task.read(v.common.energy_scale);
+  h.common = read_update(task, v.amounts, o);
+  h.common.energy_scale = task.read(v.mixture_energy_scale);
   h.stretch = task.read(v.stretch);
   if (relaxes_before_remap(o)) h.strain = task.read(v.strain);
   h.energy_L = task.read(v.energy_L);
@@ -38,24 +39,24 @@ void declare_update(TaskBuilder& task, const Variables& v, const SchemeOptions& 
   for (int axis = 0; axis < o.grid.axes.count; ++axis) {
     h.flux[axis] = task.read(v.flux[axis], Stencil::along(o.grid.axes.direction[axis], 0, 1));
   }
-  h.common.next.momentum = task.write(v.common.momentum_remap);
+  h.common.next.momentum = task.write(v.next.momentum);
   for (std::size_t m = 0; m < o.materials.fluids.size(); ++m) {
     MaterialState s;
-    s.mass = task.read(v.mass[m]);
-    s.volume = task.read(v.volume[m]);
-    s.mass_new = task.write(v.mass_remap[m]);
-    s.volume_new = task.write(v.volume_remap[m]);
-    s.energy_new = task.write(v.energy_remap[m]);
+    s.mass = task.read(v.state.mass[m]);
+    s.volume = task.read(v.state.volume[m]);
+    s.mass_new = task.write(v.next.of_each.mass[m]);
+    s.volume_new = task.write(v.next.of_each.volume[m]);
+    s.energy_new = task.write(v.next.of_each.energy[m]);
     h.state.push_back(s);
   }
   if (o.materials.multi_velocity)
-    for (const VariableId id : v.slip.slip_new) h.slip_new.push_back(task.write(id));
-  h.sources = declare_sources(task, v.common, o);
-  h.end = task.write(v.end_remap);
+    for (const VariableId id : v.next.slip) h.slip_new.push_back(task.write(id));
+  h.sources = declare_sources(task, v.next.source_change, o);
+  h.end = task.write(v.next.end);
   h.common.next.rho = h.end;
   if (!h.closes) return;
-  h.pressure = task.write(v.common.new_pressure);
-  h.closure = task.write(v.common.closure);
+  h.pressure = task.write(v.next.pressure);
+  h.closure = task.write(v.next.closure);
 }
 
 std::vector<SchemeOptions> options_of_materials(const SchemeOptions& o) {

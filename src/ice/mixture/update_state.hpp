@@ -6,7 +6,7 @@
 #include "ice/closure/cell_closure.hpp"
 #include "ice/mixture/diffusion_rates.hpp"
 #include "ice/mixture/surface.hpp"
-#include "ice/mixture/variables.hpp"
+#include "ice/mixture/tasks.hpp"
 #include "ice/one_material/update_rows.hpp"
 #include "ice/sources/source_tasks.hpp"
 #include "ice/step/material_runs.hpp"
@@ -41,7 +41,8 @@ struct UpdateState {
   SourceHandles sources;
   CutCells cut;  // beside solids
 };
-void declare_update(TaskBuilder& task, const Variables& v, const SchemeOptions& o, UpdateState& h);
+void declare_update(TaskBuilder& task, const UpdateInput& v, const SchemeOptions& o,
+                    UpdateState& h);
 
 // The options of each material alone.
 std::vector<SchemeOptions> options_of_materials(const SchemeOptions& o);

@@ -19,6 +19,7 @@ SchemeVariables declare_common(TaskList& list, const SchemeOptions& o) {
   v.momentum = list.old_state(labels().momentum, 0, C);
   if (o.scheme.masked) v.mask = list.old_state(labels().mask, 0, 1);
   v.momentum_new = list.new_state(labels().momentum, 0, C);
+  v.after.momentum = v.momentum_new;
   v.shock_slope = list.temporary("shock slope");
   v.pi = list.temporary("lowest pressure");
   v.new_pressure = list.temporary("new pressure");
@@ -116,7 +117,7 @@ Variables declare_variables(TaskList& list, const SchemeOptions& o) {
   return v;
 }
 
-StateReads read_state(TaskBuilder& task, const Variables& v) {
+StateReads read_state(TaskBuilder& task, const StateOfEach& v) {
   StateReads r;
   for (std::size_t m = 0; m < v.mass.size(); ++m) {
     r.mass.push_back(task.read(v.mass[m]));

@@ -290,28 +290,28 @@ class Faces {
 
 }  // namespace
 
-void add_slip_fluxes(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
+void add_slip_fluxes(TaskList& list, const SlipFluxInput& v, const SchemeOptions& o, int effect) {
   for (int axis = 0; axis < o.grid.axes.count; ++axis) add_slip_flux(list, v, o, effect, axis);
 }
 
-void add_slip_flux(TaskList& list, const Variables& v, const SchemeOptions& o, int effect,
+void add_slip_flux(TaskList& list, const SlipFluxInput& v, const SchemeOptions& o, int effect,
                    int axis) {
   static const char* names[] = {"remap along axis 0", "remap along axis 1", "remap along axis 2"};
   const int direction = o.grid.axes.direction[axis];
   const Stencil both = Stencil::along(direction, 1, 0), four = Stencil::along(direction, 2, 1);
   TaskBuilder task = list.task(names[axis], effect);
   Handles h;
-  h.common = read_remap_inputs(task, v.common, o, axis);
-  h.common.flux = task.write(v.common.flux[axis]);
-  h.materials = read_materials(task, v, o, axis);
+  h.common = read_remap_inputs(task, v.mixture, o, axis);
+  h.common.flux = task.write(v.mixture.flux[axis]);
+  h.materials = read_materials(task, v.materials, o, axis);
   h.pure = h.materials.pure;
-  h.velocity = task.read(v.slip.velocity, four);
-  h.velocity_L = task.read(v.slip.velocity_L, both);
-  if (o.scheme.second_order && o.grid.axes.count > 1) h.base = task.read(v.slip.base[axis], both);
-  h.face_velocity = task.read(v.slip.face_velocity[axis]);
-  h.outflow = task.read(v.slip.outflow, both);
+  h.velocity = task.read(v.velocity, four);
+  h.velocity_L = task.read(v.velocity_L, both);
+  if (o.scheme.second_order && o.grid.axes.count > 1) h.base = task.read(v.base[axis], both);
+  h.face_velocity = task.read(v.face_velocity[axis]);
+  h.outflow = task.read(v.outflow, both);
   h.flux = task.write(v.flux[axis]);
-  h.material_velocity = task.write(v.common.material_velocity[axis]);
+  h.material_velocity = task.write(v.material_velocity[axis]);
   dispatch(o.grid.axes.count, o.grid.components, [&]<int D, int C>() {
     task.kernel([=](const Row& row) {
       const double l = row.step().dt / row.step().spacing[direction];

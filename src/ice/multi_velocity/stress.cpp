@@ -128,8 +128,9 @@ class Faces {
 
 }  // namespace
 
-void add_slip_stress(TaskList& list, Variables& v, const SchemeOptions& o, int effect) {
-  if (!o.transport.viscous) return;
+SlipStress add_slip_stress(TaskList& list, const SlipStressInput& v, const SchemeOptions& o,
+                           int effect) {
+  SlipStress written;
   static const char* names[] = {"stress of each material on axis 0",
                                 "stress of each material on axis 1",
                                 "stress of each material on axis 2"};
@@ -138,23 +139,23 @@ void add_slip_stress(TaskList& list, Variables& v, const SchemeOptions& o, int e
     const Stencil both = Stencil::along(direction, 1, 0);
     TaskBuilder task = list.task(names[axis], effect);
     Handles h;
-    for (std::size_t m = 0; m < v.mass.size(); ++m) {
-      h.mass.push_back(task.read(v.mass[m], both));
-      h.volume.push_back(task.read(v.volume[m], both));
+    for (std::size_t m = 0; m < v.state.mass.size(); ++m) {
+      h.mass.push_back(task.read(v.state.mass[m], both));
+      h.volume.push_back(task.read(v.state.volume[m], both));
     }
     h.pure = task.read(v.pure, both);
-    h.own = task.read(v.slip.velocity, Stencil::box(1));
-    h.velocity = task.read(v.common.velocity, Stencil::box(1));
-    h.viscosity = task.read(v.common.viscosity, both);
+    h.own = task.read(v.own_velocity, Stencil::box(1));
+    h.velocity = task.read(v.velocity, Stencil::box(1));
+    h.viscosity = task.read(v.viscosity, both);
     if (o.own_viscosity_varies()) h.own_viscosity = task.read(v.own_viscosity, both);
-    h.stress = task.read(v.common.stress[axis]);
+    h.stress = task.read(v.stress[axis]);
     if (o.materials.multi_velocity_exchange) h.surface = task.read(v.surface, both);
-    v.common.stress[axis] =
+    written.total[axis] =
         list.temporary(std::string("sum of ") + names[axis], o.grid.components, direction);
-    v.slip.stress[axis] =
-        list.temporary(names[axis], static_cast<int>(v.mass.size()) * o.grid.components, direction);
-    h.total = task.write(v.common.stress[axis]);
-    h.each = task.write(v.slip.stress[axis]);
+    written.each[axis] = list.temporary(
+        names[axis], static_cast<int>(v.state.mass.size()) * o.grid.components, direction);
+    h.total = task.write(written.total[axis]);
+    h.each = task.write(written.each[axis]);
     dispatch(o.grid.axes.count, o.grid.components, [&]<int D, int C>() {
       task.kernel([=](const Row& row) {
         for_each_face_run(runs_of(row, h.pure, axis, -1), runs_of(row, h.pure), row.count(),
@@ -167,16 +168,17 @@ void add_slip_stress(TaskList& list, Variables& v, const SchemeOptions& o, int e
       });
     });
   }
+  return written;
 }
 
-FrictionOnSlip read_friction(TaskBuilder& task, const Variables& v, const SchemeOptions& o) {
+FrictionOnSlip read_friction(TaskBuilder& task, const std::array<VariableId, 3>& stress,
+                             const SchemeOptions& o) {
   FrictionOnSlip f;
   f.on = o.transport.viscous;
   f.axes = o.grid.axes;
   f.components = o.grid.components;
   for (int axis = 0; axis < o.grid.axes.count && o.transport.viscous; ++axis) {
-    f.stress[axis] =
-        task.read(v.slip.stress[axis], Stencil::along(o.grid.axes.direction[axis], 0, 1));
+    f.stress[axis] = task.read(stress[axis], Stencil::along(o.grid.axes.direction[axis], 0, 1));
   }
   return f;
 }

@@ -266,24 +266,24 @@ class Cells {
   double l_[D], force_[C];
 };
 
-Handles declare(TaskBuilder& task, const Variables& v, const SchemeOptions& o) {
+Handles declare(TaskBuilder& task, const SlipUpdateInput& v, const SchemeOptions& o) {
   Handles h;
-  declare_update(task, v, o, h);
-  declare_cut_cells(task, v, o, h.cut);
-  h.velocity_L = task.read(v.slip.velocity_L);
-  h.bonds = read_bonds(task, v, o);
-  h.friction = read_friction(task, v, o);
+  declare_update(task, v.update, o, h);
+  declare_cut_cells(task, v.update.cut_cells, o, h.cut);
+  h.velocity_L = task.read(v.velocity_L);
+  h.bonds = read_bonds(task, v.bonds, o);
+  h.friction = read_friction(task, v.stress, o);
   for (int axis = 0; axis < o.grid.axes.count; ++axis) {
     const Stencil both = Stencil::along(o.grid.axes.direction[axis], 0, 1);
-    h.velocity[axis] = task.read(v.common.material_velocity[axis], both);
-    h.face_pressure[axis] = task.read(v.common.face_pressure[axis], both);
+    h.velocity[axis] = task.read(v.material_velocity[axis], both);
+    h.face_pressure[axis] = task.read(v.face_pressure[axis], both);
   }
   return h;
 }
 
 }  // namespace
 
-void add_slip_update(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
+void add_slip_update(TaskList& list, const SlipUpdateInput& v, const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("update", effect);
   const Handles h = declare(task, v, o);
   const std::vector<SchemeOptions> of_material = options_of_materials(o);

@@ -263,17 +263,17 @@ void face_row_of(const Row& row, const Handles& h, int axis, const FaceConstants
 
 }  // namespace
 
-void add_faces(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
+void add_faces(TaskList& list, const FacesInput& v, const SchemeOptions& o, int effect) {
   static const char* names[] = {"faces of axis 0", "faces of axis 1", "faces of axis 2"};
   for (int axis = 0; axis < o.grid.axes.count; ++axis) {
     const int direction = o.grid.axes.direction[axis];
     const Stencil both = Stencil::along(direction, 1, 0);
     TaskBuilder task = list.task(names[axis], effect);
     Handles h;
-    h.rho = task.read(v.rho, both);
-    h.inverse_rho = task.read(v.inverse_rho, both);
-    h.sound = task.read(v.sound, both);
-    h.velocity = task.read(v.velocity, both);
+    h.rho = task.read(v.moving.rho, both);
+    h.inverse_rho = task.read(v.moving.inverse_rho, both);
+    h.sound = task.read(v.moving.sound, both);
+    h.velocity = task.read(v.moving.velocity, both);
     h.pressure = task.read(v.pressure, both);
     if (o.scheme.second_order) {
       h.velocity_slope = task.read(v.velocity_slope, both);

@@ -97,7 +97,7 @@ void flux_row(const Row& row, const Handles& h, const SchemeOptions& o, int axis
   });
 }
 
-void add_temperature(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
+void add_temperature(TaskList& list, const HeatFluxInput& v, const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("temperature", effect);
   const In rho = task.read(v.rho), energy = task.read(v.energy);
   const Out temperature = task.write(v.temperature);
@@ -109,13 +109,13 @@ void add_temperature(TaskList& list, const SchemeVariables& v, const SchemeOptio
 
 }  // namespace
 
-void add_heat_flux(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
+void add_heat_flux(TaskList& list, const HeatFluxInput& v, const SchemeOptions& o, int effect) {
   if (!o.transport.conducting) return;
   add_temperature(list, v, o, effect);
   const bool mixes = o.materials.mixed != nullptr,
              turbulent = o.transport.models.turbulence.has_value();
   if (mixes && !turbulent && !o.materials.mixed->species)
-    scalars::add_conductivity(list, v, o, effect);
+    scalars::add_conductivity(list, v.conductivity, o, effect);
   static const char* names[] = {"heat flux on axis 0", "heat flux on axis 1",
                                 "heat flux on axis 2"};
   for (int axis = 0; axis < o.grid.axes.count; ++axis) {
@@ -133,8 +133,8 @@ void add_heat_flux(TaskList& list, const SchemeVariables& v, const SchemeOptions
       if (o.molecular_varies())
         h.viscosity = task.read(turbulent ? v.molecular_viscosity : v.viscosity, both);
     }
-    if (mixes) h.spreading = scalars::read_spreading(task, list, v, o, axis);
-    h.species = read_species_flux(task, list, v, o, axis);
+    if (mixes) h.spreading = scalars::read_spreading(task, list, v.rho, o, axis);
+    h.species = read_species_flux(task, list, {v.rho, v.diffusivity}, o, axis);
     if (turbulent || slips) h.laws = LawsOfCells(task, list, o, LawsOfCells::When::old_state, both);
     h.flux = task.write(v.heat_flux[axis]);
     task.kernel([=](const Row& row) {

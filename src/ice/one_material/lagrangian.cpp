@@ -127,7 +127,7 @@ void heat_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
 
 }  // namespace
 
-void add_lagrangian(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
+void add_lagrangian(TaskList& list, const LagrangianInput& v, const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("Lagrangian phase", effect);
   Handles h;
   h.forces.rho = task.read(v.rho);
@@ -143,18 +143,18 @@ void add_lagrangian(TaskList& list, const SchemeVariables& v, const SchemeOption
     if (o.transport.viscous) h.forces.stress[axis] = task.read(v.stress[axis], both);
     if (o.transport.conducting) h.heat_flux[axis] = task.read(v.heat_flux[axis], both);
   }
-  h.inverse_J = task.write(v.inverse_J);
-  h.rho_L = task.write(v.rho_L);
-  h.energy_L = task.write(v.energy_L);
-  h.velocity_L = task.write(v.velocity_L);
+  h.inverse_J = task.write(v.donors.inverse_J);
+  h.rho_L = task.write(v.donors.rho_L);
+  h.energy_L = task.write(v.donors.energy_L);
+  h.velocity_L = task.write(v.donors.velocity_L);
   h.energy_star = task.write(v.energy_star);
-  h.courant = task.write(v.courant);
-  h.inverse_courant = task.write(v.inverse_courant);
+  h.courant = task.write(v.donors.courant);
+  h.inverse_courant = task.write(v.donors.inverse_courant);
   const bool scaled = o.materials.fluid.gamma_law() == nullptr;
-  if (scaled && !o.materials.mixture) h.energy_scale = task.write(v.energy_scale);
+  if (scaled && !o.materials.mixture) h.energy_scale = task.write(v.donors.energy_scale);
   if (o.keeps_work()) h.mixture = task.write(v.lagrangian_mixture);
   h.forces.impulse = task.write(v.impulse);
-  if (o.scheme.shears_shocks) h.shear = read_shock_shear(task, v);
+  if (o.scheme.shears_shocks) h.shear = read_shock_shear(task, v.shear);
   h.shear.impulse = h.forces.impulse;
   h.friction.velocity = h.velocity;
   h.friction.stress = h.forces.stress;

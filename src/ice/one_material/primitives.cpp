@@ -16,7 +16,7 @@ void velocity_rows(const Row& row, In momentum, Out velocity, const double* __re
   }
 }
 
-void add_primitives(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
+void add_primitives(TaskList& list, const PrimitivesInput& v, const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("primitives", effect);
   const In rho = task.read(v.rho), momentum = task.read(v.momentum), energy = task.read(v.energy);
   const Out velocity = task.write(v.velocity), pressure = task.write(v.pressure);

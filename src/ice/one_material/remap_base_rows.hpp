@@ -8,8 +8,8 @@
 #pragma once
 #include "ice/fluid/limiters.hpp"
 #include "ice/one_material/quantity_rows.hpp"
+#include "ice/one_material/tasks.hpp"
 #include "ice/step/remap_bounds.hpp"
-#include "ice/step/variables.hpp"
 
 namespace sluice::ice {
 
@@ -165,7 +165,7 @@ void base_rows(const Row& row, const RemapBaseHandles& h, const Axes& axes, Vec3
   velocity_base_rows<D, C, Masked>(row, h, axes, gravity);
 }
 
-inline RemapBaseHandles declare_remap_bases(TaskBuilder& task, const SchemeVariables& v,
+inline RemapBaseHandles declare_remap_bases(TaskBuilder& task, const RemapBasesInput& v,
                                             const SchemeOptions& o) {
   RemapBaseHandles h;
   h.rho = task.read(v.rho, Stencil::box(1));

@@ -4,7 +4,7 @@
 
 namespace sluice::ice {
 
-void add_remap_bases(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
+void add_remap_bases(TaskList& list, const RemapBasesInput& v, const SchemeOptions& o, int effect) {
   if (!o.scheme.second_order || o.grid.axes.count == 1) return;  // the base is the Lagrangian value
   TaskBuilder task = list.task("remap bases", effect);
   const RemapBaseHandles h = declare_remap_bases(task, v, o);

@@ -137,7 +137,7 @@ template void flux_row_of<2, 3>(const Row&, const RemapFluxHandles&, int, double
 template void flux_row_of<3, 3>(const Row&, const RemapFluxHandles&, int, double,
                                 const SchemeOptions&, RemapLaw);
 
-void add_remap_flux(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect,
+void add_remap_flux(TaskList& list, const RemapFluxInput& v, const SchemeOptions& o, int effect,
                     int axis) {
   static const char* names[] = {"remap along axis 0", "remap along axis 1", "remap along axis 2"};
   const int direction = o.grid.axes.direction[axis];
@@ -156,8 +156,7 @@ void add_remap_flux(TaskList& list, const SchemeVariables& v, const SchemeOption
   });
 }
 
-void add_remap_fluxes(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
-                      int effect) {
+void add_remap_fluxes(TaskList& list, const RemapFluxInput& v, const SchemeOptions& o, int effect) {
   for (int axis = 0; axis < o.grid.axes.count; ++axis) add_remap_flux(list, v, o, effect, axis);
 }
 

@@ -116,7 +116,7 @@ void jumps_row(const Row& row, const JumpHandles& h, double gamma) {
       });
 }
 
-void add_jumps(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
+void add_jumps(TaskList& list, const ShockShearTaskInput& v, const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("where pressure jumps", effect);
   Stencil below;
   for (int d = 0; d < o.grid.axes.count; ++d) below.low[o.grid.axes.direction[d]] = 1;
@@ -125,7 +125,7 @@ void add_jumps(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
   h.rho = task.read(v.rho, below);
   h.sound = task.read(v.sound, below);
   h.velocity = task.read(v.velocity, below);
-  if (o.grid.has_cut_cells) h.fraction = task.read(v.walls.fraction, below);
+  if (o.grid.has_cut_cells) h.fraction = task.read(v.fraction, below);
   h.jumps = task.write(v.jumps);
   h.marks = task.write(v.jump_marks);
   const eos::IdealGas* gas =
@@ -215,14 +215,15 @@ void strength_row(const Row& whole, const Handles& h, const SchemeOptions& o) {
 
 }  // namespace
 
-void add_shock_shear(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
+void add_shock_shear(TaskList& list, const ShockShearTaskInput& v, const SchemeOptions& o,
+                     int effect) {
   if (!o.scheme.shears_shocks) return;
   add_jumps(list, v, o, effect);
   TaskBuilder task = list.task("shear along shocks", effect);
   const Stencil around = Stencil::box(1);
   Handles h;
   h.pressure = task.read(v.pressure, around);
-  if (o.grid.has_cut_cells) h.fraction = task.read(v.walls.fraction, around);
+  if (o.grid.has_cut_cells) h.fraction = task.read(v.fraction, around);
   h.jumps = task.read(v.jumps, around);
   h.jump_marks = task.read(v.jump_marks, around);
   h.strength = task.write(v.shear);

@@ -124,16 +124,16 @@ void damp_rows(const Row& row, const Handles& h, const InterfaceDistance& ends) 
 
 }  // namespace
 
-void add_slopes(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
+void add_slopes(TaskList& list, const SlopesInput& v, const SchemeOptions& o, int effect) {
   if (!o.scheme.second_order) return;
   TaskBuilder task = list.task("slopes", effect);
   Handles h;
-  h.rho = task.read(v.rho, o.forces.on ? Stencil::box(1) : Stencil::point());
-  h.velocity = task.read(v.velocity, Stencil::box(1));
+  h.rho = task.read(v.moving.rho, o.forces.on ? Stencil::box(1) : Stencil::point());
+  h.velocity = task.read(v.moving.velocity, Stencil::box(1));
   h.pressure = task.read(v.pressure, Stencil::box(1));
-  h.sound = task.read(v.sound);
+  h.sound = task.read(v.moving.sound);
   if (o.scheme.masked && !o.grid.has_cut_cells) h.mask = task.read(v.mask);
-  if (o.grid.has_cut_cells) h.open = task.read(v.walls.open);
+  if (o.grid.has_cut_cells) h.open = task.read(v.open);
   if (o.grid.shocks_leave) task.by_box();
   h.velocity_slope = task.write(v.velocity_slope);
   h.pressure_slope = task.write(v.pressure_slope);

@@ -5,7 +5,7 @@
 
 namespace sluice::ice {
 
-void add_update(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
+void add_update(TaskList& list, const UpdateInput& v, const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("update", effect);
   const UpdateHandles h = declare_update(task, v, o);
   if (o.materials.releases_heat) {  // the step ends in scalars/heat_release.cpp
@@ -14,7 +14,7 @@ void add_update(TaskList& list, const SchemeVariables& v, const SchemeOptions& o
     });
     return;
   }
-  const SourceHandles sources = declare_sources(task, v, o);
+  const SourceHandles sources = declare_sources(task, v.source_change, o);
   dispatch(o.grid.axes.count, o.grid.components, [&]<int D, int C>() {
     task.kernel([=](const Row& row) {
       update_row<D, C>(row, h);

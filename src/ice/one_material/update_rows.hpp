@@ -6,8 +6,8 @@
 // kinetic flux F |U|^2/2 + F K, but no large numbers are subtracted. A cell whose net fluxes are
 // zero keeps its bits.
 #pragma once
+#include "ice/one_material/tasks.hpp"
 #include "ice/step/end_of_step.hpp"
-#include "ice/step/variables.hpp"
 
 namespace sluice::ice {
 
@@ -127,7 +127,7 @@ inline void check_row(const Row& row, const UpdateHandles& h, const SchemeOption
 }
 
 // What the checks and rates of the new state read.
-inline UpdateHandles read_end_of_step(TaskBuilder& task, const SchemeVariables& v,
+inline UpdateHandles read_end_of_step(TaskBuilder& task, const EndOfStepInput& v,
                                       const SchemeOptions& o) {
   UpdateHandles h;
   h.energy_star = task.read(v.energy_star);
@@ -143,9 +143,8 @@ inline UpdateHandles read_end_of_step(TaskBuilder& task, const SchemeVariables& 
 }
 
 // All that is read; what is written belongs to the caller.
-inline UpdateHandles read_update(TaskBuilder& task, const SchemeVariables& v,
-                                 const SchemeOptions& o) {
-  UpdateHandles h = read_end_of_step(task, v, o);
+inline UpdateHandles read_update(TaskBuilder& task, const AmountsInput& v, const SchemeOptions& o) {
+  UpdateHandles h = read_end_of_step(task, v.end, o);
   h.rho = task.read(v.rho);
   h.momentum = task.read(v.momentum);
   h.impulse = task.read(v.impulse);
@@ -156,12 +155,12 @@ inline UpdateHandles read_update(TaskBuilder& task, const SchemeVariables& v,
   return h;
 }
 
-inline UpdateHandles declare_update(TaskBuilder& task, const SchemeVariables& v,
+inline UpdateHandles declare_update(TaskBuilder& task, const UpdateInput& v,
                                     const SchemeOptions& o) {
-  UpdateHandles h = read_update(task, v, o);
-  h.next.rho = task.write(v.rho_remap);
-  h.next.momentum = task.write(v.momentum_remap);
-  h.next.energy = task.write(v.energy_remap);
+  UpdateHandles h = read_update(task, v.amounts, o);
+  h.next.rho = task.write(v.rho);
+  h.next.momentum = task.write(v.momentum);
+  h.next.energy = task.write(v.energy);
   if (o.transport.conducting && !constant_heat_capacity(o.materials.fluid))
     h.next.heat_capacity = task.write(v.heat_capacity);
   if (o.materials.fluid.gamma_law() != nullptr) return h;

@@ -139,7 +139,7 @@ void wall_rows(const Row& row, const Handles& h, const SchemeOptions& o, int axi
 }
 
 // What the walls need beside the velocity.
-void read_for_walls(TaskBuilder& task, const SchemeVariables& v, const SchemeOptions& o,
+void read_for_walls(TaskBuilder& task, const ViscousStressInput& v, const SchemeOptions& o,
                     Stencil both, Handles& h) {
   const bool laws = !o.transport.models.wall_shear.empty();
   if (laws) h.rho = task.read(v.rho, both);
@@ -150,7 +150,7 @@ void read_for_walls(TaskBuilder& task, const SchemeVariables& v, const SchemeOpt
 
 }  // namespace
 
-void add_viscous_stress(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+void add_viscous_stress(TaskList& list, const ViscousStressInput& v, const SchemeOptions& o,
                         int effect) {
   if (!o.transport.viscous) return;
   static const char* names[] = {"stress on axis 0", "stress on axis 1", "stress on axis 2"};

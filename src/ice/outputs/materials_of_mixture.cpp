@@ -66,9 +66,9 @@ VariableId declare_friction(TaskList& list, const Variables& v, const SchemeOpti
   const std::string name = material_label("friction against the others", m);
   const VariableId friction = list.temporary(name, o.grid.components);
   TaskBuilder task = list.task(name, effect_saved_intermediates);
-  const FrictionOnSlip pull = read_friction(task, v, o);
+  const FrictionOnSlip pull = read_friction(task, v.slip.stress, o);
   RelativeVelocityReads state;
-  read_slip(task, v, o, state);
+  read_slip(task, RelativeStateInput::of(v), o, state);
   const Out out = task.write(friction);
   task.kernel([=, components = o.grid.components](const Row& row) {
     const double *mass[max_materials], *volume[max_materials];

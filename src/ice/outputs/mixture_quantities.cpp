@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "ice/closure/traces.hpp"
-#include "ice/mixture/variables.hpp"
+#include "ice/mixture/tasks.hpp"
 #include "ice/multi_velocity/tasks.hpp"
 #include "ice/sources/sources.hpp"
 #include "ice/step/laws_of_cells.hpp"
@@ -22,8 +22,9 @@ class Declarer {
         mixture_(mixture_options(o_)),
         v_(declare_variables(q.list(), mixture_)) {
     if (mixture_.materials.multi_velocity) declare_relative_velocities(q.list(), mixture_, v_);
-    add_primitives(q.list(), v_, mixture_, effect_diagnostics, true);
-    if (o_.own_viscosity_varies()) add_own_viscosities(q.list(), v_, mixture_, effect_diagnostics);
+    add_primitives(q.list(), PrimitivesInput::of(v_), mixture_, effect_diagnostics, true);
+    if (o_.own_viscosity_varies())
+      add_own_viscosities(q.list(), OwnViscosityInput::of(v_), mixture_, effect_diagnostics);
     if (o_.transport.models.turbulence) declare_eddies();
     if (!o_.materials.multi_velocity) velocity_ = q.velocity(v_.common.rho, v_.common.momentum);
     const SchemeVariables& c = v_.common;

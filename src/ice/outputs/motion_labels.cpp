@@ -25,7 +25,7 @@ struct Handles {
   Out out;
 };
 
-Handles read_motion(TaskBuilder& task, const SchemeVariables& v, const SchemeOptions& o,
+Handles read_motion(TaskBuilder& task, const OutputInput& v, const SchemeOptions& o,
                     const MaterialOfStep& m) {
   Handles h;
   h.mass = task.read(m.mass);
@@ -103,7 +103,7 @@ void clear(const Row& row, Out out) {
   for (int d = 0; d < 3; ++d) std::fill_n(row(out, d), row.count(), 0.0);
 }
 
-void save_motion(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+void save_motion(TaskList& list, const OutputInput& v, const SchemeOptions& o,
                  const MaterialOfStep& m, Label label, Part part, int effect) {
   TaskBuilder task = list.task("save " + label.name(), effect);
   Handles h = read_motion(task, v, o, m);
@@ -121,7 +121,7 @@ void save_motion(TaskList& list, const SchemeVariables& v, const SchemeOptions& 
 }
 
 // (u_m' - u_m)/dt.
-void save_rate(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+void save_rate(TaskList& list, const OutputInput& v, const SchemeOptions& o,
                const MaterialsOfStep& materials, const MaterialOfStep& m, int effect) {
   struct Side {
     In rho, momentum, mass, slip;
@@ -142,7 +142,7 @@ void save_rate(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
   const bool own = m.motion.has_value();
   const Side before{task.read(v.rho), task.read(v.momentum), task.read(m.mass),
                     own ? task.read(m.motion->slip) : In{}, own};
-  const Side after{task.read(materials.density_new), task.read(v.momentum_new),
+  const Side after{task.read(materials.density_new), task.read(v.after.momentum),
                    task.read(m.mass_new), own ? task.read(m.motion->slip_new) : In{}, own};
   const Out out = task.write(list.output(labels().velocity_rate, m.index));
   task.kernel([=](const Row& row) {
@@ -158,7 +158,7 @@ void save_rate(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
 
 }  // namespace
 
-void declare_motion_labels(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+void declare_motion_labels(TaskList& list, const OutputInput& v, const SchemeOptions& o,
                            const MaterialsOfStep& materials, int effect) {
   const Labels& l = labels();
   const std::pair<Label, Part> all[] = {{l.momentum_source, Part::source},

@@ -13,7 +13,7 @@ namespace sluice::ice {
 namespace {
 
 // J - 1 = sum_d l_d (u_f+ - u_f-).
-VariableId declare_dilation(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+VariableId declare_dilation(TaskList& list, const OutputInput& v, const SchemeOptions& o,
                             int effect) {
   const VariableId dilation = list.temporary("dilation");
   TaskBuilder task = list.task("dilation", effect);
@@ -37,7 +37,7 @@ VariableId declare_dilation(TaskList& list, const SchemeVariables& v, const Sche
 }
 
 // The temperature before advection and at the end of the step, each less that of the start, by dt.
-void declare_heating(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+void declare_heating(TaskList& list, const OutputInput& v, const SchemeOptions& o,
                      const MaterialsOfStep& materials, const MaterialOfStep& m, VariableId dilation,
                      int effect) {
   const VariableId f = materials.f.value_or(m.mass), f_new = materials.f_new.value_or(m.mass_new);
@@ -73,7 +73,8 @@ Thermometer thermometer_of(const MaterialOfStep& m, const SchemeOptions& o) {
   return {m.fluid, composed ? o.materials.mixed : nullptr};
 }
 
-MaterialsOfStep material_alone(TaskList& list, const SchemeVariables& v, const SchemeOptions& o) {
+MaterialsOfStep material_alone(TaskList& list, const MaterialAloneInput& v,
+                               const SchemeOptions& o) {
   const VariableId all = list.temporary("share of the one material");
   TaskBuilder task = list.task("share of the one material", effect_saved_intermediates);
   static_cast<void>(task.read(v.rho));  // a task must read something
@@ -85,13 +86,13 @@ MaterialsOfStep material_alone(TaskList& list, const SchemeVariables& v, const S
                             v.rho,
                             all,
                             v.energy,
-                            v.rho_new,
+                            v.after.rho,
                             all,
-                            v.energy_new,
+                            v.after.energy,
                             v.energy_star,
                             {},
                             {}});
-  materials.density_new = v.rho_new;
+  materials.density_new = v.after.rho;
   if (o.materials.mixed != nullptr) {
     materials.f = old_fraction(list, o);
     materials.f_new = new_fraction(list, o);
@@ -99,7 +100,7 @@ MaterialsOfStep material_alone(TaskList& list, const SchemeVariables& v, const S
   return materials;
 }
 
-void declare_phase_labels(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+void declare_phase_labels(TaskList& list, const OutputInput& v, const SchemeOptions& o,
                           const MaterialsOfStep& materials, int effect) {
   const Labels& l = labels();
   const VariableId dilation = declare_dilation(list, v, o, effect);

@@ -62,7 +62,7 @@ void answer_of_mixture(const Row& row, const std::vector<MaterialRows>& state, I
 
 }  // namespace
 
-void declare_source_pressure(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+void declare_source_pressure(TaskList& list, const OutputInput& v, const SchemeOptions& o,
                              const MaterialsOfStep& materials, int effect) {
   TaskBuilder task = list.task("save " + labels().source_pressure.name(), effect);
   const Out out = task.write(list.output(labels().source_pressure, 0));
@@ -82,7 +82,7 @@ void declare_source_pressure(TaskList& list, const SchemeVariables& v, const Sch
         [=](const Row& row) { answer_of_mixture(row, state, change, layout, laws, row(out)); });
     return;
   }
-  const In rho = task.read(v.rho_new), energy = task.read(v.energy_new);
+  const In rho = task.read(v.after.rho), energy = task.read(v.after.energy);
   task.kernel([=, fluid = o.materials.fluid](const Row& row) {
     const double* dM = row(change, layout.of(0, SourceChange::mass));
     const double* dE = row(change, layout.of(0, SourceChange::energy));

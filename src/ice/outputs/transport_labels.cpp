@@ -15,7 +15,7 @@ void clear(const Row& row, Out out, int components) {
 }
 
 // Components by level direction; no stress on faces across a direction that is no dimension.
-void face_stress_task(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int d) {
+void face_stress_task(TaskList& list, const OutputInput& v, const SchemeOptions& o, int d) {
   const Label label = labels().face_stress[d];
   TaskBuilder task = list.task("save " + label.name(), effect_saved_intermediates);
   const int axis = axis_along(o, d);
@@ -30,7 +30,7 @@ void face_stress_task(TaskList& list, const SchemeVariables& v, const SchemeOpti
 }
 
 // V sum_d (t+ - t-)/dx_d, N.
-void viscous_source_task(TaskList& list, const SchemeVariables& v, const SchemeOptions& o) {
+void viscous_source_task(TaskList& list, const OutputInput& v, const SchemeOptions& o) {
   const Label label = labels().viscous_source;
   TaskBuilder task = list.task("save " + label.name(), effect_saved_intermediates);
   std::array<In, 3> stress;
@@ -56,7 +56,7 @@ void viscous_source_task(TaskList& list, const SchemeVariables& v, const SchemeO
 }
 
 // dt V sum_d (q- - q+)/dx_d, J.
-void heat_source_task(TaskList& list, const SchemeVariables& v, const SchemeOptions& o) {
+void heat_source_task(TaskList& list, const OutputInput& v, const SchemeOptions& o) {
   const Label label = labels().heat_source;
   TaskBuilder task = list.task("save " + label.name(), effect_saved_intermediates);
   std::array<In, 3> flux;
@@ -81,7 +81,7 @@ void heat_source_task(TaskList& list, const SchemeVariables& v, const SchemeOpti
 
 }  // namespace
 
-void declare_transport_outputs(TaskList& list, const SchemeVariables& v, const SchemeOptions& o) {
+void declare_transport_outputs(TaskList& list, const OutputInput& v, const SchemeOptions& o) {
   for (int d = 0; d < 3; ++d) face_stress_task(list, v, o, d);
   viscous_source_task(list, v, o);
   heat_source_task(list, v, o);

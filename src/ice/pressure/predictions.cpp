@@ -168,7 +168,7 @@ void predict(const Row& row, const Handles& h, int axis, const SchemeOptions& o)
 }  // namespace
 
 // Fv_d = sum_t (t_f+ - t_f-)_d/dx_t of the old state, N/m^3.
-void add_viscous_force(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+void add_viscous_force(TaskList& list, const SolvedFacesInput& v, const SchemeOptions& o,
                        int effect) {
   if (!o.transport.viscous) return;
   TaskBuilder task = list.task("viscous force", effect);
@@ -176,7 +176,7 @@ void add_viscous_force(TaskList& list, const SchemeVariables& v, const SchemeOpt
   for (int t = 0; t < o.grid.axes.count; ++t) {
     stress[t] = task.read(v.stress[t], Stencil::along(o.grid.axes.direction[t], 0, 1));
   }
-  const Out force = task.write(v.solve.force);
+  const Out force = task.write(v.cells.solve.force);
   task.kernel([=, axes = o.grid.axes](const Row& row) {
     const int n = row.whole_vectors();
     for (int d = 0; d < axes.count; ++d) {
@@ -196,27 +196,28 @@ void add_viscous_force(TaskList& list, const SchemeVariables& v, const SchemeOpt
   });
 }
 
-void add_predictions(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
+void add_predictions(TaskList& list, const SolvedFacesInput& v, const SchemeOptions& o,
+                     int effect) {
   static const char* names[] = {"predictions of axis 0", "predictions of axis 1",
                                 "predictions of axis 2"};
   for (int axis = 0; axis < o.grid.axes.count; ++axis) {
     const Stencil both = Stencil::along(o.grid.axes.direction[axis], 1, 0);
     TaskBuilder task = list.task(names[axis], effect);
     Handles h;
-    h.rho = task.read(v.rho, both);
-    h.sound = task.read(v.sound, both);
-    h.velocity = task.read(v.velocity, both);
-    h.pressure = task.read(v.solve.smooth, both);
+    h.rho = task.read(v.cells.moving.rho, both);
+    h.sound = task.read(v.cells.moving.sound, both);
+    h.velocity = task.read(v.cells.moving.velocity, both);
+    h.pressure = task.read(v.cells.solve.smooth, both);
     h.velocity_slope = task.read(v.velocity_slope, both);
-    h.pressure_slope = task.read(v.pressure_slope, both);
+    h.pressure_slope = task.read(v.cells.pressure_slope, both);
     if (o.grid.axes.count > 1) h.transverse = task.read(v.transverse_velocity, both);
-    if (o.grid.has_cut_cells) h.open = task.read(v.walls.open, both);
-    if (o.transport.viscous) h.force = task.read(v.solve.force, both);
+    if (o.grid.has_cut_cells) h.open = task.read(v.open, both);
+    if (o.transport.viscous) h.force = task.read(v.cells.solve.force, both);
     if (o.materials.mixture) {
       h.shock_slope = task.read(v.shock_slope, both);
       h.pi = task.read(v.pi, both);
     }
-    h.prediction = task.write(v.solve.prediction[axis]);
+    h.prediction = task.write(v.cells.solve.prediction[axis]);
     dispatch(o.grid.axes.count, o.grid.components, [&]<int D, int C>() {
       task.kernel([=](const Row& row) {
         o.transport.viscous ? predict<D, true>(row, h, axis, o)

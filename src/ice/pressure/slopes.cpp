@@ -105,18 +105,18 @@ void no_slopes(const Row& row, const Handles& h, int D) {
 
 }  // namespace
 
-void add_smooth_slopes(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+void add_smooth_slopes(TaskList& list, const SolvedFacesInput& v, const SchemeOptions& o,
                        int effect) {
   TaskBuilder task = list.task("slopes", effect);
   const Stencil around = o.scheme.second_order ? Stencil::box(2) : Stencil::point();
   Handles h;
-  h.rho = task.read(v.rho, o.forces.on ? around : Stencil::point());
-  h.velocity = task.read(v.velocity, around);
-  h.pressure = task.read(v.solve.smooth, around);
+  h.rho = task.read(v.cells.moving.rho, o.forces.on ? around : Stencil::point());
+  h.velocity = task.read(v.cells.moving.velocity, around);
+  h.pressure = task.read(v.cells.solve.smooth, around);
   if (o.scheme.masked && !o.grid.has_cut_cells) h.mask = task.read(v.mask);
-  if (o.grid.has_cut_cells) h.open = task.read(v.walls.open);
+  if (o.grid.has_cut_cells) h.open = task.read(v.open);
   h.velocity_slope = task.write(v.velocity_slope);
-  h.pressure_slope = task.write(v.pressure_slope);
+  h.pressure_slope = task.write(v.cells.pressure_slope);
   if (o.grid.axes.count > 1) h.transverse = task.write(v.transverse_velocity);
   dispatch(o.grid.axes.count, o.grid.components, [&]<int D, int C>() {
     task.kernel([=](const Row& row) {

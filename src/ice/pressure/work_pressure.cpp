@@ -34,10 +34,9 @@ void declare_variables(TaskList& list, const SchemeOptions& o, SchemeVariables& 
                                      o.grid.axes.direction[a]);
 }
 
-void add_work_pressure(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
-                       int effect) {
+void add_work_pressure(TaskList& list, const ErrorInput& v, const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("work pressure", effect);
-  const In p_in = task.read(v.pressure), c_in = task.read(v.sound),
+  const In p_in = task.read(v.pressure), c_in = task.read(v.moving.sound),
            offset = task.read(v.solve.offset);
   In interface;
   if (o.grid.meets_coarser) interface = task.read(v.solve.interface);
@@ -81,15 +80,15 @@ void save_cells(TaskList& list, Label label, VariableId from, int effect) {
 
 }  // namespace
 
-void add_solved_faces(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+void add_solved_faces(TaskList& list, const SolvedFacesInput& v, const SchemeOptions& o,
                       int effect) {
-  add_work_pressure(list, v, o, effect);       // p, Y                    X-, ps
-  add_smooth_slopes(list, v, o, effect);       // u, ps                   su, sp, UT
-  add_viscous_force(list, v, o, effect);       // t_f                     Fv
-  add_predictions(list, v, o, effect);         // u, c, slopes, Fv        u*, j, k
-  add_solved_face_states(list, v, o, effect);  // X-, d, predictions      u_f, p_f, matrix, R
-  save_cells(list, labels().work_pressure, v.solve.work, effect);
-  save_cells(list, labels().sum_of_corrections, v.solve.increment, effect);
+  add_work_pressure(list, v.cells, o, effect);  // p, Y                    X-, ps
+  add_smooth_slopes(list, v, o, effect);        // u, ps                   su, sp, UT
+  add_viscous_force(list, v, o, effect);        // t_f                     Fv
+  add_predictions(list, v, o, effect);          // u, c, slopes, Fv        u*, j, k
+  add_solved_face_states(list, v, o, effect);   // X-, d, predictions      u_f, p_f, matrix, R
+  save_cells(list, labels().work_pressure, v.cells.solve.work, effect);
+  save_cells(list, labels().sum_of_corrections, v.cells.solve.increment, effect);
   save_cells(list, labels().last_correction, list.old_state(labels().pressure_correction, 0, 1),
              effect);
 }

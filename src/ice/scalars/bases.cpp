@@ -157,7 +157,7 @@ void base_rows(const Row& row, const Handles& h, const Constants& x, std::size_t
 
 }  // namespace
 
-void add_bases(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
+void add_bases(TaskList& list, const FlowOfScalars& v, const SchemeOptions& o, int effect) {
   if (!o.scheme.second_order) return;
   TaskBuilder task = list.task("scalar bases", effect);
   Handles h;

@@ -203,7 +203,7 @@ void open_row(const Row& row, const Handles& h, const Each& e) {
   for (int i = 0; i < row.count(); ++i) to[i] *= share[i];
 }
 
-Handles declare(TaskBuilder& task, const SchemeVariables& v, const SchemeOptions& o, int axis) {
+Handles declare(TaskBuilder& task, const FlowOfScalars& v, const SchemeOptions& o, int axis) {
   const int direction = o.grid.axes.direction[axis];
   const Stencil both = Stencil::along(direction, 1, 0);
   const Stencil four = Stencil::along(direction, 2, 1);
@@ -246,7 +246,7 @@ Handles declare(TaskBuilder& task, const SchemeVariables& v, const SchemeOptions
 
 }  // namespace
 
-void add_fluxes(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
+void add_fluxes(TaskList& list, const FlowOfScalars& v, const SchemeOptions& o, int effect) {
   static const char* names[] = {"scalars on faces of axis 0", "scalars on faces of axis 1",
                                 "scalars on faces of axis 2"};
   for (int axis = 0; axis < o.grid.axes.count; ++axis) {

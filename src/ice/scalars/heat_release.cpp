@@ -30,15 +30,15 @@ void release_row(const Row& row, const Handles& h, const SchemeOptions& o) {
 
 }  // namespace
 
-void add_heat_release(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+void add_heat_release(TaskList& list, const HeatReleaseInput& v, const SchemeOptions& o,
                       int effect) {
   if (!o.materials.releases_heat || o.materials.mixed->species) return;
   TaskBuilder task = list.task("heat of mixing", effect);
   Handles h;
-  h.release = declare_release(task, v, o);
-  h.fraction = task.read(v.scalars.fraction);
-  h.released = task.read(v.scalars.released);
-  h.released_new = task.write(v.scalars.released_new);
+  h.release = declare_release(task, v.release, o);
+  h.fraction = task.read(v.fraction);
+  h.released = task.read(v.released);
+  h.released_new = task.write(v.released_new);
   dispatch(o.grid.axes.count, o.grid.components, [&]<int D, int C>() {
     task.kernel([=](const Row& row) {
       begin_release(row, h.release, o);

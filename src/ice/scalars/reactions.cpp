@@ -72,8 +72,8 @@ void react_row(const Row& row, const Handles& h, const SchemeOptions& o,
 struct Carried {
   std::vector<const ScalarVariables::Each*> each;
 
-  Carried(const SchemeVariables& v, const SchemeOptions& o) {
-    for (const ScalarVariables::Each& e : v.scalars.each)
+  Carried(const ReactionsInput& v, const SchemeOptions& o) {
+    for (const ScalarVariables::Each& e : v.each)
       if (o.materials.scalars[e.index].of_species) each.push_back(&e);
   }
 };
@@ -104,12 +104,12 @@ ChangeHandles read_changes(TaskBuilder& task, const Carried& carried) {
 }
 
 // -rho sum dY_k (e0_k - e0_N)/dt, N the closure.
-void save_heat_release(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+void save_heat_release(TaskList& list, VariableId rho_new, const SchemeOptions& o,
                        const Carried& carried) {
   TaskBuilder task = list.task("save " + models::reaction_labels().heat_release.name(),
                                effect_saved_intermediates);
   const ChangeHandles h = read_changes(task, carried);
-  const In rho = task.read(v.rho_new);
+  const In rho = task.read(rho_new);
   const Out out =
       task.write(list.output(models::reaction_labels().heat_release, o.materials.index));
   task.kernel([=, gas = o.materials.mixed->species->gas](const Row& row) {
@@ -163,13 +163,13 @@ void save_last_step(TaskList& list, const SchemeOptions& o, VariableId last_step
 
 }  // namespace
 
-void add_reactions(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
+void add_reactions(TaskList& list, const ReactionsInput& v, const SchemeOptions& o, int effect) {
   if (!o.materials.releases_heat || !o.materials.mixed->species) return;
   const Carried carried(v, o);
   const VariableId last_step = list.temporary("last step of reactions");
   TaskBuilder task = list.task("reactions", effect);
   Handles h;
-  h.release = declare_release(task, v, o);
+  h.release = declare_release(task, v.release, o);
   for (const ScalarVariables::Each* e : carried.each) {
     h.before.push_back(task.read(e->now));
     h.now.push_back(task.write(e->after_reactions));
@@ -184,7 +184,7 @@ void add_reactions(TaskList& list, const SchemeVariables& v, const SchemeOptions
     });
   });
   for (const ScalarVariables::Each* e : carried.each) save_change(list, *e, o);
-  save_heat_release(list, v, o, carried);
+  save_heat_release(list, v.release.rho_new, o, carried);
   save_limiter(list, o, carried);
   save_last_step(list, o, last_step);
 }

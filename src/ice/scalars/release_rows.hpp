@@ -13,14 +13,25 @@ struct ReleaseHandles {
   In rho, momentum, energy;  // after the remap
 };
 
-inline ReleaseHandles declare_release(TaskBuilder& task, const SchemeVariables& v,
+struct ReleaseInput {
+  EndOfStepInput end;
+  VariableId rho_remap, momentum_remap, energy_remap;
+  VariableId rho_new, momentum_new, energy_new, source_change;  // written
+
+  static ReleaseInput of(const SchemeVariables& v) {
+    return {EndOfStepInput::of(v), v.rho_remap,  v.momentum_remap, v.energy_remap, v.rho_new,
+            v.momentum_new,        v.energy_new, v.source_change};
+  }
+};
+
+inline ReleaseHandles declare_release(TaskBuilder& task, const ReleaseInput& v,
                                       const SchemeOptions& o) {
   ReleaseHandles h;
-  h.end = read_end_of_step(task, v, o);
+  h.end = read_end_of_step(task, v.end, o);
   h.end.next.rho = task.write(v.rho_new);
   h.end.next.momentum = task.write(v.momentum_new);
   h.end.next.energy = task.write(v.energy_new);
-  h.sources = declare_sources(task, v, o);
+  h.sources = declare_sources(task, v.source_change, o);
   h.rho = task.read(v.rho_remap);
   h.momentum = task.read(v.momentum_remap);
   h.energy = task.read(v.energy_remap);

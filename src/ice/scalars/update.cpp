@@ -217,7 +217,7 @@ Each declare_each(TaskBuilder& task, const ScalarVariables::Each& e, const Schem
 }
 
 // What all scalars' updates read of faces.
-void read_faces(TaskBuilder& task, const SchemeVariables& v, const SchemeOptions& o, Handles& h) {
+void read_faces(TaskBuilder& task, const FlowOfScalars& v, const SchemeOptions& o, Handles& h) {
   for (int axis = 0; axis < o.grid.axes.count; ++axis) {
     const Stencil both = Stencil::along(o.grid.axes.direction[axis], 0, 1);
     h.carrier[axis] = task.read(v.scalars.carrier[axis], both);
@@ -230,7 +230,7 @@ void read_faces(TaskBuilder& task, const SchemeVariables& v, const SchemeOptions
 }
 
 // scalar-NAME_src: the new value less that of transport alone.
-void save_source(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+void save_source(TaskList& list, const FlowOfScalars& v, const SchemeOptions& o,
                  std::size_t scalar) {
   const ScalarVariables::Each& e = v.scalars.each[scalar];
   const models::TransportedScalar& of = o.materials.scalars[e.index];
@@ -263,7 +263,7 @@ void save_source(TaskList& list, const SchemeVariables& v, const SchemeOptions& 
 
 }  // namespace
 
-void add_update(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
+void add_update(TaskList& list, const FlowOfScalars& v, const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("scalar update", effect);
   Handles h;
   for (const ScalarVariables::Each& e : v.scalars.each)

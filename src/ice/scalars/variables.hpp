@@ -27,20 +27,35 @@ struct Masses {
 void declare_variables(TaskList& list, const SchemeOptions& o, SchemeVariables& v,
                        const Masses& masses);
 
+// What the tasks of scalars read of the flow, and their own variables.
+struct FlowOfScalars {
+  VariableId velocity, velocity_slope, rho_L, inverse_J, courant, mask, pure;
+  std::array<VariableId, 3> face_velocity, flux, material_flux;
+  ScalarVariables scalars;
+
+  static FlowOfScalars of(const SchemeVariables& v) {
+    return {v.velocity, v.velocity_slope, v.rho_L, v.inverse_J,     v.courant, v.mask,
+            v.pure,     v.face_velocity,  v.flux,  v.material_flux, v.scalars};
+  }
+};
+
 // How the materials that carry scalars move, where each has a velocity of its own: face velocity
 // and outflow by carrier, velocity of cells of all materials, in the places of the mixture's.
-SchemeVariables add_own_motion(TaskList&, const mixture::Variables&, const SchemeOptions&,
-                               int effect);
+struct OwnMotionInput {
+  VariableId velocity, outflow;  // of each material
+  std::array<VariableId, 3> face_velocity;
+};
+FlowOfScalars add_own_motion(TaskList&, const FlowOfScalars& of_mixture, const OwnMotionInput&,
+                             const SchemeOptions&, int effect);
 
 // Tasks of the step, in order; each in the file of its name. None without scalars.
-void add_carriers(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
-void add_bases(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
-void add_fluxes(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
-void add_update(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+void add_carriers(TaskList&, const FlowOfScalars&, const SchemeOptions&, int effect);
+void add_bases(TaskList&, const FlowOfScalars&, const SchemeOptions&, int effect);
+void add_fluxes(TaskList&, const FlowOfScalars&, const SchemeOptions&, int effect);
+void add_update(TaskList&, const FlowOfScalars&, const SchemeOptions&, int effect);
 
 // All of them.
-inline void add_tasks(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
-                      int effect) {
+inline void add_tasks(TaskList& list, const FlowOfScalars& v, const SchemeOptions& o, int effect) {
   if (v.scalars.each.empty()) return;
   add_carriers(list, v, o, effect);
   add_bases(list, v, o, effect);

@@ -45,12 +45,12 @@ struct SourceLabel {
   SourceChange::OfMaterial what;
 };
 
-void save(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect,
+void save(TaskList& list, VariableId of_sources, const SchemeOptions& o, int effect,
           const SourceLabel& s, int material, int local) {
   TaskBuilder task = list.task("save " + s.label.name(), effect);
   const SourceChange layout = source_change(o);
   const bool vector = s.what == SourceChange::momentum;
-  const In change = o.forces.sources != nullptr ? task.read(v.source_change) : task.read(v.rho);
+  const In change = task.read(of_sources);
   const Out out = task.write(list.output(s.label, material));
   task.kernel([=](const Row& row) {
     for (int d = 0; d < (vector ? 3 : 1); ++d) std::fill_n(row(out, d), row.count(), 0.0);
@@ -64,11 +64,11 @@ void save(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int 
   });
 }
 
-void save_share(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect,
+void save_share(TaskList& list, VariableId of_sources, const SchemeOptions& o, int effect,
                 Label label, SourceChange::OfCell what, int material) {
   TaskBuilder task = list.task("save " + label.name(), effect);
   const SourceChange layout = source_change(o);
-  const In change = o.forces.sources != nullptr ? task.read(v.source_change) : task.read(v.rho);
+  const In change = task.read(of_sources);
   const Out out = task.write(list.output(label, material));
   task.kernel([=](const Row& row) {
     if (o.forces.sources != nullptr)
@@ -80,9 +80,9 @@ void save_share(TaskList& list, const SchemeVariables& v, const SchemeOptions& o
 
 }  // namespace
 
-SourceHandles declare_sources(TaskBuilder& task, const SchemeVariables& v, const SchemeOptions& o) {
+SourceHandles declare_sources(TaskBuilder& task, VariableId source_change, const SchemeOptions& o) {
   SourceHandles h;
-  if (o.forces.sources != nullptr) h.change = task.write(v.source_change);
+  if (o.forces.sources != nullptr) h.change = task.write(source_change);
   return h;
 }
 
@@ -100,17 +100,17 @@ void add_sources_of_one(const Row& row, const SourceHandles& h, const SchemeOpti
   o.forces.sources->apply(rows);
 }
 
-void add_source_budget(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+void add_source_budget(TaskList& list, VariableId source_change, const SchemeOptions& o,
                        int effect) {
   if (o.forces.sources == nullptr) return;
   TaskBuilder task = list.task("source account", effect);
-  const In change = task.read(v.source_change);
+  const In change = task.read(source_change);
   task.always().kernel([=](const Row& row) {
     for_uncovered(row, o, [&](int first, int end) { account_cells(row, change, o, first, end); });
   });
 }
 
-void declare_source_labels(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+void declare_source_labels(TaskList& list, VariableId of_sources, const SchemeOptions& o,
                            int effect) {
   const Labels& l = labels();
   const SourceLabel all[] = {{l.model_mass, SourceChange::mass},
@@ -119,12 +119,14 @@ void declare_source_labels(TaskList& list, const SchemeVariables& v, const Schem
                              {l.model_volume, SourceChange::volume}};
   const int first = o.materials.mixture ? 0 : o.materials.index;
   for (const SourceLabel& s : all)
-    for (int m = 0; m < source_change(o).materials; ++m) save(list, v, o, effect, s, first + m, m);
+    for (int m = 0; m < source_change(o).materials; ++m)
+      save(list, of_sources, o, effect, s, first + m, m);
   for (int m = 0; m < source_change(o).materials; ++m)
-    save_share(list, v, o, effect, l.burned_in_step, SourceChange::burned_in_step, first + m);
+    save_share(list, of_sources, o, effect, l.burned_in_step, SourceChange::burned_in_step,
+               first + m);
   // Of all: where products are alone the reactant's F is 1, as beside a rest of it.
   for (int m = 0; m < static_cast<int>(o.materials.fluids.size()); ++m)
-    save_share(list, v, o, effect, l.burned_share, SourceChange::burned_share, m);
+    save_share(list, of_sources, o, effect, l.burned_share, SourceChange::burned_share, m);
 }
 
 }  // namespace sluice::ice

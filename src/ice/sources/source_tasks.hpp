@@ -25,13 +25,14 @@ struct SourceSums {
 struct SourceHandles {
   Out change;
 };
-SourceHandles declare_sources(TaskBuilder& task, const SchemeVariables& v, const SchemeOptions& o);
+SourceHandles declare_sources(TaskBuilder& task, VariableId source_change, const SchemeOptions& o);
 void add_sources_of_one(const Row& row, const SourceHandles& h, const SchemeOptions& o, Out mass,
                         Out momentum, Out energy);
 
 // Sums over the uncovered cells; absent without sources.
-void add_source_budget(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+void add_source_budget(TaskList&, VariableId source_change, const SchemeOptions&, int effect);
 // modelMass_src and its like, zero without sources.
-void declare_source_labels(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+// `of_sources`: without sources any variable of cells.
+void declare_source_labels(TaskList&, VariableId of_sources, const SchemeOptions&, int effect);
 
 }  // namespace sluice::ice

@@ -209,8 +209,19 @@ void other_rates_of_row(const Row& row, const RateHandles& h, const SchemeOption
   if (o.transport.conducting) conduction_rate_row(row, h, o, 2.0 * inverse_dx2);
 }
 
+// What the checks and rates of a new state read.
+struct EndOfStepInput {
+  VariableId energy_star, inverse_J, sound;
+  std::array<VariableId, 3> face_velocity;
+  VariableId viscosity, conductivity;
+
+  static EndOfStepInput of(const SchemeVariables& v) {
+    return {v.energy_star, v.inverse_J, v.sound, v.face_velocity, v.viscosity, v.conductivity};
+  }
+};
+
 // What varying coefficients need in the task that ends the step.
-inline void read_transport(TaskBuilder& task, const SchemeVariables& v, const SchemeOptions& o,
+inline void read_transport(TaskBuilder& task, const EndOfStepInput& v, const SchemeOptions& o,
                            RateHandles& h) {
   if (o.transport.viscosity_varies) h.viscosity = task.read(v.viscosity);
   if (o.transport.conductivity_varies) h.conductivity = task.read(v.conductivity);

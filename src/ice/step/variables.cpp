@@ -38,6 +38,7 @@ void declare_step_temporaries(TaskList& list, const SchemeOptions& o, SchemeVari
   const auto conductors = o.materials.mixture ? static_cast<int>(o.materials.fluids.size()) : 1;
   if (o.transport.conductivity_varies)
     v.conductivity = list.temporary("thermal conductivity", conductors);
+  v.moving = {v.rho, v.inverse_rho, v.velocity, v.sound};
   v.energy_star = list.temporary("energy after work");
   v.impulse = list.temporary("impulse", C);
   if (o.forces.sources != nullptr)
@@ -55,6 +56,7 @@ SchemeVariables declare_common_variables(TaskList& list, const SchemeOptions& o)
   v.rho_new = list.new_state(l.mass, o.materials.index, 1);
   v.momentum_new = list.new_state(l.momentum, 0, C);
   v.energy_new = list.new_state(l.energy, o.materials.index, 1);
+  v.after = {v.rho_new, v.momentum_new, v.energy_new};
   v.rho_remap = o.materials.releases_heat ? list.temporary("mass after the remap") : v.rho_new;
   v.momentum_remap =
       o.materials.releases_heat ? list.temporary("momentum after the remap", C) : v.momentum_new;

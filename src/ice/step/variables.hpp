@@ -49,6 +49,11 @@ struct PressureVariables {
   std::array<VariableId, 3> finer_velocity, finer_pressure;  // by axis: finer_faces.hpp
 };
 
+// The new state as outputs see it: of the fluid itself, where solids cut cells.
+struct AfterVariables {
+  VariableId rho, momentum, energy;
+};
+
 // Where solids stand in the fluid: cut_cells/variables.hpp.
 struct WallVariables {
   VariableId fraction, fraction_new;  // state: theta
@@ -65,7 +70,13 @@ struct WallVariables {
   VariableId mass, momentum, inverse_mass, donor_velocity, base_mask;
   std::array<VariableId, 3> remap_mask;
   VariableId gives_old;  // 1 where donors give their old state: step/walled_donors.hpp
-  VariableId after_rho, after_momentum, after_energy;
+  AfterVariables after;  // of one material
+};
+
+// How the volume of cells moves: as the mixture does, unless each material has its own velocity
+// (multi_velocity/tasks.hpp). Faces and their pressures follow from it.
+struct VolumeVariables {
+  VariableId rho, inverse_rho, velocity, sound;
 };
 
 struct SchemeVariables {
@@ -76,6 +87,8 @@ struct SchemeVariables {
   VariableId rho_remap, momentum_remap, energy_remap;
   // Primitives of the old state.
   VariableId velocity, pressure, sound, inverse_rho;
+  VolumeVariables moving;
+  AfterVariables after;
   // Slopes along each axis of the normal velocity and the pressure; predicted pressure; transverse
   // advection of the normal velocity.
   VariableId velocity_slope, pressure_slope, predicted_pressure, transverse_velocity;
@@ -108,6 +121,16 @@ struct SchemeVariables {
   ScalarVariables scalars;
   PressureVariables solve;
   WallVariables walls;
+};
+
+// What the remap takes of the donor cells: all of it from the Lagrangian phase.
+struct DonorVariables {
+  VariableId inverse_J, rho_L, energy_L, velocity_L, courant, inverse_courant, energy_scale;
+
+  static DonorVariables of(const SchemeVariables& v) {
+    return {v.inverse_J, v.rho_L,           v.energy_L,    v.velocity_L,
+            v.courant,   v.inverse_courant, v.energy_scale};
+  }
 };
 
 // The state and what both schemes compute of it: primitives, faces, stress, fluxes, impulse, E*.

@@ -7,23 +7,22 @@
 
 namespace sluice::ice::scalars {
 
-void add_conductivity(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
-                      int effect) {
+void add_conductivity(TaskList& list, VariableId conductivity, const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("conductivity of the mixture", effect);
   const LawsOfCells laws(task, list, o);
-  const Out k = task.write(v.conductivity);
+  const Out k = task.write(conductivity);
   task.kernel([=, given = o.transport.conductivity](const Row& row) {
     laws.of_one(row).conductivity(row.count(), given, row(k));
   });
 }
 
-SpreadingHandles read_spreading(TaskBuilder& task, TaskList& list, const SchemeVariables& v,
+SpreadingHandles read_spreading(TaskBuilder& task, TaskList& list, VariableId rho,
                                 const SchemeOptions& o, int axis) {
   SpreadingHandles h;
   if (!(fraction_of(o).diffusivity > 0)) return h;
   const Stencil both = Stencil::along(o.grid.axes.direction[axis], 1, 0);
   h.fraction = task.read(old_fraction(list, o), both);
-  h.mass = task.read(v.rho, both);
+  h.mass = task.read(rho, both);
   return h;
 }
 

@@ -22,7 +22,7 @@ void sponge_row(const Row& row, int direction, const TransportModels::Sponge& sp
 }
 
 // The total viscosity, and k + cp mu_t/Pr_t.
-void add_totals(const TransportTask& t, const SchemeVariables& v) {
+void add_totals(const TransportTask& t, const TransportInput& v) {
   TaskBuilder task = t.list.task(t.name + "total viscosity", t.effect);
   const In eddy = task.read(v.eddy_viscosity), rho = task.read(v.rho), E = task.read(v.energy);
   const bool varies = t.options.molecular_varies();
@@ -76,7 +76,7 @@ void add_molecular_viscosity(const TransportTask& t, const StateVariables& state
   task.kernel([=](const Row& row) { viscous(row, laws.of_one(row), row(rho), row(E), row(out)); });
 }
 
-void add_transport(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+void add_transport(TaskList& list, const TransportInput& v, const SchemeOptions& o,
                    int viscosity_effect, int turbulence_effect) {
   if (o.transport.spreads_species) return add_species_transport(list, v, o, viscosity_effect);
   const bool turbulent = o.transport.models.turbulence.has_value();

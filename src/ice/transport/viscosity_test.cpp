@@ -24,9 +24,9 @@ SchemeOptions cube() {
 std::string tasks(const SchemeOptions& o) {
   TaskList list;
   const SchemeVariables v = declare_conservative_variables(list, o);
-  add_transport(list, v, o, effect_viscosity, effect_turbulence);
-  add_viscous_stress(list, v, o, effect_viscosity);
-  add_heat_flux(list, v, o, effect_conduction);
+  add_transport(list, TransportInput::of(v), o, effect_viscosity, effect_turbulence);
+  add_viscous_stress(list, ViscousStressInput::of(v), o, effect_viscosity);
+  add_heat_flux(list, HeatFluxInput::of(v), o, effect_conduction);
   std::string names;
   for (const Task& task : list.tasks()) names += task.name + "; ";
   return names;
