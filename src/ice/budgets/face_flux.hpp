@@ -20,20 +20,20 @@ struct FaceFluxInput {
   VariableId shear, shear_marks, rho;                          // along strong shocks
 
   static FaceFluxInput of(const SchemeVariables& v) {
-    return {v.flux,
-            v.face_velocity,
-            v.face_pressure,
-            v.stress,
-            v.heat_flux,
-            v.velocity,
-            v.front_viscosity,
-            v.material_flux,
-            v.material_velocity,
-            v.pure,
-            v.walls.covered,
-            v.shear,
-            v.shear_marks,
-            v.rho};
+    return {.flux = v.flux,
+            .face_velocity = v.face_velocity,
+            .face_pressure = v.face_pressure,
+            .stress = v.stress,
+            .heat_flux = v.heat_flux,
+            .velocity = v.velocity,
+            .front_viscosity = v.front_viscosity,
+            .material_flux = v.material_flux,
+            .material_velocity = v.material_velocity,
+            .pure = v.pure,
+            .covered = v.walls.covered,
+            .shear = v.shear,
+            .shear_marks = v.shear_marks,
+            .rho = v.rho};
   }
 };
 

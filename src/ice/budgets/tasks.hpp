@@ -19,7 +19,10 @@ struct BudgetInput {
   ScalarVariables scalars;
 
   static BudgetInput of(const SchemeVariables& v) {
-    return {FaceFluxInput::of(v), {v.rho, v.momentum, v.impulse}, v.source_change, v.scalars};
+    return {.faces = FaceFluxInput::of(v),
+            .cells = {v.rho, v.momentum, v.impulse},
+            .source_change = v.source_change,
+            .scalars = v.scalars};
   }
 };
 

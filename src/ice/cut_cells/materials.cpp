@@ -35,52 +35,6 @@ MaterialVariables declare_materials(TaskList& list, const SchemeOptions& o, mixt
   return x;
 }
 
-SharesOfEachInput SharesOfEachInput::of(const mixture::Variables& v, const MaterialVariables& x) {
-  const SchemeVariables& c = v.common;
-  return {mixture::StateOfEach::of(v),
-          v.slip.slip,
-          c.walls.fraction,
-          c.walls.next,
-          c.pressure,
-          c.inverse_rho,
-          c.energy_star,
-          c.energy,
-          c.walls.flow,
-          x.volume_L,
-          x.energy_L};
-}
-
-CutFluxInput CutFluxInput::of(const mixture::Variables& v, const MaterialVariables& x) {
-  const WallVariables& w = v.common.walls;
-  return {mixture::StateOfEach::of(v),
-          v.cut,
-          w.fraction,
-          v.common.inverse_J,
-          v.pure,
-          w.donor_velocity,
-          x.energy_L,
-          w.gives_old,
-          w.flow,
-          x.whole_flux,
-          x.whole_flux_of_each,
-          x.whole_velocity};
-}
-
-CutFluxes CutFluxes::of(const mixture::Variables& v, const MaterialVariables& x) {
-  return {x.passed_on, v.common.flux, v.flux, v.common.material_velocity};
-}
-
-// The remap of a whole cell moves l u_f of the cell's volume, differences of the old state count
-// (1 - nu)/J, a share |F|/rho of the mass leaves: here l w_f, (1 - nu) V/V_L, |F|/(rho V).
-RemapFluxInput whole_cell_remap(const SchemeVariables& v, int axis) {
-  RemapFluxInput remap = RemapFluxInput::of(v);
-  remap.face_velocity = v.walls.flow;
-  remap.inverse_rho = v.walls.inverse_mass;
-  remap.donors.velocity_L = v.walls.donor_velocity;
-  remap.mask = v.walls.remap_mask[axis];
-  return remap;
-}
-
 void add_cut_cells(TaskList& list, const WhichCutInput& v, const SchemeOptions&, int effect) {
   TaskBuilder task = list.task("cells that solids touch", effect);
   const In theta = task.read(v.fraction), after = task.read(v.next);
@@ -92,16 +46,15 @@ void add_cut_cells(TaskList& list, const WhichCutInput& v, const SchemeOptions&,
   });
 }
 
-void add_stress_of_open_faces(TaskList& list, const OpenShareInput& v, const SchemeOptions& o,
-                              int effect) {
+void add_open_stresses(TaskList& list, const OpenShareInput& v, const SchemeOptions& o,
+                       int effect) {
   const int components = static_cast<int>(o.materials.fluids.size()) * o.grid.components;
   for (int axis = 0; axis < o.grid.axes.count && o.transport.viscous; ++axis)
     add_open_share(list, v, o, axis, components,
                    "friction of each material on open faces " + std::to_string(axis), effect);
 }
 
-void add_heat_of_open_faces(TaskList& list, const OpenShareInput& v, const SchemeOptions& o,
-                            int effect) {
+void add_open_heats(TaskList& list, const OpenShareInput& v, const SchemeOptions& o, int effect) {
   const int components = 2 * static_cast<int>(o.materials.fluids.size());
   for (int axis = 0; axis < o.grid.axes.count && o.transport.conducting; ++axis)
     add_open_share(list, v, o, axis, components,
@@ -295,15 +248,14 @@ FluxHandles read_fluxes(TaskBuilder& task, const CutFluxInput& v, std::size_t ax
 
 // What cells without fluid take in of each fluid, per volume. Had they another mixture to give than
 // that, of some fluid they would give what they do not have.
-void add_passed_on(TaskList& list, const CutFluxInput& v, VariableId passed_on,
-                   const SchemeOptions& o, int effect) {
+void add_passed_on(TaskList& list, const CutFluxInput& v, const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("what cells without fluid pass on", effect);
   std::vector<FluxHandles> of_axis;
   for (int axis = 0; axis < o.grid.axes.count; ++axis) {
     const int d = o.grid.axes.direction[axis];
     of_axis.push_back(read_fluxes(task, v, axis, Stencil::along(d, 1, 1), Stencil::along(d, 0, 1)));
   }
-  const Out out = task.write(passed_on);
+  const Out out = task.write(v.passed_on);
   const int materials = static_cast<int>(o.materials.fluids.size());
   task.kernel([=](const Row& row) {
     const double* theta = row(of_axis.front().theta);
@@ -368,19 +320,19 @@ void mean_velocity(const Row& row, const FluxHandles& h, const SchemeOptions& o,
 
 }  // namespace
 
-void add_fluxes_of_cut_cells(TaskList& list, const CutFluxInput& v, const CutFluxes& written,
-                             const SchemeOptions& o, int effect) {
-  add_passed_on(list, v, written.passed_on, o, effect);
+void add_fluxes_of_cut_cells(TaskList& list, const CutFluxInput& v, const SchemeOptions& o,
+                             int effect) {
+  add_passed_on(list, v, o, effect);
   for (int axis = 0; axis < o.grid.axes.count; ++axis) {
     const Stencil both = Stencil::along(o.grid.axes.direction[axis], 1, 0);
     TaskBuilder task = list.task("fluxes beside solids " + std::to_string(axis), effect);
     FluxHandles h = read_fluxes(task, v, axis, both, Stencil::point());
-    h.passed_on = task.read(written.passed_on, both);
-    h.flux = task.write(written.flux[axis]);
-    h.each = task.write(written.flux_of_each[axis]);
+    h.passed_on = task.read(v.passed_on, both);
+    h.flux = task.write(v.flux[axis]);
+    h.each = task.write(v.flux_of_each[axis]);
     if (o.materials.multi_velocity) {
       h.whole_velocity = task.read(v.whole_velocity[axis]);
-      h.velocity = task.write(written.material_velocity[axis]);
+      h.velocity = task.write(v.material_velocity[axis]);
     }
     task.kernel([=](const Row& row) {
       const int n = row.count();

@@ -42,14 +42,14 @@ struct WhichCutInput {
   VariableId cut;  // written
 
   static WhichCutInput of(const mixture::Variables& v) {
-    return {v.common.walls.fraction, v.common.walls.next, v.cut};
+    return {.fraction = v.common.walls.fraction, .next = v.common.walls.next, .cut = v.cut};
   }
 };
 void add_cut_cells(TaskList&, const WhichCutInput&, const SchemeOptions&, int effect);
 // Of what moves apart: friction of each, on the open share of faces.
-void add_stress_of_open_faces(TaskList&, const OpenShareInput&, const SchemeOptions&, int effect);
+void add_open_stresses(TaskList&, const OpenShareInput&, const SchemeOptions&, int effect);
 // Of what conducts: heat through contacts, on the open share of faces.
-void add_heat_of_open_faces(TaskList&, const OpenShareInput&, const SchemeOptions&, int effect);
+void add_open_heats(TaskList&, const OpenShareInput&, const SchemeOptions&, int effect);
 // E_mL, V_L of touched cells.
 struct SharesOfEachInput {
   mixture::StateOfEach state;
@@ -67,16 +67,21 @@ struct CutFluxInput {
   VariableId cut, fraction, inverse_J, pure, donor_velocity, energy_L, gives_old;
   std::array<VariableId, 3> flow, whole_flux, whole_flux_of_each, whole_velocity;
 
+  VariableId passed_on;                                             // written
+  std::array<VariableId, 3> flux, flux_of_each, material_velocity;  // written
+
   static CutFluxInput of(const mixture::Variables&, const MaterialVariables&);
 };
-struct CutFluxes {  // written
-  VariableId passed_on;
-  std::array<VariableId, 3> flux, flux_of_each, material_velocity;
+void add_fluxes_of_cut_cells(TaskList&, const CutFluxInput&, const SchemeOptions&, int effect);
+// Of several materials.
+struct OfEachInput {
+  SharesOfEachInput shares;
+  CutFluxInput fluxes;
 
-  static CutFluxes of(const mixture::Variables&, const MaterialVariables&);
+  static OfEachInput of(const mixture::Variables& v, const MaterialVariables& x) {
+    return {.shares = SharesOfEachInput::of(v, x), .fluxes = CutFluxInput::of(v, x)};
+  }
 };
-void add_fluxes_of_cut_cells(TaskList&, const CutFluxInput&, const CutFluxes&, const SchemeOptions&,
-                             int effect);
 
 // As mixture/ has it, of the remap along an axis: what a whole cell gives.
 RemapFluxInput whole_cell_remap(const SchemeVariables&, int axis);

@@ -152,15 +152,14 @@ void add_open_share(TaskList& list, const OpenShareInput& v, const SchemeOptions
 }
 
 // Friction and conduction between cells of fluid, on the open share of their face.
-void add_shares(TaskList& list, const OpenShareInput& stress, const OpenShareInput& heat_flux,
-                const SchemeOptions& o, int effect) {
+void add_shares(TaskList& list, const SharesInput& v, const SchemeOptions& o, int effect) {
   for (int axis = 0; axis < o.grid.axes.count; ++axis) {
     if (o.transport.viscous)
-      add_open_share(list, stress, o, axis, o.grid.components,
+      add_open_share(list, v.stress, o, axis, o.grid.components,
                      "stress of open faces " + std::to_string(axis), effect);
     if (o.transport.conducting)
-      add_open_share(list, heat_flux, o, axis, 1, "heat flux of open faces " + std::to_string(axis),
-                     effect);
+      add_open_share(list, v.heat_flux, o, axis, 1,
+                     "heat flux of open faces " + std::to_string(axis), effect);
   }
 }
 

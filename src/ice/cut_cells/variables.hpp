@@ -50,9 +50,11 @@ struct OpenShareInput {
 };
 void add_open_share(TaskList&, const OpenShareInput&, const SchemeOptions&, int axis,
                     int components, const std::string& task, int effect);
-// Stress and heat of the mixture.
-void add_shares(TaskList&, const OpenShareInput& stress, const OpenShareInput& heat_flux,
-                const SchemeOptions&, int effect);
+// Of the mixture.
+struct SharesInput {
+  OpenShareInput stress, heat_flux;
+};
+void add_shares(TaskList&, const SharesInput&, const SchemeOptions&, int effect);
 
 struct LagrangianInput {
   VariableId momentum;

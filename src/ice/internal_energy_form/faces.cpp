@@ -67,7 +67,8 @@ void pressure_row(const Row& row, const PressureHandles& h, int axis) {
 
 }  // namespace
 
-void add_face_velocity(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
+void add_face_velocity(TaskList& list, const FaceVelocityInput& v, const SchemeOptions& o,
+                       int effect) {
   static const char* names[] = {"face velocity of axis 0", "face velocity of axis 1",
                                 "face velocity of axis 2"};
   for (int axis = 0; axis < o.grid.axes.count; ++axis) {
@@ -75,11 +76,11 @@ void add_face_velocity(TaskList& list, const Variables& v, const SchemeOptions& 
     const Stencil both = Stencil::along(direction, 1, 0);
     TaskBuilder task = list.task(names[axis], effect);
     VelocityHandles h;
-    h.rho = task.read(v.common.rho, both);
-    h.velocity = task.read(v.common.velocity, both);
-    h.pressure = task.read(v.common.pressure, both);
-    if (holds_velocities(o)) h.sound = task.read(v.common.sound, both);
-    h.face_velocity = task.write(v.common.face_velocity[axis]);
+    h.rho = task.read(v.rho, both);
+    h.velocity = task.read(v.velocity, both);
+    h.pressure = task.read(v.pressure, both);
+    if (holds_velocities(o)) h.sound = task.read(v.sound, both);
+    h.face_velocity = task.write(v.face_velocity[axis]);
     const double gravity = o.forces.gravity[direction], force = o.forces.driving[direction];
     task.kernel([=](const Row& row) {
       const double dt = row.step().dt;
@@ -92,20 +93,21 @@ void add_face_velocity(TaskList& list, const Variables& v, const SchemeOptions& 
   }
 }
 
-void add_face_pressure(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
+void add_face_pressure(TaskList& list, const FacePressureInput& v, const SchemeOptions& o,
+                       int effect) {
   static const char* names[] = {"face pressure of axis 0", "face pressure of axis 1",
                                 "face pressure of axis 2"};
   for (int axis = 0; axis < o.grid.axes.count; ++axis) {
     const Stencil both = Stencil::along(o.grid.axes.direction[axis], 1, 0);
     TaskBuilder task = list.task(names[axis], effect);
     PressureHandles h;
-    h.rho = task.read(v.common.rho, both);
+    h.rho = task.read(v.rho, both);
     h.pressure = task.read(v.pressure, both);
     if (holds_velocities(o)) {
-      h.velocity = task.read(v.common.velocity, both);
-      h.sound = task.read(v.common.sound, both);
+      h.velocity = task.read(v.velocity, both);
+      h.sound = task.read(v.sound, both);
     }
-    h.face_pressure = task.write(v.common.face_pressure[axis]);
+    h.face_pressure = task.write(v.face_pressure[axis]);
     const int direction = o.grid.axes.direction[axis];
     task.kernel([=](const Row& row) {
       pressure_row(row, h, axis);

@@ -90,20 +90,20 @@ void flux_row(const Row& row, const Handles& h, int axis, double l) {
 
 }  // namespace
 
-void add_fluxes(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
+void add_fluxes(TaskList& list, const FluxesInput& v, const SchemeOptions& o, int effect) {
   static const char* names[] = {"fluxes of axis 0", "fluxes of axis 1", "fluxes of axis 2"};
   for (int axis = 0; axis < o.grid.axes.count; ++axis) {
     const int direction = o.grid.axes.direction[axis];
     const Stencil both = Stencil::along(direction, 1, 0);
     TaskBuilder task = list.task(names[axis], effect);
     Handles h;
-    h.rho = task.read(v.common.rho, both);
+    h.rho = task.read(v.rho, both);
     h.energy = task.read(v.energy, both);
     h.momentum = task.read(v.momentum, both);
     if (o.scheme.second_order) h.slope = task.read(v.slope, both);
     if (o.scheme.second_order && o.grid.axes.count > 1) h.shift = task.read(v.shift, both);
-    h.face_velocity = task.read(v.common.face_velocity[axis]);
-    h.flux = task.write(v.common.flux[axis]);
+    h.face_velocity = task.read(v.face_velocity[axis]);
+    h.flux = task.write(v.flux[axis]);
     const bool per_mass = specific(o);
     dispatch(o.grid.axes.count, o.grid.components, [&]<int D, int C>() {
       task.kernel([=](const Row& row) {

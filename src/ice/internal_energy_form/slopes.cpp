@@ -130,7 +130,7 @@ void all_rows(const Row& row, const Handles& h, const SchemeOptions& o) {
 
 }  // namespace
 
-void add_slopes(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
+void add_slopes(TaskList& list, const SlopesInput& v, const SchemeOptions& o, int effect) {
   if (!o.scheme.second_order) return;
   TaskBuilder task = list.task("limited slopes", effect);
   Stencil around;
@@ -139,15 +139,15 @@ void add_slopes(TaskList& list, const Variables& v, const SchemeOptions& o, int 
     around.high[o.grid.axes.direction[axis]] = 1;
   }
   Handles h;
-  h.rho = task.read(v.common.rho, around);
+  h.rho = task.read(v.rho, around);
   h.energy = task.read(v.energy, around);
   h.momentum = task.read(v.momentum, around);
-  if (o.scheme.masked) h.mask = task.read(v.common.mask);
+  if (o.scheme.masked) h.mask = task.read(v.mask);
   h.slope = task.write(v.slope);
   if (o.grid.axes.count > 1) {
     for (int axis = 0; axis < o.grid.axes.count; ++axis) {
-      h.face_velocity[axis] = task.read(v.common.face_velocity[axis],
-                                        Stencil::along(o.grid.axes.direction[axis], 0, 1));
+      h.face_velocity[axis] =
+          task.read(v.face_velocity[axis], Stencil::along(o.grid.axes.direction[axis], 0, 1));
     }
     h.shift = task.write(v.shift);
   }

@@ -84,32 +84,32 @@ void check_row(const Row& row, const Handles& h, const Axes& axes) {
                       {row(h.energy_star), fault_energy}}});
 }
 
-Handles declare(TaskBuilder& task, const Variables& v, const SchemeOptions& o) {
+Handles declare(TaskBuilder& task, const UpdateInput& v, const SchemeOptions& o) {
   Handles h;
-  h.rho = task.read(v.common.rho);
-  h.momentum = task.read(v.common.momentum);
-  h.impulse = task.read(v.common.impulse);
-  h.energy_star = task.read(v.common.energy_star);
-  if (o.scheme.conservative_time_step) h.next.sound = task.read(v.common.sound, Stencil::box(1));
+  h.rho = task.read(v.rho);
+  h.momentum = task.read(v.momentum);
+  h.impulse = task.read(v.impulse);
+  h.energy_star = task.read(v.energy_star);
+  if (o.scheme.conservative_time_step) h.next.sound = task.read(v.sound, Stencil::box(1));
   for (int axis = 0; axis < o.grid.axes.count; ++axis) {
     const Stencil both = Stencil::along(o.grid.axes.direction[axis], 0, 1);
-    h.flux[axis] = task.read(v.common.flux[axis], both);
-    h.face_velocity[axis] = task.read(v.common.face_velocity[axis], both);
+    h.flux[axis] = task.read(v.flux[axis], both);
+    h.face_velocity[axis] = task.read(v.face_velocity[axis], both);
   }
   h.next.face_velocity = h.face_velocity;
-  h.next.rho = task.write(v.common.rho_new);
-  h.next.momentum = task.write(v.common.momentum_new);
-  h.next.energy = task.write(v.common.energy_new);
+  h.next.rho = task.write(v.rho_new);
+  h.next.momentum = task.write(v.momentum_new);
+  h.next.energy = task.write(v.energy_new);
   h.rest = task.write(v.rest);
   return h;
 }
 
 }  // namespace
 
-void add_update(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
+void add_update(TaskList& list, const UpdateInput& v, const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("update", effect);
   const Handles h = declare(task, v, o);
-  const SourceHandles sources = declare_sources(task, v.common.source_change, o);
+  const SourceHandles sources = declare_sources(task, v.source_change, o);
   dispatch(o.grid.axes.count, o.grid.components, [&]<int D, int C>() {
     task.kernel([=](const Row& row) {
       update_rows<D, C>(row, h);

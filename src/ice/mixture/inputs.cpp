@@ -4,125 +4,174 @@
 namespace sluice::ice::mixture {
 
 PresenceInput PresenceInput::of(const Variables& v) {
-  return {StateOfEach::of(v), v.presence,     v.pure, v.near, v.blend,
-          v.blend_density,    v.blend_energy, v.alike};
+  return {.state = StateOfEach::of(v),
+          .presence = v.presence,
+          .pure = v.pure,
+          .near = v.near,
+          .blend = v.blend,
+          .blend_density = v.blend_density,
+          .blend_energy = v.blend_energy,
+          .alike = v.alike};
 }
 
 PrimitivesInput PrimitivesInput::of(const Variables& v) {
   const SchemeVariables& c = v.common;
-  return {PresenceInput::of(v), c.momentum, c.rho,     c.energy,
-          c.velocity,           c.pressure, c.sound,   c.inverse_rho,
-          c.shock_slope,        c.pi,       v.density, v.specific_energy};
+  return {.materials = PresenceInput::of(v),
+          .momentum = c.momentum,
+          .rho = c.rho,
+          .energy = c.energy,
+          .velocity = c.velocity,
+          .pressure = c.pressure,
+          .sound = c.sound,
+          .inverse_rho = c.inverse_rho,
+          .shock_slope = c.shock_slope,
+          .pi = c.pi,
+          .density = v.density,
+          .specific_energy = v.specific_energy};
 }
 
 OwnViscosityInput OwnViscosityInput::of(const Variables& v) {
-  return {StateOfEach::of(v), v.presence, v.own_viscosity};
+  return {.state = StateOfEach::of(v), .presence = v.presence, .own_viscosity = v.own_viscosity};
 }
 
 FrictionInput FrictionInput::of(const Variables& v) {
-  return {ViscousStressInput::of(v.common), OwnViscosityInput::of(v), v.common.energy, v.surface,
-          v.common.eddy_viscosity,          v.common.front_viscosity};
+  return {.mixture = ViscousStressInput::of(v.common),
+          .of_each = OwnViscosityInput::of(v),
+          .energy = v.common.energy,
+          .surface = v.surface,
+          .eddy_viscosity = v.common.eddy_viscosity,
+          .front_viscosity = v.common.front_viscosity};
 }
 
 HeatFluxInput HeatFluxInput::of(const Variables& v) {
-  return {StateOfEach::of(v), v.presence,      v.pure,
-          v.surface,          v.common.rho,    v.common.eddy_viscosity,
-          v.temperature,      v.heat_capacity, v.common.conductivity,
-          v.common.heat_flux, v.heat_flux};
+  return {.state = StateOfEach::of(v),
+          .presence = v.presence,
+          .pure = v.pure,
+          .surface = v.surface,
+          .rho = v.common.rho,
+          .eddy_viscosity = v.common.eddy_viscosity,
+          .temperature = v.temperature,
+          .heat_capacity = v.heat_capacity,
+          .conductivity = v.common.conductivity,
+          .heat_flux = v.common.heat_flux,
+          .of_materials = v.heat_flux};
 }
 
 TransportedHeatInput TransportedHeatInput::of(const Variables& v) {
   const SchemeVariables& c = v.common;
-  return {StateOfEach::of(v), v.presence,  v.pure,          c.lagrangian_mixture,
-          c.inverse_rho,      c.viscosity, v.own_viscosity, c.eddy_viscosity,
-          v.heat_flux,        v.heat};
+  return {.state = StateOfEach::of(v),
+          .presence = v.presence,
+          .pure = v.pure,
+          .lagrangian_mixture = c.lagrangian_mixture,
+          .inverse_rho = c.inverse_rho,
+          .viscosity = c.viscosity,
+          .own_viscosity = v.own_viscosity,
+          .eddy_viscosity = c.eddy_viscosity,
+          .heat_flux = v.heat_flux,
+          .heat = v.heat};
 }
 
 LagrangianOfEachInput LagrangianOfEachInput::of(const Variables& v) {
   const SchemeVariables& c = v.common;
-  return {StateOfEach::of(v),
-          {c.rho_L, c.energy_L, c.energy_star, c.inverse_J, c.energy, c.pressure, c.inverse_rho,
-           c.lagrangian_mixture, c.face_velocity, c.energy_scale},
-          v.presence,
-          v.pure,
-          v.near,
-          v.heat,
-          v.slip.work,
-          v.stretch,
-          v.strain,
-          v.energy_L,
-          v.specific_energy_L,
-          v.energy_scale};
+  return {.state = StateOfEach::of(v),
+          .mixture = {c.rho_L, c.energy_L, c.energy_star, c.inverse_J, c.energy, c.pressure,
+                      c.inverse_rho, c.lagrangian_mixture, c.face_velocity, c.energy_scale},
+          .presence = v.presence,
+          .pure = v.pure,
+          .near = v.near,
+          .heat = v.heat,
+          .work = v.slip.work,
+          .stretch = v.stretch,
+          .strain = v.strain,
+          .energy_L = v.energy_L,
+          .specific_energy_L = v.specific_energy_L,
+          .energy_scale = v.energy_scale};
 }
 
 RemapBasesInput RemapBasesInput::of(const Variables& v) {
-  return {ice::RemapBasesInput::of(v.common),
-          StateOfEach::of(v),
-          v.pure,
-          v.near,
-          v.blend,
-          v.blend_density,
-          v.blend_energy,
-          v.slip.velocity,
-          v.common.inverse_J,
-          v.specific_energy_L,
-          v.strain,
-          v.energy_scale,
-          v.base};
+  return {.mixture = ice::RemapBasesInput::of(v.common),
+          .state = StateOfEach::of(v),
+          .pure = v.pure,
+          .near = v.near,
+          .blend = v.blend,
+          .blend_density = v.blend_density,
+          .blend_energy = v.blend_energy,
+          .own_velocity = v.slip.velocity,
+          .inverse_J = v.common.inverse_J,
+          .specific_energy_L = v.specific_energy_L,
+          .strain = v.strain,
+          .energy_scale = v.energy_scale,
+          .base = v.base};
 }
 
 DonorsInput DonorsInput::of(const Variables& v) {
-  return {StateOfEach::of(v), v.presence, v.pure,   v.energy_L, v.specific_energy_L,
-          v.energy_scale,     v.stretch,  v.strain, v.alike,    v.base};
+  return {.state = StateOfEach::of(v),
+          .presence = v.presence,
+          .pure = v.pure,
+          .energy_L = v.energy_L,
+          .specific_energy_L = v.specific_energy_L,
+          .energy_scale = v.energy_scale,
+          .stretch = v.stretch,
+          .strain = v.strain,
+          .alike = v.alike,
+          .base = v.base};
 }
 
 RemapFluxInput RemapFluxInput::of(const Variables& v) {
-  return {ice::RemapFluxInput::of(v.common),
-          DonorsInput::of(v),
-          {v.blend, v.blend_density, v.blend_energy},
-          v.flux};
+  return {.mixture = ice::RemapFluxInput::of(v.common),
+          .materials = DonorsInput::of(v),
+          .blend = {v.blend, v.blend_density, v.blend_energy},
+          .flux = v.flux};
 }
 
 CutCellsInput CutCellsInput::of(const Variables& v) {
   const WallVariables& w = v.common.walls;
-  return {
-      v.cut,  v.cut_volume,   v.cut_energy, v.common.velocity_L,        w.gives_old,   w.fraction,
-      w.next, v.old_momentum, v.energy,     v.common.material_velocity, w.fraction_new};
+  return {.cut = v.cut,
+          .cut_volume = v.cut_volume,
+          .cut_energy = v.cut_energy,
+          .velocity_L = v.common.velocity_L,
+          .gives_old = w.gives_old,
+          .fraction = w.fraction,
+          .next = w.next,
+          .old_momentum = v.old_momentum,
+          .energy = v.energy,
+          .material_velocity = v.common.material_velocity,
+          .fraction_new = w.fraction_new};
 }
 
 UpdateInput UpdateInput::of(const Variables& v) {
   const SchemeVariables& c = v.common;
-  return {AmountsInput::of(c),
-          c.energy_scale,
-          StateOfEach::of(v),
-          v.stretch,
-          v.strain,
-          v.energy_L,
-          v.pure,
-          v.surface,
-          v.flux,
-          CutCellsInput::of(v),
-          {c.momentum_remap,
-           {v.mass_remap, v.volume_remap, v.energy_remap},
-           v.slip.slip_new,
-           c.source_change,
-           v.end_remap,
-           c.new_pressure,
-           c.closure}};
+  return {.amounts = AmountsInput::of(c),
+          .mixture_energy_scale = c.energy_scale,
+          .state = StateOfEach::of(v),
+          .stretch = v.stretch,
+          .strain = v.strain,
+          .energy_L = v.energy_L,
+          .pure = v.pure,
+          .surface = v.surface,
+          .flux = v.flux,
+          .cut_cells = CutCellsInput::of(v),
+          .next = {c.momentum_remap,
+                   {v.mass_remap, v.volume_remap, v.energy_remap},
+                   v.slip.slip_new,
+                   c.source_change,
+                   v.end_remap,
+                   c.new_pressure,
+                   c.closure}};
 }
 
 OnePressureInput OnePressureInput::of(const Variables& v) {
   const SchemeVariables& c = v.common;
-  return {EndOfStepInput::of(c),
-          c.energy_scale,
-          v.pure,
-          c.momentum_remap,
-          {v.mass_remap, v.volume_remap, v.energy_remap},
-          c.momentum_new,
-          v.end,
-          c.new_pressure,
-          c.closure,
-          {v.mass_new, v.volume_new, v.energy_new}};
+  return {.end = EndOfStepInput::of(c),
+          .energy_scale = c.energy_scale,
+          .pure = v.pure,
+          .momentum_remap = c.momentum_remap,
+          .remapped = {v.mass_remap, v.volume_remap, v.energy_remap},
+          .momentum_new = c.momentum_new,
+          .density_new = v.end,
+          .new_pressure = c.new_pressure,
+          .closure = c.closure,
+          .next = {v.mass_new, v.volume_new, v.energy_new}};
 }
 
 }  // namespace sluice::ice::mixture

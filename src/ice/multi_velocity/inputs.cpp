@@ -4,74 +4,98 @@
 namespace sluice::ice::mixture {
 
 RelativeStateInput RelativeStateInput::of(const Variables& v) {
-  return {StateOfEach::of(v), v.slip.slip, v.presence, v.cut};
+  return {.state = StateOfEach::of(v), .slip = v.slip.slip, .presence = v.presence, .cut = v.cut};
 }
 
 SlipMotionInput SlipMotionInput::of(const Variables& v) {
   const SchemeVariables& c = v.common;
-  return {RelativeStateInput::of(v),
-          {v.slip.lock, v.surface},
-          v.pure,
-          c.rho,
-          c.inverse_rho,
-          c.velocity,
-          c.sound,
-          v.slip.velocity,
-          c.moving};
+  return {.state = RelativeStateInput::of(v),
+          .bonds = {v.slip.lock, v.surface},
+          .pure = v.pure,
+          .rho = c.rho,
+          .inverse_rho = c.inverse_rho,
+          .velocity = c.velocity,
+          .sound = c.sound,
+          .own_velocity = v.slip.velocity,
+          .moving = c.moving};
 }
 
 SlipStressInput SlipStressInput::of(const Variables& v) {
-  return {StateOfEach::of(v), v.pure,          v.slip.velocity, v.common.velocity,
-          v.common.viscosity, v.own_viscosity, v.surface,       v.common.stress};
+  return {.state = StateOfEach::of(v),
+          .pure = v.pure,
+          .own_velocity = v.slip.velocity,
+          .velocity = v.common.velocity,
+          .viscosity = v.common.viscosity,
+          .own_viscosity = v.own_viscosity,
+          .surface = v.surface,
+          .stress = v.common.stress};
 }
 
 SlipPhaseInput SlipPhaseInput::of(const Variables& v) {
   const SchemeVariables& c = v.common;
   const RelativeVelocityVariables& s = v.slip;
-  return {RelativeStateInput::of(v),
-          {s.lock, v.surface},
-          c.lagrangian_mixture,
-          c.velocity,
-          c.sound,
-          c.face_pressure,
-          s.stress,
-          s.velocity_L,
-          s.drift,
-          s.kick,
-          s.work,
-          s.force_work};
+  return {.state = RelativeStateInput::of(v),
+          .bonds = {s.lock, v.surface},
+          .lagrangian_mixture = c.lagrangian_mixture,
+          .velocity = c.velocity,
+          .sound = c.sound,
+          .face_pressure = c.face_pressure,
+          .stress = s.stress,
+          .velocity_L = s.velocity_L,
+          .drift = s.drift,
+          .kick = s.kick,
+          .work = s.work,
+          .force_work = s.force_work};
 }
 
 SlipFacesInput SlipFacesInput::of(const Variables& v) {
   const SchemeVariables& c = v.common;
-  return {StateOfEach::of(v), c.moving,   v.pure,    v.cut,           v.slip.drift,
-          c.inverse_J,        c.velocity, c.courant, c.face_velocity, v.slip.face_velocity,
-          v.slip.outflow};
+  return {.state = StateOfEach::of(v),
+          .moving = c.moving,
+          .pure = v.pure,
+          .cut = v.cut,
+          .drift = v.slip.drift,
+          .inverse_J = c.inverse_J,
+          .velocity = c.velocity,
+          .courant = c.courant,
+          .face_velocity = c.face_velocity,
+          .own_face_velocity = v.slip.face_velocity,
+          .outflow = v.slip.outflow};
 }
 
 SlipBasesInput SlipBasesInput::of(const Variables& v) {
   const RelativeVelocityVariables& s = v.slip;
-  return {v.pure, s.velocity,    v.common.velocity, s.velocity_L,
-          s.kick, v.common.mask, v.common.base,     s.base};
+  return {.pure = v.pure,
+          .own_velocity = s.velocity,
+          .velocity = v.common.velocity,
+          .velocity_L = s.velocity_L,
+          .kick = s.kick,
+          .mask = v.common.mask,
+          .mixture_base = v.common.base,
+          .base = s.base};
 }
 
 SlipFluxInput SlipFluxInput::of(const Variables& v) {
   const RelativeVelocityVariables& s = v.slip;
-  return {ice::RemapFluxInput::of(v.common),
-          DonorsInput::of(v),
-          s.velocity,
-          s.velocity_L,
-          s.outflow,
-          s.base,
-          s.face_velocity,
-          v.flux,
-          v.common.material_velocity};
+  return {.mixture = ice::RemapFluxInput::of(v.common),
+          .materials = DonorsInput::of(v),
+          .velocity = s.velocity,
+          .velocity_L = s.velocity_L,
+          .outflow = s.outflow,
+          .base = s.base,
+          .face_velocity = s.face_velocity,
+          .flux = v.flux,
+          .material_velocity = v.common.material_velocity};
 }
 
 SlipUpdateInput SlipUpdateInput::of(const Variables& v) {
   const SchemeVariables& c = v.common;
-  return {UpdateInput::of(v), {v.slip.lock, v.surface}, v.slip.velocity_L,
-          v.slip.stress,      c.material_velocity,      c.face_pressure};
+  return {.update = UpdateInput::of(v),
+          .bonds = {v.slip.lock, v.surface},
+          .velocity_L = v.slip.velocity_L,
+          .stress = v.slip.stress,
+          .material_velocity = c.material_velocity,
+          .face_pressure = c.face_pressure};
 }
 
 }  // namespace sluice::ice::mixture

@@ -4,54 +4,71 @@
 namespace sluice::ice {
 
 PrimitivesInput PrimitivesInput::of(const SchemeVariables& v) {
-  return {v.rho, v.momentum, v.energy, v.velocity, v.pressure, v.sound, v.inverse_rho};
+  return {.rho = v.rho,
+          .momentum = v.momentum,
+          .energy = v.energy,
+          .velocity = v.velocity,
+          .pressure = v.pressure,
+          .sound = v.sound,
+          .inverse_rho = v.inverse_rho};
 }
 
 SlopesInput SlopesInput::of(const SchemeVariables& v) {
-  return {v.moving,
-          v.pressure,
-          v.mask,
-          v.walls.open,
-          v.velocity_slope,
-          v.pressure_slope,
-          v.predicted_pressure,
-          v.transverse_velocity};
+  return {.moving = v.moving,
+          .pressure = v.pressure,
+          .mask = v.mask,
+          .open = v.walls.open,
+          .velocity_slope = v.velocity_slope,
+          .pressure_slope = v.pressure_slope,
+          .predicted_pressure = v.predicted_pressure,
+          .transverse_velocity = v.transverse_velocity};
 }
 
 FacesInput FacesInput::of(const SchemeVariables& v) {
-  return {v.moving,
-          v.pressure,
-          v.velocity_slope,
-          v.pressure_slope,
-          v.predicted_pressure,
-          v.transverse_velocity,
-          v.shock_slope,
-          v.pi,
-          v.pure,
-          v.face_velocity,
-          v.face_pressure};
+  return {.moving = v.moving,
+          .pressure = v.pressure,
+          .velocity_slope = v.velocity_slope,
+          .pressure_slope = v.pressure_slope,
+          .predicted_pressure = v.predicted_pressure,
+          .transverse_velocity = v.transverse_velocity,
+          .shock_slope = v.shock_slope,
+          .pi = v.pi,
+          .pure = v.pure,
+          .face_velocity = v.face_velocity,
+          .face_pressure = v.face_pressure};
 }
 
 ShockShearTaskInput ShockShearTaskInput::of(const SchemeVariables& v) {
-  return {v.rho,   v.velocity,   v.pressure, v.sound,      v.walls.fraction,
-          v.jumps, v.jump_marks, v.shear,    v.shear_marks};
+  return {.rho = v.rho,
+          .velocity = v.velocity,
+          .pressure = v.pressure,
+          .sound = v.sound,
+          .fraction = v.walls.fraction,
+          .jumps = v.jumps,
+          .jump_marks = v.jump_marks,
+          .shear = v.shear,
+          .shear_marks = v.shear_marks};
 }
 
 ViscousStressInput ViscousStressInput::of(const SchemeVariables& v) {
-  return {v.rho, v.velocity, v.viscosity, v.molecular_viscosity, v.stress};
+  return {.rho = v.rho,
+          .velocity = v.velocity,
+          .viscosity = v.viscosity,
+          .molecular_viscosity = v.molecular_viscosity,
+          .stress = v.stress};
 }
 
 HeatFluxInput HeatFluxInput::of(const SchemeVariables& v) {
-  return {v.rho,
-          v.energy,
-          v.velocity,
-          v.pressure,
-          v.viscosity,
-          v.molecular_viscosity,
-          v.scalars.diffusivity,
-          v.temperature,
-          v.conductivity,
-          v.heat_flux};
+  return {.rho = v.rho,
+          .energy = v.energy,
+          .velocity = v.velocity,
+          .pressure = v.pressure,
+          .viscosity = v.viscosity,
+          .molecular_viscosity = v.molecular_viscosity,
+          .diffusivity = v.scalars.diffusivity,
+          .temperature = v.temperature,
+          .conductivity = v.conductivity,
+          .heat_flux = v.heat_flux};
 }
 
 LagrangianInput LagrangianInput::of(const SchemeVariables& v) {
@@ -94,17 +111,35 @@ RemapBasesInput RemapBasesInput::of(const SchemeVariables& v) {
 }
 
 RemapFluxInput RemapFluxInput::of(const SchemeVariables& v) {
-  return {v.rho,           v.energy, v.velocity, v.inverse_rho, v.mask, DonorVariables::of(v),
-          v.face_velocity, v.base,   v.flux};
+  return {.rho = v.rho,
+          .energy = v.energy,
+          .velocity = v.velocity,
+          .inverse_rho = v.inverse_rho,
+          .mask = v.mask,
+          .donors = DonorVariables::of(v),
+          .face_velocity = v.face_velocity,
+          .base = v.base,
+          .flux = v.flux};
 }
 
 AmountsInput AmountsInput::of(const SchemeVariables& v) {
-  return {EndOfStepInput::of(v), v.rho, v.momentum, v.impulse, v.velocity_L, v.flux};
+  return {.end = EndOfStepInput::of(v),
+          .rho = v.rho,
+          .momentum = v.momentum,
+          .impulse = v.impulse,
+          .velocity_L = v.velocity_L,
+          .flux = v.flux};
 }
 
 UpdateInput UpdateInput::of(const SchemeVariables& v) {
-  return {AmountsInput::of(v), v.energy_scale,  v.rho_remap, v.momentum_remap,
-          v.energy_remap,      v.heat_capacity, v.closure,   v.source_change};
+  return {.amounts = AmountsInput::of(v),
+          .energy_scale = v.energy_scale,
+          .rho = v.rho_remap,
+          .momentum = v.momentum_remap,
+          .energy = v.energy_remap,
+          .heat_capacity = v.heat_capacity,
+          .closure = v.closure,
+          .source_change = v.source_change};
 }
 
 }  // namespace sluice::ice

@@ -39,7 +39,7 @@ struct MaterialAloneInput {
   AfterVariables after;
 
   static MaterialAloneInput of(const SchemeVariables& v) {
-    return {v.rho, v.energy, v.energy_star, v.after};
+    return {.rho = v.rho, .energy = v.energy, .energy_star = v.energy_star, .after = v.after};
   }
 };
 MaterialsOfStep material_alone(TaskList&, const MaterialAloneInput&, const SchemeOptions&);
@@ -54,10 +54,19 @@ struct OutputInput {
   AfterVariables after;
 
   static OutputInput of(const SchemeVariables& v) {
-    return {v.rho,           v.momentum,        v.velocity,     v.pressure,
-            v.impulse,       v.pressure_change, v.new_pressure, v.source_change,
-            v.face_velocity, v.face_pressure,   v.stress,       v.heat_flux,
-            v.after};
+    return {.rho = v.rho,
+            .momentum = v.momentum,
+            .velocity = v.velocity,
+            .pressure = v.pressure,
+            .impulse = v.impulse,
+            .pressure_change = v.pressure_change,
+            .new_pressure = v.new_pressure,
+            .source_change = v.source_change,
+            .face_velocity = v.face_velocity,
+            .face_pressure = v.face_pressure,
+            .stress = v.stress,
+            .heat_flux = v.heat_flux,
+            .after = v.after};
   }
 };
 

@@ -14,20 +14,20 @@ struct EndOfMixtureInput {
 
   static EndOfMixtureInput of(const mixture::Variables& v) {
     const SchemeVariables& c = v.common;
-    return {CutCellErrorInput::of(c),
-            mixture::StateOfEach::of(v),
-            v.mass_new,
-            v.energy_new,
-            v.pure,
-            c.rho_L,
-            c.energy_L,
-            v.specific_energy_L,
-            v.stretch,
-            v.strain,
-            c.new_pressure,
-            v.cut,
-            v.cut_volume,
-            v.cut_energy};
+    return {.error = CutCellErrorInput::of(c),
+            .state = mixture::StateOfEach::of(v),
+            .mass_new = v.mass_new,
+            .energy_new = v.energy_new,
+            .pure = v.pure,
+            .rho_L = c.rho_L,
+            .energy_L = c.energy_L,
+            .specific_energy_L = v.specific_energy_L,
+            .stretch = v.stretch,
+            .strain = v.strain,
+            .new_pressure = c.new_pressure,
+            .cut = v.cut,
+            .cut_volume = v.cut_volume,
+            .cut_energy = v.cut_energy};
   }
 };
 // With or without solids beside them.

@@ -50,7 +50,10 @@ struct ErrorInput {
   PressureVariables solve;
 
   static ErrorInput of(const SchemeVariables& v) {
-    return {v.moving, v.pressure, v.pressure_slope, v.solve};
+    return {.moving = v.moving,
+            .pressure = v.pressure,
+            .pressure_slope = v.pressure_slope,
+            .solve = v.solve};
   }
 };
 
@@ -64,16 +67,16 @@ struct SolvedFacesInput {
   std::array<VariableId, 3> face_velocity, face_pressure;  // written
 
   static SolvedFacesInput of(const SchemeVariables& v) {
-    return {ErrorInput::of(v),
-            v.mask,
-            v.walls.open,
-            v.shock_slope,
-            v.pi,
-            v.stress,
-            v.velocity_slope,
-            v.transverse_velocity,
-            v.face_velocity,
-            v.face_pressure};
+    return {.cells = ErrorInput::of(v),
+            .mask = v.mask,
+            .open = v.walls.open,
+            .shock_slope = v.shock_slope,
+            .pi = v.pi,
+            .stress = v.stress,
+            .velocity_slope = v.velocity_slope,
+            .transverse_velocity = v.transverse_velocity,
+            .face_velocity = v.face_velocity,
+            .face_pressure = v.face_pressure};
   }
 };
 void add_work_pressure(TaskList&, const ErrorInput&, const SchemeOptions&, int effect);
@@ -100,7 +103,7 @@ struct EndOfOneInput {
   AfterVariables after;
 
   static EndOfOneInput of(const SchemeVariables& v) {
-    return {ErrorInput::of(v), v.rho_L, v.energy_L, v.after};
+    return {.error = ErrorInput::of(v), .rho_L = v.rho_L, .energy_L = v.energy_L, .after = v.after};
   }
 };
 void add_end_of_one(TaskList&, const EndOfOneInput&, const SchemeOptions&, int effect);
@@ -114,8 +117,13 @@ struct CutCellErrorInput {
   VariableId inverse_J;
 
   static CutCellErrorInput of(const SchemeVariables& v) {
-    return {ErrorInput::of(v),    v.walls.fraction, v.walls.next, v.walls.gives_old,
-            v.walls.mean_covered, v.walls.flow,     v.inverse_J};
+    return {.error = ErrorInput::of(v),
+            .fraction = v.walls.fraction,
+            .next = v.walls.next,
+            .gives_old = v.walls.gives_old,
+            .mean_covered = v.walls.mean_covered,
+            .flow = v.walls.flow,
+            .inverse_J = v.inverse_J};
   }
 };
 void add_cut_cell_system(TaskList&, const CutCellErrorInput&, const SchemeOptions&, int effect);

@@ -16,7 +16,10 @@ struct HeatReleaseInput {
   VariableId released_new;  // written
 
   static HeatReleaseInput of(const SchemeVariables& v) {
-    return {ReleaseInput::of(v), v.scalars.fraction, v.scalars.released, v.scalars.released_new};
+    return {.release = ReleaseInput::of(v),
+            .fraction = v.scalars.fraction,
+            .released = v.scalars.released,
+            .released_new = v.scalars.released_new};
   }
 };
 void add_heat_release(TaskList&, const HeatReleaseInput&, const SchemeOptions&, int effect);

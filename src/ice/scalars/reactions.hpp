@@ -16,7 +16,7 @@ struct ReactionsInput {
   std::vector<ScalarVariables::Each> each;  // now: read; after_reactions: written
 
   static ReactionsInput of(const SchemeVariables& v) {
-    return {ReleaseInput::of(v), v.scalars.each};
+    return {.release = ReleaseInput::of(v), .each = v.scalars.each};
   }
 };
 void add_reactions(TaskList&, const ReactionsInput&, const SchemeOptions&, int effect);

@@ -19,8 +19,14 @@ struct ReleaseInput {
   VariableId rho_new, momentum_new, energy_new, source_change;  // written
 
   static ReleaseInput of(const SchemeVariables& v) {
-    return {EndOfStepInput::of(v), v.rho_remap,  v.momentum_remap, v.energy_remap, v.rho_new,
-            v.momentum_new,        v.energy_new, v.source_change};
+    return {.end = EndOfStepInput::of(v),
+            .rho_remap = v.rho_remap,
+            .momentum_remap = v.momentum_remap,
+            .energy_remap = v.energy_remap,
+            .rho_new = v.rho_new,
+            .momentum_new = v.momentum_new,
+            .energy_new = v.energy_new,
+            .source_change = v.source_change};
   }
 };
 

@@ -34,8 +34,17 @@ struct FlowOfScalars {
   ScalarVariables scalars;
 
   static FlowOfScalars of(const SchemeVariables& v) {
-    return {v.velocity, v.velocity_slope, v.rho_L, v.inverse_J,     v.courant, v.mask,
-            v.pure,     v.face_velocity,  v.flux,  v.material_flux, v.scalars};
+    return {.velocity = v.velocity,
+            .velocity_slope = v.velocity_slope,
+            .rho_L = v.rho_L,
+            .inverse_J = v.inverse_J,
+            .courant = v.courant,
+            .mask = v.mask,
+            .pure = v.pure,
+            .face_velocity = v.face_velocity,
+            .flux = v.flux,
+            .material_flux = v.material_flux,
+            .scalars = v.scalars};
   }
 };
 

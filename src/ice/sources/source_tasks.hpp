@@ -5,8 +5,8 @@
 
 namespace sluice::ice {
 
-// Where the exact sums of sources stand among those of a step, from AccountOptions::first_source_sum
-// on: the mass of each material, then these.
+// Where the exact sums of sources stand among those of a step, from
+// AccountOptions::first_source_sum on: the mass of each material, then these.
 struct SourceSums {
   enum {
     momentum = 0,

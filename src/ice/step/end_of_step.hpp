@@ -216,7 +216,12 @@ struct EndOfStepInput {
   VariableId viscosity, conductivity;
 
   static EndOfStepInput of(const SchemeVariables& v) {
-    return {v.energy_star, v.inverse_J, v.sound, v.face_velocity, v.viscosity, v.conductivity};
+    return {.energy_star = v.energy_star,
+            .inverse_J = v.inverse_J,
+            .sound = v.sound,
+            .face_velocity = v.face_velocity,
+            .viscosity = v.viscosity,
+            .conductivity = v.conductivity};
   }
 };
 

@@ -73,7 +73,7 @@ struct ShockShearInput {
   VariableId shear, marks, rho, velocity;
 
   static ShockShearInput of(const SchemeVariables& v) {
-    return {v.shear, v.shear_marks, v.rho, v.velocity};
+    return {.shear = v.shear, .marks = v.shear_marks, .rho = v.rho, .velocity = v.velocity};
   }
 };
 inline ShockShearReads read_shock_shear(TaskBuilder& task, const ShockShearInput& v) {

@@ -128,8 +128,13 @@ struct DonorVariables {
   VariableId inverse_J, rho_L, energy_L, velocity_L, courant, inverse_courant, energy_scale;
 
   static DonorVariables of(const SchemeVariables& v) {
-    return {v.inverse_J, v.rho_L,           v.energy_L,    v.velocity_L,
-            v.courant,   v.inverse_courant, v.energy_scale};
+    return {.inverse_J = v.inverse_J,
+            .rho_L = v.rho_L,
+            .energy_L = v.energy_L,
+            .velocity_L = v.velocity_L,
+            .courant = v.courant,
+            .inverse_courant = v.inverse_courant,
+            .energy_scale = v.energy_scale};
   }
 };
 

@@ -35,14 +35,14 @@ struct TransportInput {
   VariableId diffusivity;                          // written, of species that spread
 
   static TransportInput of(const SchemeVariables& v) {
-    return {v.rho,
-            v.energy,
-            v.velocity,
-            v.viscosity,
-            v.conductivity,
-            v.molecular_viscosity,
-            v.eddy_viscosity,
-            v.scalars.diffusivity};
+    return {.rho = v.rho,
+            .energy = v.energy,
+            .velocity = v.velocity,
+            .viscosity = v.viscosity,
+            .conductivity = v.conductivity,
+            .molecular_viscosity = v.molecular_viscosity,
+            .eddy_viscosity = v.eddy_viscosity,
+            .diffusivity = v.scalars.diffusivity};
   }
 };
 void add_species_transport(TaskList&, const TransportInput&, const SchemeOptions&, int effect);
