@@ -181,8 +181,8 @@ void add_bases(TaskList& list, const FlowOfScalars& v, const SchemeOptions& o, i
   }
   if (o.transport.spreads_species) h.diffusivity = task.read(v.scalars.diffusivity);
   h.velocity = task.read(v.velocity);
-  const bool masked = o.scheme.masked || v.scalars.has_cut_cells;
-  if (masked) h.mask = task.read(v.scalars.has_cut_cells ? v.scalars.slopes : v.mask);
+  const bool masked = o.scheme.masked || v.scalars.walls.has_cut_cells;
+  if (masked) h.mask = task.read(v.scalars.walls.has_cut_cells ? v.scalars.walls.slopes : v.mask);
   h.base = task.write(v.scalars.base);
   if (v.scalars.diffusive) h.half = task.write(v.scalars.half);
   dispatch(o.grid.axes.count, o.grid.components, [&]<int D, int C>() {

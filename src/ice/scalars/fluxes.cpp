@@ -212,8 +212,8 @@ Handles declare(TaskBuilder& task, const FlowOfScalars& v, const SchemeOptions& 
     Each each;
     each.q = task.read(e.old, o.scheme.second_order ? four : both);
     each.mass = task.read(e.mass, o.scheme.second_order ? four : both);
-    each.density =
-        v.scalars.has_cut_cells && v.scalars.diffusive ? task.read(e.density, both) : each.mass;
+    each.density = v.scalars.walls.has_cut_cells && v.scalars.diffusive ? task.read(e.density, both)
+                                                                        : each.mass;
     if (o.materials.mixture && v.scalars.diffusive) each.volume = task.read(e.volume, both);
     each.carrier = e.carrier;
     each.motion = o.materials.mixture && o.materials.multi_velocity ? e.carrier : 0;
@@ -231,14 +231,14 @@ Handles declare(TaskBuilder& task, const FlowOfScalars& v, const SchemeOptions& 
     h.inverse_J = task.read(v.inverse_J, both);
     h.base = task.read(v.scalars.base, both);
     if (v.scalars.diffusive) h.half = task.read(v.scalars.half, both);
-    if (v.scalars.has_cut_cells)
-      h.mask = task.read(v.scalars.axis_slopes[axis], both);
+    if (v.scalars.walls.has_cut_cells)
+      h.mask = task.read(v.scalars.walls.axis_slopes[axis], both);
     else if (o.scheme.masked)
       h.mask = task.read(v.mask, both);
   }
   if (o.materials.mixture && o.materials.mixed != nullptr) h.pure = task.read(v.pure, both);
-  if (v.scalars.has_cut_cells && v.scalars.diffusive)
-    h.open = task.read(v.scalars.open_share[axis]);
+  if (v.scalars.walls.has_cut_cells && v.scalars.diffusive)
+    h.open = task.read(v.scalars.walls.open_share[axis]);
   h.face = task.write(v.scalars.face[axis]);
   if (v.scalars.diffusive) h.spread = task.write(v.scalars.spread[axis]);
   return h;
@@ -253,7 +253,7 @@ void add_fluxes(TaskList& list, const FlowOfScalars& v, const SchemeOptions& o, 
     TaskBuilder task = list.task(names[axis], effect);
     const Handles h = declare(task, v, o, axis);
     const int direction = o.grid.axes.direction[axis], axes = o.grid.axes.count;
-    const bool second = o.scheme.second_order, has_cut_cells = v.scalars.has_cut_cells,
+    const bool second = o.scheme.second_order, has_cut_cells = v.scalars.walls.has_cut_cells,
                masked = o.scheme.masked || has_cut_cells, diffusive = v.scalars.diffusive,
                mixture = o.materials.mixture;
     task.kernel([=](const Row& row) {

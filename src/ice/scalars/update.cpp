@@ -225,7 +225,7 @@ void read_faces(TaskBuilder& task, const FlowOfScalars& v, const SchemeOptions& 
     if (v.scalars.diffusive) h.spread[axis] = task.read(v.scalars.spread[axis], both);
   }
   if (o.scheme.second_order) h.base = task.read(v.scalars.base);
-  if (v.scalars.has_cut_cells) h.cut = task.read(v.scalars.cut);
+  if (v.scalars.walls.has_cut_cells) h.cut = task.read(v.scalars.walls.cut);
   if (o.transport.spreads_species) h.diffusivity = task.read(v.scalars.diffusivity);
 }
 
@@ -242,7 +242,7 @@ void save_source(TaskList& list, const FlowOfScalars& v, const SchemeOptions& o,
   const Out out = task.write(list.output(of.source(), of.material));
   dispatch(o.grid.axes.count, o.grid.components, [&]<int D, int C>() {
     task.kernel([=, second = o.scheme.second_order,
-                 has_cut_cells = v.scalars.has_cut_cells](const Row& row) {
+                 has_cut_cells = v.scalars.walls.has_cut_cells](const Row& row) {
       for (int begin = 0; begin < row.count(); begin += max_cells) {
         const Row part = row.part(begin, std::min(row.count() - begin, max_cells));
         const Each& q = h.each.front();
@@ -271,7 +271,7 @@ void add_update(TaskList& list, const FlowOfScalars& v, const SchemeOptions& o, 
   read_faces(task, v, o, h);
   dispatch(o.grid.axes.count, o.grid.components, [&]<int D, int C>() {
     task.kernel([=, options = o, diffusive = v.scalars.diffusive,
-                 has_cut_cells = v.scalars.has_cut_cells](const Row& row) {
+                 has_cut_cells = v.scalars.walls.has_cut_cells](const Row& row) {
       for (int begin = 0; begin < row.count(); begin += max_cells) {
         const int left = row.count() - begin;
         const Row part = row.part(begin, left < max_cells ? left : max_cells);

@@ -11,6 +11,14 @@
 
 namespace sluice::ice {
 
+// Where solids cut cells (cut_cells/scalars.cpp): 1 in those; weight of slopes there, of all axes
+// and of each; the open share of faces.
+struct ScalarWalls {
+  bool has_cut_cells = false;
+  VariableId cut, slopes;
+  std::array<VariableId, 3> axis_slopes, open_share;
+};
+
 // Scalars that a graph carries; see scalars/variables.hpp.
 struct ScalarVariables {
   struct Each {
@@ -30,11 +38,7 @@ struct ScalarVariables {
   VariableId base, half;
   // By axis: mass that passes; value of each scalar on the face, and what of it spreads.
   std::array<VariableId, 3> carrier, face, spread;
-  // Where solids cut cells (cut_cells/scalars.cpp): 1 in those; weight of slopes there, of all axes
-  // and of each; the open share of faces.
-  bool has_cut_cells = false;
-  VariableId cut, slopes;
-  std::array<VariableId, 3> axis_slopes, open_share;
+  ScalarWalls walls;
 };
 
 // Of a semi-implicit step: pressure/variables.hpp.
