@@ -37,13 +37,8 @@ LagrangianInput LagrangianInput::of(const SchemeVariables& v) {
           .open = w.open,
           .flow = w.flow,
           .covered = w.covered,
-          .mass = w.mass,
-          .cell_momentum = w.momentum,
-          .inverse_mass = w.inverse_mass,
-          .donor_velocity = w.donor_velocity,
-          .base_mask = w.base_mask,
-          .gives_old = w.gives_old,
-          .remap_mask = w.remap_mask};
+          .cell = {w.mass, w.momentum, w.inverse_mass, w.donor_velocity, w.base_mask, w.gives_old,
+                   w.remap_mask}};
 }
 
 // As amounts per volume of the cell: M, P; the state of the fluid follows from M', P', E'.
@@ -102,9 +97,7 @@ CutFluxInput CutFluxInput::of(const mixture::Variables& v, const MaterialVariabl
           .energy_L = x.energy_L,
           .gives_old = w.gives_old,
           .flow = w.flow,
-          .whole_flux = x.whole_flux,
-          .whole_flux_of_each = x.whole_flux_of_each,
-          .whole_velocity = x.whole_velocity,
+          .whole = {x.whole_flux, x.whole_flux_of_each, x.whole_velocity},
           .passed_on = x.passed_on,
           .flux = v.common.flux,
           .flux_of_each = v.flux,

@@ -288,12 +288,12 @@ void add_lagrangian(TaskList& list, const LagrangianInput& v, const SchemeOption
   h.open = task.read(v.open);
   for (int axis = 0; axis < o.grid.axes.count; ++axis) {
     const Stencil both = Stencil::along(o.grid.axes.direction[axis], 0, 1);
-    h.face_pressure[axis] = task.read(v.fluid.face_pressure[axis], both);
+    h.face_pressure[axis] = task.read(v.fluid.faces.pressure[axis], both);
     h.flow[axis] = task.read(v.flow[axis], both);
     h.covered[axis] = task.read(v.covered[axis], both);
-    if (o.transport.viscous) h.stress[axis] = task.read(v.fluid.stress[axis], both);
-    if (o.transport.conducting) h.heat_flux[axis] = task.read(v.fluid.heat_flux[axis], both);
-    h.remap_mask[axis] = task.write(v.remap_mask[axis]);
+    if (o.transport.viscous) h.stress[axis] = task.read(v.fluid.faces.stress[axis], both);
+    if (o.transport.conducting) h.heat_flux[axis] = task.read(v.fluid.faces.heat_flux[axis], both);
+    h.remap_mask[axis] = task.write(v.cell.remap_mask[axis]);
   }
   h.inverse_J = task.write(v.fluid.donors.inverse_J);
   h.rho_L = task.write(v.fluid.donors.rho_L);
@@ -310,12 +310,12 @@ void add_lagrangian(TaskList& list, const LagrangianInput& v, const SchemeOption
   h.friction.impulse = h.impulse;
   if (o.scheme.shears_shocks) h.shear = read_shock_shear(task, v.fluid.shear);
   h.shear.impulse = h.impulse;
-  h.mass = task.write(v.mass);
-  h.cell_momentum = task.write(v.cell_momentum);
-  h.inverse_mass = task.write(v.inverse_mass);
-  h.donor_velocity = task.write(v.donor_velocity);
-  h.base_mask = task.write(v.base_mask);
-  h.gives_old = task.write(v.gives_old);
+  h.mass = task.write(v.cell.mass);
+  h.cell_momentum = task.write(v.cell.momentum);
+  h.inverse_mass = task.write(v.cell.inverse_mass);
+  h.donor_velocity = task.write(v.cell.donor_velocity);
+  h.base_mask = task.write(v.cell.base_mask);
+  h.gives_old = task.write(v.cell.gives_old);
   if (o.keeps_work()) h.mixture = task.write(v.fluid.lagrangian_mixture);
   const bool scaled = !o.materials.mixture && o.materials.fluid.gamma_law() == nullptr;
   if (scaled) h.scale = task.write(v.fluid.donors.energy_scale);

@@ -238,8 +238,8 @@ FluxHandles read_fluxes(TaskBuilder& task, const CutFluxInput& v, std::size_t ax
   h.inverse_J = task.read(v.inverse_J, cells);
   h.flow = task.read(v.flow[axis], faces);
   h.pure = task.read(v.pure, cells);
-  h.whole = task.read(v.whole_flux[axis], faces);
-  h.whole_each = task.read(v.whole_flux_of_each[axis], faces);
+  h.whole = task.read(v.whole.flux[axis], faces);
+  h.whole_each = task.read(v.whole.of_each[axis], faces);
   h.velocity_L = task.read(v.donor_velocity, cells);
   h.energy_L = task.read(v.energy_L, cells);
   h.gives_old = task.read(v.gives_old, cells);
@@ -331,7 +331,7 @@ void add_fluxes_of_cut_cells(TaskList& list, const CutFluxInput& v, const Scheme
     h.flux = task.write(v.flux[axis]);
     h.each = task.write(v.flux_of_each[axis]);
     if (o.materials.multi_velocity) {
-      h.whole_velocity = task.read(v.whole_velocity[axis]);
+      h.whole_velocity = task.read(v.whole.velocity[axis]);
       h.velocity = task.write(v.material_velocity[axis]);
     }
     task.kernel([=](const Row& row) {

@@ -62,10 +62,14 @@ struct SharesOfEachInput {
 };
 void add_shares_of_each(TaskList&, const SharesOfEachInput&, const SchemeOptions&, int effect);
 // Fluxes of faces at touched cells.
+struct WholeFluxes {  // as the rules of whole cells have them: of the mixture, and of each material
+  std::array<VariableId, 3> flux, of_each, velocity;
+};
 struct CutFluxInput {
   mixture::StateOfEach state;
   VariableId cut, fraction, inverse_J, pure, donor_velocity, energy_L, gives_old;
-  std::array<VariableId, 3> flow, whole_flux, whole_flux_of_each, whole_velocity;
+  std::array<VariableId, 3> flow;
+  WholeFluxes whole;
 
   VariableId passed_on;                                             // written
   std::array<VariableId, 3> flux, flux_of_each, material_velocity;  // written

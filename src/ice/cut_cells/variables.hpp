@@ -56,14 +56,17 @@ struct SharesInput {
 };
 void add_shares(TaskList&, const SharesInput&, const SchemeOptions&, int effect);
 
+// Amounts of a cell, and what it gives to the remap.
+struct CellVariables {
+  VariableId mass, momentum, inverse_mass, donor_velocity, base_mask, gives_old;
+  std::array<VariableId, 3> remap_mask;
+};
 struct LagrangianInput {
   VariableId momentum;
   ice::LagrangianInput fluid;
   VariableId fraction, next, wall_pressure, open;
   std::array<VariableId, 3> flow, covered;
-  // Written: amounts of the cell, and what it gives.
-  VariableId mass, cell_momentum, inverse_mass, donor_velocity, base_mask, gives_old;
-  std::array<VariableId, 3> remap_mask;
+  CellVariables cell;  // written
 
   static LagrangianInput of(const SchemeVariables&);
 };

@@ -79,10 +79,7 @@ LagrangianInput LagrangianInput::of(const SchemeVariables& v) {
   in.energy = v.energy;
   in.sound = v.sound;
   in.front_viscosity = v.front_viscosity;
-  in.face_velocity = v.face_velocity;
-  in.face_pressure = v.face_pressure;
-  in.stress = v.stress;
-  in.heat_flux = v.heat_flux;
+  in.faces = {v.face_velocity, v.face_pressure, v.stress, v.heat_flux};
   in.shear = ShockShearInput::of(v);
   in.donors = DonorVariables::of(v);
   in.energy_star = v.energy_star;

@@ -138,10 +138,10 @@ void add_lagrangian(TaskList& list, const LagrangianInput& v, const SchemeOption
   if (o.friction_tilts()) h.friction.viscosity = task.read(v.front_viscosity, Stencil::box(1));
   for (int axis = 0; axis < o.grid.axes.count; ++axis) {
     const Stencil both = Stencil::along(o.grid.axes.direction[axis], 0, 1);
-    h.face_velocity[axis] = task.read(v.face_velocity[axis], both);
-    h.forces.face_pressure[axis] = task.read(v.face_pressure[axis], both);
-    if (o.transport.viscous) h.forces.stress[axis] = task.read(v.stress[axis], both);
-    if (o.transport.conducting) h.heat_flux[axis] = task.read(v.heat_flux[axis], both);
+    h.face_velocity[axis] = task.read(v.faces.velocity[axis], both);
+    h.forces.face_pressure[axis] = task.read(v.faces.pressure[axis], both);
+    if (o.transport.viscous) h.forces.stress[axis] = task.read(v.faces.stress[axis], both);
+    if (o.transport.conducting) h.heat_flux[axis] = task.read(v.faces.heat_flux[axis], both);
   }
   h.inverse_J = task.write(v.donors.inverse_J);
   h.rho_L = task.write(v.donors.rho_L);

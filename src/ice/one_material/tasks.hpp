@@ -63,10 +63,14 @@ struct HeatFluxInput {
 };
 void add_heat_flux(TaskList&, const HeatFluxInput&, const SchemeOptions&, int effect);
 
+// What acts on the faces of cells in the Lagrangian phase, by axis.
+struct FaceVariables {
+  std::array<VariableId, 3> velocity, pressure, stress, heat_flux;
+};
 struct LagrangianInput {
   VariableId rho, inverse_rho, velocity, energy, sound;
   VariableId front_viscosity;
-  std::array<VariableId, 3> face_velocity, face_pressure, stress, heat_flux;
+  FaceVariables faces;
   ShockShearInput shear;
   DonorVariables donors;                                // written
   VariableId energy_star, impulse, lagrangian_mixture;  // written
