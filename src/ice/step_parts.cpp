@@ -1,22 +1,13 @@
 #include "ice/step_parts.hpp"
 
-#include "ice/budgets/tasks.hpp"
-#include "ice/cut_cells/materials.hpp"
 #include "ice/cut_cells/variables.hpp"
-#include "ice/internal_energy_form/variables.hpp"
-#include "ice/mixture/surface.hpp"
 #include "ice/multi_velocity/tasks.hpp"
 #include "ice/one_material/tasks.hpp"
 #include "ice/outputs/materials_of_mixture.hpp"
-#include "ice/outputs/step_labels.hpp"
 #include "ice/pressure/end_of_mixture.hpp"
 #include "ice/pressure/variables.hpp"
-#include "ice/scalars/heat_release.hpp"
-#include "ice/scalars/reactions.hpp"
-#include "ice/scalars/variables.hpp"
 #include "ice/sources/source_tasks.hpp"
 #include "ice/step/effect_ids.hpp"
-#include "ice/transport/viscosity.hpp"
 
 namespace sluice::ice {
 namespace {
@@ -155,7 +146,7 @@ void add_slip_budget(TaskList& list, const mixture::Variables& m, const SchemeOp
 void add_outputs(TaskList& list, const mixture::Variables& m, const SchemeOptions& o) {
   declare_step_outputs(list, OutputInput::of(m.common), o,
                        o.materials.mixture
-                           ? mixture::materials_of_step(list, m, o)
+                           ? mixture::materials_of_step(list, mixture::MaterialsInput::of(m), o)
                            : material_alone(list, MaterialAloneInput::of(m.common), o));
 }
 

@@ -74,8 +74,16 @@ TransportedHeatInput TransportedHeatInput::of(const Variables& v) {
 LagrangianOfEachInput LagrangianOfEachInput::of(const Variables& v) {
   const SchemeVariables& c = v.common;
   return {.state = StateOfEach::of(v),
-          .mixture = {c.rho_L, c.energy_L, c.energy_star, c.inverse_J, c.energy, c.pressure,
-                      c.inverse_rho, c.lagrangian_mixture, c.face_velocity, c.energy_scale},
+          .mixture = {.rho_L = c.rho_L,
+                      .energy_L = c.energy_L,
+                      .energy_star = c.energy_star,
+                      .inverse_J = c.inverse_J,
+                      .energy = c.energy,
+                      .pressure = c.pressure,
+                      .inverse_rho = c.inverse_rho,
+                      .work = c.lagrangian_mixture,
+                      .face_velocity = c.face_velocity,
+                      .energy_scale = c.energy_scale},
           .presence = v.presence,
           .pure = v.pure,
           .near = v.near,
@@ -151,13 +159,13 @@ UpdateInput UpdateInput::of(const Variables& v) {
           .surface = v.surface,
           .flux = v.flux,
           .cut_cells = CutCellsInput::of(v),
-          .next = {c.momentum_remap,
-                   {v.mass_remap, v.volume_remap, v.energy_remap},
-                   v.slip.slip_new,
-                   c.source_change,
-                   v.end_remap,
-                   c.new_pressure,
-                   c.closure}};
+          .next = {.momentum = c.momentum_remap,
+                   .of_each = {v.mass_remap, v.volume_remap, v.energy_remap},
+                   .slip = v.slip.slip_new,
+                   .source_change = c.source_change,
+                   .end = v.end_remap,
+                   .pressure = c.new_pressure,
+                   .closure = c.closure}};
 }
 
 OnePressureInput OnePressureInput::of(const Variables& v) {
