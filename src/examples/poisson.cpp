@@ -83,7 +83,7 @@ void Poisson::declare(TaskList& list, const StepVariant& variant) const {
   };
   // Nodes on sides, and those that a finer level owns, keep their value.
   const LevelCoverage* coverage = variant.coverage;
-  if (coverage != nullptr) sweep.by_box();
+  if (coverage != nullptr) sweep.needs_box();
   sweep.kernel([=](const Row& row) {
     std::copy_n(row(phi), row.count(), row(next));
     const RowPart part = part_in(row, inner, axes.direction[0]);

@@ -33,12 +33,13 @@ int FluidBlocks::kind_of(const Warehouse& old_state, int local_box,
     only = m;
   }
   // A source may bring others in.
-  if (only >= 0 && part_->has_sources() && part_->options().sources->takes_from(only)) return mixed;
+  if (only >= 0 && part_->has_sources() && part_->options().forces.sources->takes_from(only))
+    return mixed;
   return only >= 0 ? only : mixed;
 }
 
 std::optional<double> FluidBlocks::absent_value(Label label, int material, int kind) const {
-  const IndexOffsets& places = part_->options().places;
+  const IndexOffsets& places = part_->options().accounts.places;
   return label == labels().volume && material == places.material_of(kind) ? 1.0 : 0.0;
 }
 
@@ -47,13 +48,13 @@ std::optional<double> FluidBlocks::absent_value(Label label, int material, int k
 // of their own.
 bool FluidBlocks::skipping_allowed() const {
   if (part_->material_count() > 1 &&
-      (part_->options().heat_exchange.any() || part_->options().multi_velocity ||
-       part_->run_scene().grid.levels.size() > 1))
+      (part_->options().materials.heat_exchange.any() ||
+       part_->options().materials.multi_velocity || part_->run_scene().grid.levels.size() > 1))
     return false;
   for (const models::TransportedScalar& s : part_->scene().models.scalars)
     if (s.grows()) return false;
-  return !part_->options().gravity_on && !part_->options().implicit && !part_->has_sources() &&
-         control_volumes(part_->run_scene().analysis).empty();
+  return !part_->options().forces.on && !part_->options().scheme.implicit &&
+         !part_->has_sources() && control_volumes(part_->run_scene().analysis).empty();
 }
 
 }  // namespace sluice::ice

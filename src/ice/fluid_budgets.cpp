@@ -11,7 +11,7 @@ void FluidBudgets::add_totals(const Warehouse& state, const LevelCoverage& cover
 
 StepBalance FluidBudgets::balance(const std::vector<double>& sums, const StepStart* start,
                                   double dt) const {
-  return ice::balance(part_->options(), part_->sums().of(sums), start, dt);
+  return ice::balance(part_->options(), sums, start, dt);
 }
 
 std::vector<std::string> FluidBudgets::tracked_names() const {
@@ -19,7 +19,7 @@ std::vector<std::string> FluidBudgets::tracked_names() const {
 }
 
 std::vector<double> FluidBudgets::tracked_totals(const std::vector<double>& sums) const {
-  return ice::tracked_totals(part_->options(), part_->sums().of(sums));
+  return ice::tracked_totals(part_->options(), sums);
 }
 
 }  // namespace sluice::ice

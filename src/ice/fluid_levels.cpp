@@ -17,20 +17,20 @@ std::unique_ptr<TransferOperators> make_flow_transfer(const Scene& scene, const 
   const bool matches = matches_fluxes(scene, ice);
   std::unique_ptr<TransferOperators> flow;
   std::vector<std::size_t> by_volume;  // views of scalars
-  const std::size_t materials = o.fluids.size();
+  const std::size_t materials = o.materials.fluids.size();
   std::size_t views = 0;  // of the flow: the components of its slots, which scalars follow
   const std::size_t beside =
-      ice.models.scalars.size() + (o.implicit ? 1 : 0) + (ice.solids > 0 ? 1 : 0);
+      ice.models.scalars.size() + (o.scheme.implicit ? 1 : 0) + (ice.solids > 0 ? 1 : 0);
   for (std::size_t s = 0; s + beside < slots.size(); ++s) views += slots[s].components;
   for (std::size_t s = 0; s < ice.models.scalars.size(); ++s)
     if (ice.models.scalars[s].by_volume) by_volume.push_back(views + s);
   if (materials == 1)
-    flow = std::make_unique<IceTransfer>(o.components, o.internal_energy_form, matches, o.fluid,
-                                         by_volume);
+    flow = std::make_unique<IceTransfer>(o.grid.components, o.scheme.internal_energy_form, matches,
+                                         o.materials.fluid, by_volume);
   else
     flow = std::make_unique<MixtureTransfer>(
-        o.fluids, o.components, matches, o.multi_velocity,
-        by_volume.empty() ? MixedGasView{} : MixedGasView{o.mixed, by_volume.front()});
+        o.materials.fluids, o.grid.components, matches, o.materials.multi_velocity,
+        by_volume.empty() ? MixedGasView{} : MixedGasView{o.materials.mixed, by_volume.front()});
   if (ice.models.scalars.empty()) return flow;
   std::vector<std::size_t> mass;
   for (const models::TransportedScalar& s : ice.models.scalars) mass.push_back(s.material);
@@ -42,7 +42,7 @@ std::unique_ptr<TransferOperators> make_transfer(const Scene& scene, const IceSc
                                                  const SchemeOptions& o,
                                                  const std::vector<SlotInfo>& slots) {
   auto flow = make_flow_transfer(scene, ice, o, slots);
-  if (o.implicit) flow = std::make_unique<OffsetTransfer>(std::move(flow));
+  if (o.scheme.implicit) flow = std::make_unique<OffsetTransfer>(std::move(flow));
   if (ice.solids > 0) flow = std::make_unique<OffsetTransfer>(std::move(flow));  // theta
   return flow;
 }
@@ -60,7 +60,9 @@ IntVec3 FluidLevels::interface_depth(const Level& level) const {
   const bool follow =
       r.adaptive && !r.once &&
       !(part_->scene().criteria.empty() && r.errors.empty() && r.interfaces.empty());
-  if (part_->options().internal_energy_form || !part_->options().second_order || follow) return {};
+  if (part_->options().scheme.internal_energy_form || !part_->options().scheme.second_order ||
+      follow)
+    return {};
   return leaving_depth(level);
 }
 

@@ -20,12 +20,14 @@ std::vector<SlotInfo> FluidState::slots() const {
   const int aside = waves + std::max(waves - 1, 0) + (part_->scene().conditions.slip ? 1 : 0);
   // Their friction follows what the dynamic model has filtered.
   const bool filtered = part_->scene().turbulence && part_->scene().turbulence->dynamic;
-  const int around = part_->options().multi_velocity ? (filtered ? 3 : 2) : filtered ? 2 : 0;
+  const int around = part_->options().materials.multi_velocity ? (filtered ? 3 : 2)
+                     : filtered                                ? 2
+                                                               : 0;
   // Slopes of the semi-implicit step reach one cell further.
-  const int own = part_->options().internal_energy_form
+  const int own = part_->options().scheme.internal_energy_form
                       ? internal_energy_form::ghost_layers(part_->options())
-                  : part_->options().implicit ? 4
-                                              : 3;
+                  : part_->options().scheme.implicit ? 4
+                                                     : 3;
   // What cells without fluid close to is known of their neighbours' neighbours, and of several
   // fluids what they pass on is what the neighbours give.
   const int closing = part_->scene().solids == 0 ? 0 : part_->material_count() == 1 ? 1 : 2;
@@ -37,16 +39,16 @@ std::vector<SlotInfo> FluidState::slots() const {
   };
   of_each(labels().mass);
   slots.push_back(
-      {labels().momentum, part_->options().place(0), part_->options().components, ghosts});
+      {labels().momentum, part_->options().place(0), part_->options().grid.components, ghosts});
   of_each(labels().energy);
   if (part_->material_count() > 1) of_each(labels().volume);
-  if (part_->options().multi_velocity)
+  if (part_->options().materials.multi_velocity)
     for (int m = 0; m < part_->material_count(); ++m)
       slots.push_back(
-          {labels().slip, part_->options().place(m), part_->options().components, ghosts});
+          {labels().slip, part_->options().place(m), part_->options().grid.components, ghosts});
   for (const models::TransportedScalar& s : part_->scene().models.scalars)
     slots.push_back({s.state(), part_->options().place(s.material), 1, ghosts});
-  if (part_->options().implicit)
+  if (part_->options().scheme.implicit)
     slots.push_back({labels().pressure_offset, part_->options().place(0), 1, ghosts});
   if (part_->scene().solids > 0)
     slots.push_back({labels().solid_fraction, part_->options().place(0), 1, ghosts});
@@ -55,8 +57,8 @@ std::vector<SlotInfo> FluidState::slots() const {
 
 std::vector<std::vector<Label>> FluidState::checkpoint_labels() const {
   std::vector<Label> momentum, slip;
-  for (int c = 0; c < part_->options().components; ++c) {
-    const int d = part_->options().direction[c];
+  for (int c = 0; c < part_->options().grid.components; ++c) {
+    const int d = part_->options().grid.direction[c];
     momentum.push_back(labels().momentum_component[d]);
     slip.push_back(labels().slip_component[d]);
   }
@@ -75,7 +77,7 @@ void FluidState::initialise(Warehouse& state) const {
     for (int box = 0; box < static_cast<int>(state.local_boxes().size()); ++box)
       fill(state.view(fraction, 0, box), state.view(fraction, 0, box).box, 0.0);
   }
-  if (!part_->options().implicit) return;
+  if (!part_->options().scheme.implicit) return;
   solve::start_library(part_->scene().implicit->linear);  // here, and not in the first step
   // The work pressure begins as that of the state.
   const int offset = state.find(labels().pressure_offset, part_->options().place(0));
@@ -100,13 +102,13 @@ void FluidState::add_boundary_sums(const Warehouse& state, std::span<ExactSum> s
 
 std::vector<SlotInfo> FluidState::work_slots() const {
   std::vector<SlotInfo> slots = part_->wall_slots();
-  if (!part_->options().implicit) return slots;
+  if (!part_->options().scheme.implicit) return slots;
   slots.insert(slots.end(), {{labels().pressure_increment, part_->options().place(0), 1, 0},
                              {labels().pressure_correction, part_->options().place(0), 1, 0}});
   if (part_->run_scene().grid.levels.size() == 1) return slots;
   slots.push_back({labels().interface_pressure, part_->options().place(0), 1, 0});
-  for (int a = 0; a < part_->options().axes.count; ++a) {
-    const int d = part_->options().axes.direction[a];
+  for (int a = 0; a < part_->options().grid.axes.count; ++a) {
+    const int d = part_->options().grid.axes.direction[a];
     for (const Label label : {labels().finer_face_velocity[d], labels().finer_face_pressure[d]})
       slots.push_back({label, part_->options().place(0), 1, 0});
   }

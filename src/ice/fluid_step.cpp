@@ -9,63 +9,46 @@
 #include "ice/fluid/labels.hpp"
 #include "ice/pressure/finer_faces.hpp"
 #include "ice/pressure/pressure_solve.hpp"
-#include "ice/step/laws_of_cells.hpp"
+#include "ice/step/scheme_options.hpp"
 #include "ice/step_tables.hpp"
 
 namespace sluice::ice {
 
 SchemeOptions FluidStep::options_of(const StepVariant& variant) const {
+  const int levels = static_cast<int>(part_->run_scene().grid.levels.size());
   SchemeOptions o = part_->at_level(variant.level);
-  o.masked = variant.masked;
-  o.coverage = variant.coverage;
-  o.meets_coarser = o.implicit && variant.level > 0;
-  o.meets_finer =
-      o.implicit && variant.level + 1 < static_cast<int>(part_->run_scene().grid.levels.size());
-  o.recorder = levels_->transfer().flux_quantities() > 0 ? variant.recorder : nullptr;
-  o.shocks_leave = o.recorder != nullptr && levels_->interface_depth(*o.level) != IntVec3{};
-  o.volumes = variant.volumes;
-  if (o.internal_energy_form) return o;
-  o.solids = part_->scene().solids > 0;
-  o.has_cut_cells = blocks_->has_cut_cells(variant.kind);
-  if (o.has_cut_cells && o.fluids.size() == 1) {
-    o.material = 0;
-    return o;
-  }
-  if (o.has_cut_cells || variant.kind == static_cast<int>(o.fluids.size())) {
-    o.mixture = true;
-    o.viscosity_varies = o.viscous;
-    return o;
-  }
-  o.material = variant.kind;
-  const std::size_t m = o.material;
-  o.fluid = o.fluids[m];
-  if (!is_mixed(o, m)) {
-    o.mixed = nullptr;
-    o.density_bound = DensityBound::sharp;
-    o.conductivity_varies = part_->scene().turbulence.has_value();
-  }
-  if (o.fluids.size() > 1) {
-    o.transport = o.transports[m];
-    o.viscosity = o.viscosities[m];
-    o.viscous = part_->scene().materials[m].viscous();
-    o.viscosity_varies = o.transport.molecular_varies() || part_->scene().turbulence;
-    o.conductivity = o.conductivities[m];
-    o.conducting = o.conductivity > 0 || part_->scene().turbulence;
-  }
+  o.scheme.masked = variant.masked;
+  o.accounts.coverage = variant.coverage;
+  o.grid.meets_coarser = o.scheme.implicit && variant.level > 0;
+  o.grid.meets_finer = o.scheme.implicit && variant.level + 1 < levels;
+  o.accounts.recorder = levels_->transfer().flux_quantities() > 0 ? variant.recorder : nullptr;
+  o.grid.shocks_leave =
+      o.accounts.recorder != nullptr && levels_->interface_depth(*o.grid.level) != IntVec3{};
+  o.accounts.volumes = variant.volumes;
+  if (o.scheme.internal_energy_form) return o;
+  o.grid.solids = part_->scene().solids > 0;
+  o.grid.has_cut_cells = blocks_->has_cut_cells(variant.kind);
+  const int materials = part_->material_count();
+  if (o.grid.has_cut_cells && materials == 1) return o;
+  if (o.grid.has_cut_cells || variant.kind == materials)
+    select_mixture(o);
+  else
+    select_material(o, part_->scene(), variant.kind);
   return o;
 }
 
 void FluidStep::declare(TaskList& list, const StepVariant& variant) const {
   const SchemeOptions o = options_of(variant);
-  list.enter(o.places);
-  if (o.internal_energy_form) return declare_step_of_internal_energy(list, o, part_->effects());
-  if (o.has_cut_cells) return declare_step_of_cut_cells(list, o, part_->effects());
+  list.enter(o.accounts.places);
+  if (o.scheme.internal_energy_form)
+    return declare_step_of_internal_energy(list, o, part_->effects());
+  if (o.grid.has_cut_cells) return declare_step_of_cut_cells(list, o, part_->effects());
   declare_step_of_full_cells(list, o, part_->effects());
 }
 
 // Semi-implicit: d by passes over a system that is made once, then the step with what came out.
 void FluidStep::shape(StepShape& shape) const {
-  if (!part_->options().implicit) return;
+  if (!part_->options().scheme.implicit) return;
   declare_passes(shape, nullptr);
   shape.commit();
 }
@@ -77,8 +60,8 @@ void FluidStep::declare_passes(StepShape& shape,
       *part_->scene().implicit, part_->maxima().first(), part_->solve_history());
   std::vector<Label> system{l.matrix_cell, l.right_side}, stored{l.volume_error};
   const bool several = part_->run_scene().grid.levels.size() > 1;
-  for (int a = 0; a < part_->options().axes.count; ++a) {
-    const int d = part_->options().axes.direction[a];
+  for (int a = 0; a < part_->options().grid.axes.count; ++a) {
+    const int d = part_->options().grid.axes.direction[a];
     system.push_back(l.matrix_face[d]);
     if (!several) continue;
     for (auto* labels_of_sweep : {&system, &stored}) {
@@ -110,7 +93,7 @@ void FluidStep::declare_passes(StepShape& shape,
 
 void FluidStep::measure_rates(const Warehouse& state, Reductions& rates) const {
   const SchemeOptions o = part_->at_level(state.level().index);
-  ice::measure_rates(state, o, {rates, o.places.reduction_offsets()});
+  ice::measure_rates(state, o, {rates, o.accounts.places.reduction_offsets()});
 }
 
 StepLimit FluidStep::limit(const std::vector<double>& maxima) const {

@@ -24,7 +24,7 @@ class FluidStep : public StepFacet {
   const ReductionLayout& reductions() const override { return part_->reductions(); }
   void measure_rates(const Warehouse& state, Reductions& rates) const override;
   StepLimit limit(const std::vector<double>& maxima) const override;
-  double courant_number() const override { return part_->options().cfl; }
+  double courant_number() const override { return part_->options().scheme.cfl; }
   bool diffusive() const override;
   Label mask_label() const override;
   std::string describe_fault(int kind) const override;

@@ -27,7 +27,8 @@ Totals MpmIceOutputs::fluid_totals(const Totals& all) const {
   if (both_->has_budget()) own.amounts.resize(own.amounts.size() - 2);
   own.tracked_totals.resize(
       std::min(own.tracked_totals.size(), both_->fluid().budgets().tracked_names().size()));
-  const auto scalars = static_cast<std::ptrdiff_t>(both_->fluid().part().options().scalars.size());
+  const auto scalars =
+      static_cast<std::ptrdiff_t>(both_->fluid().part().options().materials.scalars.size());
   if (static_cast<std::ptrdiff_t>(own.amounts.size()) > scalars)
     own.amounts.erase(own.amounts.begin(), own.amounts.end() - scalars);
   return own;

@@ -71,7 +71,7 @@ void MpmIceStep::shape(StepShape& shape) const {
   stages.both(shape, "surfaces of solids, pressure on them", &CouplingOnLevels::find_surfaces);
   const auto& kinds = scene.materials;
   const bool rigid = std::all_of(kinds.begin(), kinds.end(), [](const auto& m) { return m.rigid; });
-  const bool implicit = fluid.part().options().implicit;
+  const bool implicit = fluid.part().options().scheme.implicit;
   // What the solids book in a pass, the next one books anew.
   const auto before = std::make_shared<std::vector<double>>();
   if (implicit)

@@ -98,8 +98,8 @@ ROOMS = {
          "budgets": "exact sums, totals, rates, limits of the time step"},
         {"outputs": "labels that users save, and criteria of refinement; `quantity_list` holds "
                     "cell variables that are functions of a state alone"},
-        {".": "`step_tables`: the tasks of each sweep; `fluid_part`: the fluid as a part of a "
-              "component; `ice`: the component; `effects`"},
+        {".": "`step_tables`: the tasks of each sweep, from `step_parts` and `cut_cell_inputs`; "
+              "`fluid_part`: the fluid as a part of a component; `ice`: the component; `effects`"},
     ],
     "mpm": [
         {"material": "constitutive models over batches of particles, damage, erosion, the driver "

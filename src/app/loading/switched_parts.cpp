@@ -30,7 +30,7 @@ void check_follows(const Scene& scene_before, const Component& before, const Sub
                    std::vector<Fault>& faults) {
   const std::string follows =
       fmt::format("this component follows that of {}: ", part_before.deck.file);
-  if (const std::string differs = differing_kinds(*before.particles(), *after.particles());
+  if (const std::string differs = succession_obstacle(*before.particles(), *after.particles());
       !differs.empty()) {
     add_error(faults, place_of(part), follows + differs,
               "the decks of a switcher have the same materials in the same order");

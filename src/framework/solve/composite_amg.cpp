@@ -39,8 +39,8 @@ CompositeAmg::CompositeAmg(const CompositeSystem& system) {
   choose_amg_methods(cycle_.get());
   HYPRE_BoomerAMGSetTol(cycle_.get(), 0.0);
   HYPRE_BoomerAMGSetMaxIter(cycle_.get(), 1);
-  HYPRE_BoomerAMGSetup(cycle_.get(), rows_of(matrix_.get()), vector_of(b_.get()),
-                       vector_of(x_.get()));
+  HYPRE_BoomerAMGSetup(cycle_.get(), parcsr_matrix(matrix_.get()), par_vector(b_.get()),
+                       par_vector(x_.get()));
   if (const std::string failure = take_hypre_failure(); !failure.empty())
     throw PhysicsError("hypre: set-up of amg failed: " + failure);
 }
@@ -142,8 +142,8 @@ void CompositeAmg::apply(const CompositeVector& r, CompositeVector& z) {
   put(b_);
   std::fill(values_.begin(), values_.end(), 0.0);
   put(x_);
-  HYPRE_BoomerAMGSolve(cycle_.get(), rows_of(matrix_.get()), vector_of(b_.get()),
-                       vector_of(x_.get()));
+  HYPRE_BoomerAMGSolve(cycle_.get(), parcsr_matrix(matrix_.get()), par_vector(b_.get()),
+                       par_vector(x_.get()));
   HYPRE_ClearAllErrors();  // one cycle does not converge
   check_hypre(HYPRE_IJVectorGetValues(x_.get(), static_cast<HYPRE_Int>(numbers_.size()),
                                       numbers_.data(), values_.data()),

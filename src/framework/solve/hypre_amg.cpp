@@ -27,13 +27,13 @@ constexpr int hmis = 10, extended = 6, max_terms = 4, l1_gauss_seidel = 8;
 
 }  // namespace
 
-HYPRE_ParCSRMatrix rows_of(HYPRE_IJMatrix from) {
+HYPRE_ParCSRMatrix parcsr_matrix(HYPRE_IJMatrix from) {
   void* object = nullptr;
   check_hypre(HYPRE_IJMatrixGetObject(from, &object), "IJMatrixGetObject");
   return static_cast<HYPRE_ParCSRMatrix>(object);
 }
 
-HYPRE_ParVector vector_of(HYPRE_IJVector from) {
+HYPRE_ParVector par_vector(HYPRE_IJVector from) {
   void* object = nullptr;
   check_hypre(HYPRE_IJVectorGetObject(from, &object), "IJVectorGetObject");
   return static_cast<HYPRE_ParVector>(object);
@@ -85,7 +85,7 @@ HYPRE_Int HypreAmgSolver::precondition(HYPRE_Solver self, HYPRE_ParCSRMatrix mat
   auto& solver = *reinterpret_cast<HypreAmgSolver*>(self);
   const HYPRE_Int code = HYPRE_BoomerAMGSolve(solver.cycle_.get(), matrix, b, x);
   if (!solver.singular_) return code;
-  HYPRE_ParVector ones = vector_of(solver.ones_.get());
+  HYPRE_ParVector ones = par_vector(solver.ones_.get());
   const mv_InterfaceInterpreter& of_vectors = vector_functions();
   const double mean = of_vectors.InnerProd(x, ones) / solver.unknowns_;
   return code | of_vectors.Axpy(-mean, ones, x);
@@ -159,8 +159,8 @@ void HypreAmgSolver::make_solvers() {
   };
   HYPRE_ParCSRPCGSetPrecond(gradients_.get(), precondition, set_up,
                             reinterpret_cast<HYPRE_Solver>(this));
-  HYPRE_ParCSRPCGSetup(gradients_.get(), rows_of(matrix_.get()), vector_of(b_.get()),
-                       vector_of(x_.get()));
+  HYPRE_ParCSRPCGSetup(gradients_.get(), parcsr_matrix(matrix_.get()), par_vector(b_.get()),
+                       par_vector(x_.get()));
   if (const std::string failure = take_hypre_failure(); !failure.empty())
     throw PhysicsError("hypre: set-up of amg failed: " + failure);
 }
@@ -182,8 +182,8 @@ LinearSolver::Attempt HypreAmgSolver::attempt(const DenseSystem& system, const D
   put(x_.get(), x);
   HYPRE_PCGSetTol(gradients_.get(), goal.residual / system.norm(b, Norm::two));
   HYPRE_PCGSetMaxIter(gradients_.get(), goal.max_iterations);
-  HYPRE_ParCSRPCGSolve(gradients_.get(), rows_of(matrix_.get()), vector_of(b_.get()),
-                       vector_of(x_.get()));
+  HYPRE_ParCSRPCGSolve(gradients_.get(), parcsr_matrix(matrix_.get()), par_vector(b_.get()),
+                       par_vector(x_.get()));
   Attempt result;
   result.failure = take_hypre_failure();
   HYPRE_PCGGetNumIterations(gradients_.get(), &result.iterations);

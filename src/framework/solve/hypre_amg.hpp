@@ -14,8 +14,8 @@ namespace sluice::solve {
 // coarsening; all else is hypre's default.
 void choose_amg_methods(HYPRE_Solver amg);
 // Assembled objects as the solvers take them.
-HYPRE_ParCSRMatrix rows_of(HYPRE_IJMatrix from);
-HYPRE_ParVector vector_of(HYPRE_IJVector from);
+HYPRE_ParCSRMatrix parcsr_matrix(HYPRE_IJMatrix from);
+HYPRE_ParVector par_vector(HYPRE_IJVector from);
 
 class HypreAmgSolver : public LinearSolver {
  public:

@@ -111,7 +111,7 @@ BlockSweep::Sharing BlockSweep::sharing_of(const PlannedTask& planned) const {
     return Sharing::none;
   for (const VariableId v : task.writes)
     if ((*list_)[v].storage != Storage::temporary) return Sharing::none;
-  if (task.by_box) return Sharing::parts;
+  if (task.needs_box) return Sharing::parts;
   for (const Access& a : task.reads)
     if ((*list_)[a.variable].storage != Storage::temporary) return Sharing::states;
   return Sharing::plane;
@@ -198,7 +198,7 @@ void BlockSweep::run_plane(std::size_t task, const Window& window, int plane, Ro
 // The arrays of one piece for a task.
 void BlockSweep::choose(std::size_t task, std::size_t piece, Row& row) {
   BoundTask& t = tasks_[task];
-  if (t.chosen == stack_.size() || arrays_of_[t.chosen] != arrays_of_[piece])
+  if (t.chosen == stack_.size() || array_set_of_piece_[t.chosen] != array_set_of_piece_[piece])
     for (const auto& [access, number] : t.states)
       t.rows.bind(access, arrays_[number + piece * state_variables_.size()]);
   t.chosen = piece;
@@ -226,7 +226,7 @@ void BlockSweep::run_task(std::size_t task, int plane, Row& row) {
   } else if (sharing == Sharing::plane ||
              // In three dimensions the corners of the hull belong to no piece.
              (sharing == Sharing::states && plan_->axes.count == 2 &&
-              arrays_of_[first] == arrays_of_[last - 1])) {
+              array_set_of_piece_[first] == array_set_of_piece_[last - 1])) {
     choose(task, first, row);
     Window hull = window(task, first);
     for (std::size_t n = first + 1; n < last; ++n) hull = bounding(hull, window(task, n));
@@ -307,11 +307,12 @@ void BlockSweep::run(const StepConstants& step, std::span<const SweepPiece> stac
     arrays_.resize(plan_->buffers.size() + states);
     state_steps_.resize(states * BoundArray::count_of_steps(1));
   }
-  arrays_of_.resize(stack.size());
+  array_set_of_piece_.resize(stack.size());
   IndexBox hull = stack.front().cells;
   for (std::size_t n = 0; n < stack.size(); ++n) {
     bind_states(n, stack[n].box);
-    arrays_of_[n] = n == 0 ? 0 : arrays_of_[n - 1] + !has_arrays_of_the_one_before(n);
+    array_set_of_piece_[n] =
+        n == 0 ? 0 : array_set_of_piece_[n - 1] + !has_arrays_of_the_one_before(n);
     hull = sluice::bounding(hull, stack[n].cells);
   }
   bind_scratch(hull);

@@ -125,9 +125,9 @@ class BlockSweep {
   std::vector<BoundTask> tasks_;              // as planned
   // Of the stack at hand.
   std::span<const SweepPiece> stack_;
-  std::vector<Steps> state_steps_;  // by piece and state variable, two of each
-  std::vector<int> arrays_of_;      // by piece: those of one number have the same arrays
-  std::vector<Window> windows_;     // by planned task and piece
+  std::vector<Steps> state_steps_;       // by piece and state variable, two of each
+  std::vector<int> array_set_of_piece_;  // by piece: those of one number have the same arrays
+  std::vector<Window> windows_;          // by planned task and piece
 };
 
 }  // namespace sluice

@@ -232,7 +232,7 @@ TEST(BlockSweep, AStackOfUnequalBoxesComputesTheWidestRows) {
 TEST(BlockSweep, RowsOfATaskThatAsksForTheBoxStayInIt) {
   Level level = level_of({24, 12, 1});
   level.boxes = {{{{8, 0, 0}, {16, 6, 1}}, 0, 0}, {{{4, 6, 0}, {20, 12, 1}}, 0, 1}};
-  const auto cells_of_rows = [&](bool by_box) {
+  const auto cells_of_rows = [&](bool needs_box) {
     TaskList list;
     const VariableId old = list.old_state(test_label(1), 0, 1),
                      now = list.new_state(test_label(1), 0, 1);
@@ -245,7 +245,7 @@ TEST(BlockSweep, RowsOfATaskThatAsksForTheBoxStayInIt) {
     TaskBuilder slopes = list.task("slopes", 0);
     slopes.read(value);
     slopes.write(slope);
-    if (by_box) slopes.by_box();
+    if (needs_box) slopes.needs_box();
     slopes.kernel([&](const Row& row) {
       const IndexBox box = level.boxes[row.box()].cells.grown({1, 1, 0});
       for (int i = 0; i < row.count(); ++i) {

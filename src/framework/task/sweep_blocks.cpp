@@ -24,8 +24,8 @@ IntVec3 default_block(const Level& level) {
   return b;
 }
 
-IntVec3 even_blocks(IntVec3 extents, const Level& level, const std::vector<GridBox>& boxes,
-                    int threads) {
+IntVec3 balanced_block_extents(IntVec3 extents, const Level& level,
+                               const std::vector<GridBox>& boxes, int threads) {
   constexpr int fewest_cells = 8;  // a thinner block recomputes more ghosts than cells
   if (threads == 1 || boxes.empty()) return extents;
   int axes[3] = {0, 0, 0}, count = 0;

@@ -20,8 +20,8 @@ std::vector<Block> place_blocks(const std::vector<GridBox>& boxes, IntVec3 exten
 IntVec3 default_block(const Level& level);
 // Cut once more along the second active direction (the only one in 1-D), so that every thread gets
 // as many blocks.
-IntVec3 even_blocks(IntVec3 extents, const Level& level, const std::vector<GridBox>& boxes,
-                    int threads);
+IntVec3 balanced_block_extents(IntVec3 extents, const Level& level,
+                               const std::vector<GridBox>& boxes, int threads);
 
 // Blocks that follow each other along the last active direction (of two or three) and share cells
 // across, in order, by number: each block is in one stack. A stack holds `most_cells` or less (a

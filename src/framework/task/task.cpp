@@ -73,8 +73,8 @@ TaskBuilder& TaskBuilder::always() {
   return *this;
 }
 
-TaskBuilder& TaskBuilder::by_box() {
-  list_->tasks_[task_].by_box = true;
+TaskBuilder& TaskBuilder::needs_box() {
+  list_->tasks_[task_].needs_box = true;
   return *this;
 }
 

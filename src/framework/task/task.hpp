@@ -70,9 +70,9 @@ struct Task {
   std::vector<Access> reads;
   std::vector<VariableId> writes;
   RowKernel kernel;
-  BlockPart part;       // of tasks that write nothing; none: whole blocks
-  bool always = false;  // wanted for its reductions even when nobody reads what it writes
-  bool by_box = false;  // asks row.box() about its cells: they must be the box's or its ghosts
+  BlockPart part;          // of tasks that write nothing; none: whole blocks
+  bool always = false;     // wanted for its reductions even when nobody reads what it writes
+  bool needs_box = false;  // asks row.box() about its cells: they must be the box's or its ghosts
 };
 
 class TaskList;
@@ -84,7 +84,7 @@ class TaskBuilder {
   Out write(VariableId v);
   TaskBuilder& kernel(RowKernel k);
   TaskBuilder& always();
-  TaskBuilder& by_box();
+  TaskBuilder& needs_box();
   TaskBuilder& only_in(BlockPart part);
 
  private:

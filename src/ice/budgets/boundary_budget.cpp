@@ -24,12 +24,12 @@ void account_faces(const Row& row, const FaceFluxHandles& h, const SchemeOptions
   const PartReductions sums = row.reductions();
   for (int i = first; i < end; ++i) {
     const FaceFlux flux = fluxes(i);
-    for (int m = 0; m < static_cast<int>(o.fluids.size()); ++m) {
+    for (int m = 0; m < static_cast<int>(o.materials.fluids.size()); ++m) {
       const double mass = material_flux(row, h, o, s.axis, s.shift, i, m).mass;
-      sums.sum(StepSlots::mass_of(m, o.sums)).add(sign * mass * volume);
+      sums.sum(StepSlots::mass_of(m, o.accounts.sums)).add(sign * mass * volume);
     }
-    for (int c = 0; c < o.components; ++c) {
-      const int direction = o.direction[c];
+    for (int c = 0; c < o.grid.components; ++c) {
+      const int direction = o.grid.direction[c];
       sums.sum(StepSlots::momentum + direction).add(sign * flux.momentum[c] * volume);
       sums.sum(StepSlots::pressure_impulse + direction).add(sign * flux.impulse[c] * volume);
     }
@@ -47,8 +47,8 @@ IndexBox cells_at_sides(const IndexBox& domain, int d, const IndexBox& block) {
 
 // The faces of this row that lie on one side of the domain.
 void account_side(const Row& row, const FaceFluxHandles& h, const SchemeOptions& o, const Side& s) {
-  const int d = o.axes.direction[s.axis];
-  const int wanted = s.plus ? o.domain.upper[d] - 1 : o.domain.lower[d];
+  const int d = o.grid.axes.direction[s.axis];
+  const int wanted = s.plus ? o.grid.domain.upper[d] - 1 : o.grid.domain.lower[d];
   const auto budget = [&](int first, int end) { account_faces(row, h, o, s, first, end); };
   const int cell = wanted - row.cell()[d];
   if (s.axis == 0 && cell >= 0 && cell < row.count())
@@ -59,15 +59,15 @@ void account_side(const Row& row, const FaceFluxHandles& h, const SchemeOptions&
 
 }  // namespace
 
-void add_boundary_budget(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+void add_boundary_budget(TaskList& list, const FaceFluxInput& v, const SchemeOptions& o,
                          int effect) {
   static const char* names[] = {"boundary account 0", "boundary account 1", "boundary account 2"};
-  for (int axis = 0; axis < o.axes.count; ++axis) {
-    if (o.periodic[o.axes.direction[axis]]) continue;
+  for (int axis = 0; axis < o.grid.axes.count; ++axis) {
+    if (o.grid.periodic[o.grid.axes.direction[axis]]) continue;
     TaskBuilder task = list.task(names[axis], effect);
     const FaceFluxHandles h = read_face_fluxes(task, v, o, axis);
     task.always().only_in(
-        [domain = o.domain, d = o.axes.direction[axis]](int, const IndexBox& block) {
+        [domain = o.grid.domain, d = o.grid.axes.direction[axis]](int, const IndexBox& block) {
           return cells_at_sides(domain, d, block);
         });
     task.kernel([=](const Row& row) {

@@ -11,6 +11,32 @@
 
 namespace sluice::ice {
 
+struct FaceFluxInput {
+  std::array<VariableId, 3> flux, face_velocity, face_pressure, stress, heat_flux;
+  VariableId velocity, front_viscosity;
+  std::array<VariableId, 3> material_flux, material_velocity;  // of a mixture
+  VariableId pure;                                             // likewise
+  std::array<VariableId, 3> covered;                           // by solids
+  VariableId shear, shear_marks, rho;                          // along strong shocks
+
+  static FaceFluxInput of(const SchemeVariables& v) {
+    return {.flux = v.flux,
+            .face_velocity = v.face_velocity,
+            .face_pressure = v.face_pressure,
+            .stress = v.stress,
+            .heat_flux = v.heat_flux,
+            .velocity = v.velocity,
+            .front_viscosity = v.front_viscosity,
+            .material_flux = v.material_flux,
+            .material_velocity = v.material_velocity,
+            .pure = v.pure,
+            .covered = v.walls.covered,
+            .shear = v.shear,
+            .shear_marks = v.shear_marks,
+            .rho = v.rho};
+  }
+};
+
 struct FaceFluxHandles {
   In flux, face_velocity, face_pressure, stress, velocity, viscosity, heat_flux;
   In materials, pure;      // of a mixture
@@ -20,29 +46,30 @@ struct FaceFluxHandles {
 };
 
 // Low and high faces of the cells of a row.
-inline FaceFluxHandles read_face_fluxes(TaskBuilder& task, const SchemeVariables& v,
+inline FaceFluxHandles read_face_fluxes(TaskBuilder& task, const FaceFluxInput& v,
                                         const SchemeOptions& o, int axis) {
-  const int direction = o.axes.direction[axis];
+  const int direction = o.grid.axes.direction[axis];
   const Stencil both = Stencil::along(direction, 0, 1);
   FaceFluxHandles h;
   h.flux = task.read(v.flux[axis], both);
   h.face_velocity = task.read(v.face_velocity[axis], both);
   h.face_pressure = task.read(v.face_pressure[axis], both);
-  if (o.has_cut_cells) h.covered = task.read(v.walls.covered[axis], both);
-  if (o.mixture) {
+  if (o.grid.has_cut_cells) h.covered = task.read(v.covered[axis], both);
+  if (o.materials.mixture) {
     h.materials = task.read(v.material_flux[axis], both);
     h.pure = task.read(v.pure, Stencil::along(direction, 1, 1));
-    if (o.multi_velocity) h.material_velocities = task.read(v.material_velocity[axis], both);
+    if (o.materials.multi_velocity)
+      h.material_velocities = task.read(v.material_velocity[axis], both);
   }
-  if (o.conducting) h.heat_flux = task.read(v.heat_flux[axis], both);
-  if (o.shears_shocks) {
+  if (o.transport.conducting) h.heat_flux = task.read(v.heat_flux[axis], both);
+  if (o.scheme.shears_shocks) {
     h.shear = task.read(v.shear, both);
     h.sheared = task.read(v.shear_marks, both);
     h.rho = task.read(v.rho, Stencil::along(direction, 1, 1));
   }
-  if (o.shears_shocks || o.viscous)
+  if (o.scheme.shears_shocks || o.transport.viscous)
     h.velocity = task.read(v.velocity, Stencil::along(direction, 1, 1));
-  if (!o.viscous) return h;
+  if (!o.transport.viscous) return h;
   h.stress = task.read(v.stress[axis], both);
   if (o.friction_tilts())
     h.viscosity = task.read(v.front_viscosity, Stencil::along(direction, 1, 1));
@@ -69,7 +96,7 @@ struct FaceFlux {
 // The material that both cells of a face and all around them hold alone; -1: there are several.
 inline int alone_at_face(const Row& row, const FaceFluxHandles& h, const SchemeOptions& o, int axis,
                          int shift, int i) {
-  if (!o.mixture) return o.material;
+  if (!o.materials.mixture) return o.materials.index;
   const double below = row(h.pure, 0, axis, shift - 1)[i], above = row(h.pure, 0, axis, shift)[i];
   return below == above && below >= 0.0 ? static_cast<int>(above) : -1;
 }
@@ -82,9 +109,9 @@ struct CarriedApart {
 inline CarriedApart carried_apart(const Row& row, const FaceFluxHandles& h, const SchemeOptions& o,
                                   int axis, int shift, int i, int c) {
   CarriedApart sum;
-  for (int m = 0; m < static_cast<int>(o.fluids.size()); ++m) {
+  for (int m = 0; m < static_cast<int>(o.materials.fluids.size()); ++m) {
     const double F = row(h.materials, 3 * m + 1, axis, shift)[i];
-    const double U = row(h.material_velocities, m * o.components + c, axis, shift)[i];
+    const double U = row(h.material_velocities, m * o.grid.components + c, axis, shift)[i];
     sum.momentum += F * U;
     sum.square += F * U * U;
   }
@@ -102,23 +129,23 @@ class FaceFluxRows {
         o_(&o),
         axis_(axis),
         shift_(shift),
-        l_(row.step().dt / row.step().spacing[o.axes.direction[axis]]) {
+        l_(row.step().dt / row.step().spacing[o.grid.axes.direction[axis]]) {
     const auto faces = [&](In in, int c = 0) { return row(in, c, axis, shift); };
     mass_ = faces(h.flux, 0);
     energy_ = faces(h.flux, 1);
     velocity_ = faces(h.face_velocity);
     pressure_ = faces(h.face_pressure);
-    if (o.conducting) heat_ = faces(h.heat_flux);
-    if (o.has_cut_cells) covered_ = faces(h.covered);
-    if (o.shears_shocks) {
+    if (o.transport.conducting) heat_ = faces(h.heat_flux);
+    if (o.grid.has_cut_cells) covered_ = faces(h.covered);
+    if (o.scheme.shears_shocks) {
       shear_ = faces(h.shear, axis);
       sheared_ = faces(h.sheared);
       rho_[0] = row(h.rho, 0, axis, shift - 1);
       rho_[1] = faces(h.rho);
     }
-    for (int c = 0; c < o.components; ++c) {
+    for (int c = 0; c < o.grid.components; ++c) {
       carried_[c] = faces(h.flux, 2 + c);
-      if (o.viscous) stress_[c] = faces(h.stress, c);
+      if (o.transport.viscous) stress_[c] = faces(h.stress, c);
     }
   }
 
@@ -129,13 +156,13 @@ class FaceFluxRows {
     FaceFlux flux;
     flux.mass = F;
     double FU2 = 0, friction = 0;
-    const bool apart =
-        o.multi_velocity && o.mixture && alone_at_face(*row_, *h_, o, axis_, shift_, i) < 0;
-    for (int c = 0; c < o.components; ++c) {
+    const bool apart = o.materials.multi_velocity && o.materials.mixture &&
+                       alone_at_face(*row_, *h_, o, axis_, shift_, i) < 0;
+    for (int c = 0; c < o.grid.components; ++c) {
       // The flux holds U, or F U in the classic form.
       const double carried = carried_[c][i];
-      double FU = o.internal_energy_form ? carried : F * carried;
-      const double U = !o.internal_energy_form ? carried : F != 0.0 ? carried / F : 0.0;
+      double FU = o.scheme.internal_energy_form ? carried : F * carried;
+      const double U = !o.scheme.internal_energy_form ? carried : F != 0.0 ? carried / F : 0.0;
       if (apart) {
         const CarriedApart sum = carried_apart(*row_, *h_, o, axis_, shift_, i, c);
         FU = sum.momentum;
@@ -145,7 +172,7 @@ class FaceFluxRows {
       }
       double impulse = c == axis_ ? l_ * pf : 0.0;
       if (covered_ != nullptr) impulse *= 1.0 - covered_[i];  // the rest presses on the solid
-      if (o.viscous) {
+      if (o.transport.viscous) {
         const double t = stress_[c][i];
         impulse -= l_ * t;
         friction += l_ * t * rubbed_velocity(*row_, *h_, o, axis_, shift_, i, c);
@@ -154,7 +181,7 @@ class FaceFluxRows {
       flux.momentum[c] = FU + impulse;
     }
     flux.energy = l_ * pf * velocity_[i] + 0.5 * FU2 + energy_[i] - friction;
-    if (o.conducting) flux.energy += l_ * heat_[i];
+    if (o.transport.conducting) flux.energy += l_ * heat_[i];
     if (sheared_ != nullptr && sheared_[i] != 0.0 && shear_[i] != 0.0) add_shear(i, flux);
     return flux;
   }
@@ -163,7 +190,7 @@ class FaceFluxRows {
   void add_shear(int i, FaceFlux& flux) const {
     const double k = shear_[i] * smaller(rho_[0][i], rho_[1][i]);
     double work = 0;  // of all components first: the order of two does not show in the bits
-    for (int c = 0; c < o_->components; ++c) {
+    for (int c = 0; c < o_->grid.components; ++c) {
       if (c == axis_) continue;
       const double a = (*row_)(h_->velocity, c, axis_, shift_ - 1)[i];
       const double b = (*row_)(h_->velocity, c, axis_, shift_)[i];
@@ -200,15 +227,16 @@ inline MaterialFlux material_flux(const Row& row, const FaceFluxHandles& h, cons
   if (alone < 0) {
     const int c = 3 * material;
     flux = {face(h.materials, c), face(h.materials, c + 1), face(h.materials, c + 2), {}};
-    if (o.multi_velocity)
-      for (int n = 0; n < o.components; ++n)
-        flux.momentum[n] = flux.mass * face(h.material_velocities, material * o.components + n);
+    if (o.materials.multi_velocity)
+      for (int n = 0; n < o.grid.components; ++n)
+        flux.momentum[n] =
+            flux.mass * face(h.material_velocities, material * o.grid.components + n);
     return flux;
   }
   if (material != alone) return flux;
-  const double l = row.step().dt / row.step().spacing[o.axes.direction[axis]];
+  const double l = row.step().dt / row.step().spacing[o.grid.axes.direction[axis]];
   flux = {l * face(h.face_velocity, 0), face(h.flux, 0), face(h.flux, 1), {}};
-  for (int n = 0; n < o.components; ++n) flux.momentum[n] = flux.mass * face(h.flux, 2 + n);
+  for (int n = 0; n < o.grid.components; ++n) flux.momentum[n] = flux.mass * face(h.flux, 2 + n);
   return flux;
 }
 

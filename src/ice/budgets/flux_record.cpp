@@ -22,10 +22,10 @@ struct ScalarHandles {
 ScalarHandles read_scalars(TaskBuilder& task, const ScalarVariables& s, const SchemeOptions& o,
                            int axis) {
   ScalarHandles h;
-  h.place.assign(o.scalars.size(), -1);
-  h.carrier.assign(o.scalars.size(), 0);
+  h.place.assign(o.materials.scalars.size(), -1);
+  h.carrier.assign(o.materials.scalars.size(), 0);
   if (s.each.empty()) return h;
-  const Stencil both = Stencil::along(o.axes.direction[axis], 0, 1);
+  const Stencil both = Stencil::along(o.grid.axes.direction[axis], 0, 1);
   h.mass = task.read(s.carrier[axis], both);
   h.face = task.read(s.face[axis], both);
   if (s.diffusive) h.spread = task.read(s.spread[axis], both);
@@ -51,22 +51,23 @@ double scalar_flux(const Row& row, const ScalarHandles& h, std::size_t scalar, i
 void record_segment(const Row& row, const FaceFluxRows& rows, int next, const FaceFluxHandles& h,
                     const ScalarHandles& scalars, const SchemeOptions& o, int axis,
                     const FaceTable::Segment& s, FaceTable& table) {
-  const int start = s.first - row.cell()[o.axes.direction[0]];
+  const int start = s.first - row.cell()[o.grid.axes.direction[0]];
   const int shift = s.high ? 1 : 0;
-  const int materials = static_cast<int>(o.fluids.size());
+  const int materials = static_cast<int>(o.materials.fluids.size());
   const auto value = [&](int q, int n) -> double& { return table.values(q)[s.slot + n]; };
   for (int n = 0; n < s.count; ++n) {
     const int i = start + n;
     const FaceFlux flux = rows(i + next);
-    const int momentum = materials, energies = momentum + o.components;
-    const int apart = o.multi_velocity ? materials * o.components : 0;
+    const int momentum = materials, energies = momentum + o.grid.components;
+    const int apart = o.materials.multi_velocity ? materials * o.grid.components : 0;
     const int amounts = energies + (materials == 1 ? 1 : 2 * materials + 1 + apart);
-    for (std::size_t k = 0; k < o.scalars.size(); ++k)
+    for (std::size_t k = 0; k < o.materials.scalars.size(); ++k)
       value(amounts + static_cast<int>(k), n) = scalar_flux(row, scalars, k, axis, shift, i);
-    for (int c = 0; c < o.components; ++c) value(momentum + c, n) = flux.momentum[c];
+    for (int c = 0; c < o.grid.components; ++c) value(momentum + c, n) = flux.momentum[c];
     if (materials == 1) {
       value(0, n) = flux.mass;
-      value(energies, n) = o.internal_energy_form ? row(h.flux, 1, axis, shift)[i] : flux.energy;
+      value(energies, n) =
+          o.scheme.internal_energy_form ? row(h.flux, 1, axis, shift)[i] : flux.energy;
       continue;
     }
     for (int m = 0; m < materials; ++m) {
@@ -76,11 +77,11 @@ void record_segment(const Row& row, const FaceFluxRows& rows, int next, const Fa
       value(energies + materials + m, n) = part.volume;
     }
     value(energies + 2 * materials, n) = flux.energy;
-    if (!o.multi_velocity) continue;
+    if (!o.materials.multi_velocity) continue;
     for (int m = 0; m < materials; ++m) {
       const MaterialFlux part = material_flux(row, h, o, axis, shift, i, m);
-      for (int c = 0; c < o.components; ++c)
-        value(energies + 2 * materials + 1 + m * o.components + c, n) = part.momentum[c];
+      for (int c = 0; c < o.grid.components; ++c)
+        value(energies + 2 * materials + 1 + m * o.grid.components + c, n) = part.momentum[c];
     }
   }
 }
@@ -91,7 +92,7 @@ void record_row(const Row& row, const FaceFluxHandles& h, const ScalarHandles& s
   std::array<std::optional<FaceFluxRows>, 2> rows;  // low and high ones
   for (const FaceTable::Segment& s : table->segments(row.box(), axis, row.cell())) {
     // A row is the part of a box's row that one block holds.
-    const int low = row.cell()[o.axes.direction[0]], high = low + row.count();
+    const int low = row.cell()[o.grid.axes.direction[0]], high = low + row.count();
     FaceTable::Segment here = s;
     here.first = s.first > low ? s.first : low;
     here.count = (s.first + s.count < high ? s.first + s.count : high) - here.first;
@@ -118,20 +119,20 @@ IndexBox recorded_cells(const FluxRecorder& recorder, int box, int axis, const I
 
 }  // namespace
 
-void add_flux_record(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
-  if (o.recorder == nullptr) return;
+void add_flux_record(TaskList& list, const BudgetInput& v, const SchemeOptions& o, int effect) {
+  if (o.accounts.recorder == nullptr) return;
   static const char* names[] = {"flux record of axis 0", "flux record of axis 1",
                                 "flux record of axis 2"};
-  for (int axis = 0; axis < o.axes.count; ++axis) {
+  for (int axis = 0; axis < o.grid.axes.count; ++axis) {
     TaskBuilder task = list.task(names[axis], effect);
-    const FaceFluxHandles h = read_face_fluxes(task, v, o, axis);
+    const FaceFluxHandles h = read_face_fluxes(task, v.faces, o, axis);
     const ScalarHandles scalars = read_scalars(task, v.scalars, o, axis);
-    task.always().only_in([recorder = o.recorder, axis](int box, const IndexBox& block) {
+    task.always().only_in([recorder = o.accounts.recorder, axis](int box, const IndexBox& block) {
       return recorded_cells(*recorder, box, axis, block);
     });
     task.kernel([=](const Row& row) {
-      record_row(row, h, scalars, o, axis, o.recorder->as_coarse);
-      record_row(row, h, scalars, o, axis, o.recorder->as_fine);
+      record_row(row, h, scalars, o, axis, o.accounts.recorder->as_coarse);
+      record_row(row, h, scalars, o, axis, o.accounts.recorder->as_fine);
     });
   }
 }

@@ -18,25 +18,25 @@ struct Handles {
 void account_cells(const Row& row, const Handles& h, const SchemeOptions& o, int first, int end) {
   const double volume = cell_volume(row);
   const double* rho = row(h.rho);
-  for (int c = 0; c < o.components; ++c) {
-    const int direction = o.direction[c];
-    const double kick = row.step().dt * o.gravity[direction] * volume;
-    const double push = row.step().dt * o.force[direction] * volume;
+  for (int c = 0; c < o.grid.components; ++c) {
+    const int direction = o.grid.direction[c];
+    const double kick = row.step().dt * o.forces.gravity[direction] * volume;
+    const double push = row.step().dt * o.forces.driving[direction] * volume;
     if (kick == 0.0 && push == 0.0) continue;
     const double* m = row(h.momentum, c);
     const double* dp = row(h.impulse, c);
-    add_to_sum(row, StepSlots::gravity_impulse + direction, first, end,
+    add_to_sum(row.reductions().sum(StepSlots::gravity_impulse + direction), first, end,
                [=](int i) { return kick * rho[i] + push; });
-    add_to_sum(row, StepSlots::gravity_work, first, end,
+    add_to_sum(row.reductions().sum(StepSlots::gravity_work), first, end,
                [=](int i) { return (kick + push / rho[i]) * (m[i] - 0.5 * dp[i]); });
   }
 }
 
 }  // namespace
 
-void add_gravity_budget(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+void add_gravity_budget(TaskList& list, const ForceBudgetInput& v, const SchemeOptions& o,
                         int effect) {
-  if (!o.gravity_on || (o.coverage == nullptr && !o.force_on)) return;
+  if (!o.forces.on || (o.accounts.coverage == nullptr && !o.forces.driving_on)) return;
   TaskBuilder task = list.task("gravity account", effect);
   Handles h;
   h.rho = task.read(v.rho);

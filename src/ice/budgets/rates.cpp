@@ -26,11 +26,11 @@ class CellStates {
   CellStates(const Warehouse& state, const SchemeOptions& o, int box)
       : state_(state),
         box_(box),
-        fluids_(o.fluids),
-        laws_{o.fluids, o.mixed},
-        equilibration_(o.fluids) {
+        fluids_(o.materials.fluids),
+        laws_{o.materials.fluids, o.materials.mixed},
+        equilibration_(o.materials.fluids) {
     const std::vector<Fluid>& fluids = fluids_;
-    const bool multi_velocity = o.multi_velocity;
+    const bool multi_velocity = o.materials.multi_velocity;
     const auto view = [&](Label label, int m) {
       return state.view(state.find(label, o.place(m)), 0, box);
     };
@@ -134,22 +134,22 @@ class Diffusion {
       : o_(std::move(options)), spacing_(state.level().spacing) {
     const int mass = state.find(labels().mass, o_.place(0)),
               momentum = state.find(labels().momentum, o_.place(0));
-    for (int m = 0; m < static_cast<int>(o_.fluids.size()); ++m)
+    for (int m = 0; m < static_cast<int>(o_.materials.fluids.size()); ++m)
       mass_.push_back(state.view(state.find(labels().mass, o_.place(m)), 0, box));
-    for (int c = 0; c < o_.components; ++c) momentum_.push_back(state.view(momentum, c, box));
-    with_eddies_ = o_.transport.turbulence.has_value() && state.info(mass).ghosts > 0;
-    if (o_.spreads_species)
-      species_ = std::make_unique<kinetics::Transport>(*o_.mixed->species->gas);
+    for (int c = 0; c < o_.grid.components; ++c) momentum_.push_back(state.view(momentum, c, box));
+    with_eddies_ = o_.transport.models.turbulence.has_value() && state.info(mass).ghosts > 0;
+    if (o_.transport.spreads_species)
+      species_ = std::make_unique<kinetics::Transport>(*o_.materials.mixed->species->gas);
   }
 
   double coefficient(const CellStates& states, IntVec3 cell) const {
     if (species_ != nullptr) return states.species_totals(cell, *species_);
     const double mu = molecular(0, cell, [&] { return states.temperature(cell); });
     const double eddy = with_eddies_ ? eddy_viscosity(cell) : 0.0;
-    if (!o_.conducting) return mu;
-    const double k_over_cv = o_.conductivity / states.heat_capacity(cell);
-    if (!o_.transport.turbulence) return std::max(mu, k_over_cv);
-    const double share = states.heat_capacity_ratio(cell) / o_.transport.turbulence->prandtl;
+    if (!o_.transport.conducting) return mu;
+    const double k_over_cv = o_.transport.conductivity / states.heat_capacity(cell);
+    if (!o_.transport.models.turbulence) return std::max(mu, k_over_cv);
+    const double share = states.heat_capacity_ratio(cell) / o_.transport.models.turbulence->prandtl;
     return std::max(mu + eddy, k_over_cv + share * eddy);
   }
   // Of several materials: 2 D sum 1/dx^2.
@@ -158,16 +158,17 @@ class Diffusion {
     const double eddy = with_eddies_ ? eddy_viscosity(cell) : 0.0, rho = density(cell);
     double viscosity = eddy, conductivity[max_materials] = {};
     s.viscosity = &viscosity;
-    for (std::size_t m = 0; m < o_.fluids.size(); ++m) {
+    for (std::size_t m = 0; m < o_.materials.fluids.size(); ++m) {
       s.conductivity[m] = conductivity + m;
       if (*s.mass[m] == 0.0) continue;
       const double r = *s.mass[m] / *s.volume[m], e = *s.energy[m] / *s.volume[m];
-      const Fluid& fluid = o_.fluids[m];
+      const Fluid& fluid = o_.materials.fluids[m];
       viscosity += *s.volume[m] * molecular(m, cell, [&] { return fluid.temperature(r, e); });
-      conductivity[m] = o_.conductivities[m];
-      if (o_.transport.turbulence)
-        conductivity[m] += fluid.heat_capacity_ratio(r, e) / o_.transport.turbulence->prandtl *
-                           fluid.heat_capacity(r, e) * (eddy * (r / rho));
+      conductivity[m] = o_.transport.conductivities[m];
+      if (o_.transport.models.turbulence)
+        conductivity[m] += fluid.heat_capacity_ratio(r, e) /
+                           o_.transport.models.turbulence->prandtl * fluid.heat_capacity(r, e) *
+                           (eddy * (r / rho));
     }
     return rates.largest(s, 1, spacing_);
   }
@@ -176,8 +177,9 @@ class Diffusion {
   // `temperature`(): of the material.
   template <class Temperature>
   double molecular(std::size_t m, IntVec3 cell, Temperature temperature) const {
-    const TransportModels& models = o_.transports[m];
-    double mu = models.sutherland ? models.sutherland->viscosity(temperature()) : o_.viscosities[m];
+    const TransportModels& models = o_.transport.models_of_each[m];
+    double mu = models.sutherland ? models.sutherland->viscosity(temperature())
+                                  : o_.transport.viscosities[m];
     for (const TransportModels::Sponge& sponge : models.sponges)
       if (sponge.cells.contains(cell)) mu = std::max(mu, sponge.viscosity);
     return mu;
@@ -188,8 +190,8 @@ class Diffusion {
     return sum;
   }
   double slope(IntVec3 cell, int c, int axis) const {
-    if (axis >= o_.axes.count) return 0;
-    const int d = o_.axes.direction[axis];
+    if (axis >= o_.grid.axes.count) return 0;
+    const int d = o_.grid.axes.direction[axis];
     IntVec3 below = cell, above = cell;
     --below[d];
     ++above[d];
@@ -200,12 +202,12 @@ class Diffusion {
     // coefficient: Smagorinsky's constant of isotropic turbulence (Lilly 1967); unit: 1
     constexpr double isotropic = 0.17;
     double squared = 0;  // 2 S:S
-    for (int a = 0; a < o_.components; ++a)
-      for (int b = 0; b < o_.components; ++b) {
+    for (int a = 0; a < o_.grid.components; ++a)
+      for (int b = 0; b < o_.grid.components; ++b) {
         const double twice = slope(cell, a, b) + slope(cell, b, a);
         squared += 0.5 * twice * twice;
       }
-    const Turbulence& model = *o_.transport.turbulence;
+    const Turbulence& model = *o_.transport.models.turbulence;
     const double length = (model.dynamic ? isotropic : model.constant) * filter_width(o_, spacing_);
     return density(cell) * length * length * std::sqrt(squared);
   }
@@ -223,20 +225,20 @@ class Waves {
   Waves(const SchemeOptions& o, const Level& level, const PartReductions& rates)
       : o_(o), rates_(rates) {
     double dx_g = 0;
-    for (int a = 0; a < o.axes.count; ++a) {
-      const int d = o.axes.direction[a];
+    for (int a = 0; a < o.grid.axes.count; ++a) {
+      const int d = o.grid.axes.direction[a];
       dx_[a] = level.spacing[d];
-      dx_g += dx_[a] * std::fabs(o.gravity[d]);
+      dx_g += dx_[a] * std::fabs(o.forces.gravity[d]);
     }
     gravity_speed_ = std::sqrt(dx_g);
   }
 
   // The deck's conservative rule is about the mixture alone.
   void add_mixture(const double* velocity, double c) const {
-    if (o_.conservative_time_step) {
+    if (o_.scheme.conservative_time_step) {
       double outflow = 0;
-      const double margin = o_.sound_speed_factor * c + gravity_speed_;
-      for (int a = 0; a < o_.axes.count; ++a) {
+      const double margin = o_.scheme.sound_speed_factor * c + gravity_speed_;
+      for (int a = 0; a < o_.grid.axes.count; ++a) {
         const double u = std::fabs(velocity[a]);
         outflow += (std::max(0.0, u + margin) + std::max(0.0, margin - u)) / dx_[a];
       }
@@ -246,15 +248,15 @@ class Waves {
   }
   void add(const double* velocity, double c) const {
     double deck = 0, flow = 0, sound = 0, sum = 0;
-    for (int a = 0; a < o_.axes.count; ++a) {
+    for (int a = 0; a < o_.grid.axes.count; ++a) {
       const double u = std::fabs(velocity[a]), dx = dx_[a];
-      deck = std::max(deck, (u + o_.sound_speed_factor * c) / dx);
+      deck = std::max(deck, (u + o_.scheme.sound_speed_factor * c) / dx);
       flow += u / dx;
       sound = std::max(sound, (u + c) / dx);
       sum += (u + c) / dx;
     }
     sound = std::max(sound, sound_sum_share(o_) * sum);
-    if (!o_.conservative_time_step) rates_.maximum(StepSlots::deck_rate, ordered_bits(deck));
+    if (!o_.scheme.conservative_time_step) rates_.maximum(StepSlots::deck_rate, ordered_bits(deck));
     rates_.maximum(StepSlots::flow_rate, ordered_bits(flow));
     rates_.maximum(StepSlots::sound_rate, ordered_bits(sound));
   }
@@ -268,8 +270,8 @@ class Waves {
 }  // namespace
 
 bool diffusive(const SchemeOptions& o) {
-  return o.viscous || o.conducting ||
-         std::any_of(o.scalars.begin(), o.scalars.end(),
+  return o.transport.viscous || o.transport.conducting ||
+         std::any_of(o.materials.scalars.begin(), o.materials.scalars.end(),
                      [](const models::TransportedScalar& s) { return s.diffusivity > 0; });
 }
 
@@ -279,8 +281,8 @@ void measure_rates(const Warehouse& state, const SchemeOptions& o, const PartRed
   const Waves waves(o, state.level(), rates);
   const mixture::DiffusionRates of_mixtures(o);
   double inverse_dx2 = 0;
-  for (int a = 0; a < o.axes.count; ++a) {
-    const double dx = spacing[o.axes.direction[a]];
+  for (int a = 0; a < o.grid.axes.count; ++a) {
+    const double dx = spacing[o.grid.axes.direction[a]];
     inverse_dx2 += 1.0 / (dx * dx);
   }
   if (diffusive(o))
@@ -291,19 +293,20 @@ void measure_rates(const Warehouse& state, const SchemeOptions& o, const PartRed
     for_each_cell(state.local_boxes()[b].cells, [&](IntVec3 cell) {
       const auto [rho, modulus] = states.at(cell);
       double velocity[3] = {}, own[3] = {};
-      for (int a = 0; a < o.axes.count; ++a) velocity[a] = state.view(momentum, a, b)(cell) / rho;
+      for (int a = 0; a < o.grid.axes.count; ++a)
+        velocity[a] = state.view(momentum, a, b)(cell) / rho;
       waves.add_mixture(velocity, std::sqrt(modulus / rho));
       const mixture::DragCell present = states.sharing(cell);
       const double of_each =
           present.count > 0 ? std::sqrt(modulus * mixture::Drag::inverse_inertia(present)) : 0.0;
       for (int n = 0; n < present.count; ++n) {
-        for (int a = 0; a < o.axes.count; ++a)
+        for (int a = 0; a < o.grid.axes.count; ++a)
           own[a] = velocity[a] + states.slip(present, n, cell, a);
         waves.add(own, of_each);
       }
-      if (!o.viscous && !o.conducting) return;
+      if (!o.transport.viscous && !o.transport.conducting) return;
       double rate = 0;
-      if (of_mixtures.on() && o.fluids.size() > 1)
+      if (of_mixtures.on() && o.materials.fluids.size() > 1)
         rate = diffusion.rate(states, of_mixtures, cell);
       else
         rate = 2.0 * inverse_dx2 * diffusion.coefficient(states, cell) / rho;

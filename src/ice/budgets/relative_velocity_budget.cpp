@@ -5,16 +5,17 @@
 #include "ice/step/cell_sums.hpp"
 
 namespace sluice::ice::mixture {
-void add_relative_velocity_force_budget(TaskList& list, const Variables& v, const SchemeOptions& o,
-                                        int effect) {
-  if (!o.force_on) return;
+void add_relative_velocity_force_budget(TaskList& list, VariableId force_work,
+                                        const SchemeOptions& o, int effect) {
+  if (!o.forces.driving_on) return;
   TaskBuilder task = list.task("account of the force on slip", effect);
-  const In work = task.read(v.slip.force_work);
+  const In work = task.read(force_work);
   task.always().kernel([=](const Row& row) {
     const double* W = row(work);
     const double volume = cell_volume(row);
     for_uncovered(row, o, [&](int first, int end) {
-      add_to_sum(row, StepSlots::gravity_work, first, end, [=](int i) { return W[i] * volume; });
+      add_to_sum(row.reductions().sum(StepSlots::gravity_work), first, end,
+                 [=](int i) { return W[i] * volume; });
     });
   });
 }

@@ -20,16 +20,17 @@ class TotalsOfRows {
     for (int m = 0; m < materials; ++m) {
       mass_.push_back(state.find(labels().mass, options.place(m)));
       energy_.push_back(state.find(labels().energy, options.place(m)));
-      if (options.multi_velocity) slip_.push_back(state.find(labels().slip, options.place(m)));
+      if (options.materials.multi_velocity)
+        slip_.push_back(state.find(labels().slip, options.place(m)));
     }
     fraction_ = state.find(labels().solid_fraction, options.place(0));
-    for (const models::TransportedScalar& s : options.scalars)
+    for (const models::TransportedScalar& s : options.materials.scalars)
       scalars_.push_back(
           {state.find(s.state(), options.place(s.material)), static_cast<std::size_t>(s.material)});
   }
 
   void add(int box, const IndexBox& cells) {
-    const int along = options_.axes.direction[0];
+    const int along = options_.grid.axes.direction[0];
     values_.resize(cells.size()[along]);
     kinetic_.resize(values_.size());
     IndexBox starts = cells;  // the first cell of every row
@@ -53,9 +54,9 @@ class TotalsOfRows {
     const double* rho = density(box, start);
     for (const int energy : energy_) add(totals_.internal_energy, row(energy, 0, box, start));
     std::fill(kinetic_.begin(), kinetic_.end(), 0.0);
-    for (int c = 0; c < options_.components; ++c) {
+    for (int c = 0; c < options_.grid.components; ++c) {
       const double* m = row(momentum_, c, box, start);
-      add(totals_.momentum[options_.direction[c]], m);
+      add(totals_.momentum[options_.grid.direction[c]], m);
       for (std::size_t i = 0; i < kinetic_.size(); ++i) kinetic_[i] += m[i] * m[i];
     }
     for (std::size_t i = 0; i < kinetic_.size(); ++i) kinetic_[i] = 0.5 * kinetic_[i] / rho[i];
@@ -72,7 +73,7 @@ class TotalsOfRows {
   // Kinetic energy of a material relative to the mixture.
   void add_slip(const double* M, std::size_t m, int box, IntVec3 start) {
     std::fill(kinetic_.begin(), kinetic_.end(), 0.0);
-    for (int c = 0; c < options_.components; ++c) {
+    for (int c = 0; c < options_.grid.components; ++c) {
       const double* S = row(slip_[m], c, box, start);
       for (std::size_t i = 0; i < kinetic_.size(); ++i) kinetic_[i] += S[i] * S[i];
     }
@@ -111,11 +112,11 @@ class TotalsOfRows {
   std::vector<double> values_, kinetic_, density_;
 };
 
-void add_source_balance(const SchemeOptions& o, std::span<const double> sums, StepBalance& b) {
-  if (o.sources == nullptr) return;
-  const std::size_t first = o.first_source_sum;
-  const std::size_t beside = first + o.fluids.size();
-  for (std::size_t s = first; s < beside; ++s) b.mass_of_sources.push_back(sums[s]);
+void add_source_balance(const SchemeOptions& o, const std::vector<double>& all, StepBalance& b) {
+  if (o.forces.sources == nullptr) return;
+  const std::span<const double> sums = o.accounts.source_sums.of(all);
+  const std::size_t beside = o.materials.fluids.size();
+  for (std::size_t s = 0; s < beside; ++s) b.mass_of_sources.push_back(sums[s]);
   for (int d = 0; d < 3; ++d) b.momentum_of_forces[d] += sums[beside + SourceSums::momentum + d];
   b.energy_of_forces += sums[beside + SourceSums::total_energy];
 }
@@ -124,9 +125,9 @@ void add_source_balance(const SchemeOptions& o, std::span<const double> sums, St
 
 void add_totals(const Warehouse& state, const LevelCoverage& coverage, const SchemeOptions& o,
                 Totals& totals) {
-  totals.mass.resize(o.fluids.size());
-  totals.amounts.resize(o.scalars.size());
-  TotalsOfRows rows(state, o, static_cast<int>(o.fluids.size()), totals);
+  totals.mass.resize(o.materials.fluids.size());
+  totals.amounts.resize(o.materials.scalars.size());
+  TotalsOfRows rows(state, o, static_cast<int>(o.materials.fluids.size()), totals);
   for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
     if (!coverage.any())
       rows.add(b, state.local_boxes()[b].cells);
@@ -136,17 +137,18 @@ void add_totals(const Warehouse& state, const LevelCoverage& coverage, const Sch
 }
 
 std::vector<std::string> tracked_names(const SchemeOptions& o) {
-  if (o.sources == nullptr) return {};
+  if (o.forces.sources == nullptr) return {};
   return {"model mass",       "model momentum x", "model momentum y",
           "model momentum z", "model energy",     "exchanged mass",
           "exchanged energy", "burned mass",      "released heat"};
 }
 
-std::vector<double> tracked_totals(const SchemeOptions& o, std::span<const double> sums) {
-  if (o.sources == nullptr) return {};
+std::vector<double> tracked_totals(const SchemeOptions& o, const std::vector<double>& all) {
+  if (o.forces.sources == nullptr) return {};
   StepBalance added;
-  add_source_balance(o, sums, added);
-  const auto beside = o.first_source_sum + o.fluids.size();
+  add_source_balance(o, all, added);
+  const std::span<const double> sums = o.accounts.source_sums.of(all);
+  const std::size_t beside = o.materials.fluids.size();
   double mass = 0;
   for (const double m : added.mass_of_sources) mass += m;
   const Vec3 momentum = added.momentum_of_forces;
@@ -163,25 +165,26 @@ std::vector<double> tracked_totals(const SchemeOptions& o, std::span<const doubl
 
 // Gravity acts on the mass at the start of the step and works along the mean momentum of the
 // Lagrangian phase: work = dt g . (P + P_L)/2, P_L = P + pressure impulse + dt g M.
-StepBalance balance(const SchemeOptions& o, std::span<const double> sums, const StepStart* start,
+StepBalance balance(const SchemeOptions& o, const std::vector<double>& all, const StepStart* start,
                     double dt) {
+  const std::span<const double> sums = o.accounts.places.sums.of(all);
   StepBalance b;
-  for (int m = 0; m < static_cast<int>(o.fluids.size()); ++m)
-    b.mass.push_back(sums[StepSlots::mass_of(m, o.sums)]);
+  for (int m = 0; m < static_cast<int>(o.materials.fluids.size()); ++m)
+    b.mass.push_back(sums[StepSlots::mass_of(m, o.accounts.sums)]);
   double mass = 0;  // of all materials at the start
   if (start != nullptr)
     for (const double of_one : start->mass) mass += of_one;
   b.energy = sums[StepSlots::energy];
   for (int d = 0; d < 3; ++d) {
     b.momentum[d] = sums[StepSlots::momentum + d];
-    if (start == nullptr || o.force_on) continue;
+    if (start == nullptr || o.forces.driving_on) continue;
     const double impulse = sums[StepSlots::pressure_impulse + d];
-    const double kick = dt * o.gravity[d] * mass;
+    const double kick = dt * o.forces.gravity[d] * mass;
     b.momentum_of_forces[d] = kick;
-    b.energy_of_forces += dt * o.gravity[d] * (start->momentum[d] + 0.5 * (impulse + kick));
+    b.energy_of_forces += dt * o.forces.gravity[d] * (start->momentum[d] + 0.5 * (impulse + kick));
   }
-  add_source_balance(o, sums, b);
-  if (!o.gravity_on || (start != nullptr && !o.force_on)) return b;
+  add_source_balance(o, all, b);
+  if (!o.forces.on || (start != nullptr && !o.forces.driving_on)) return b;
   for (int d = 0; d < 3; ++d) b.momentum_of_forces[d] += sums[StepSlots::gravity_impulse + d];
   b.energy_of_forces += sums[StepSlots::gravity_work];
   return b;
@@ -202,8 +205,8 @@ double history_value(const SchemeOptions& o, Label label, const Totals& totals) 
   if (label == labels().total_energy_exchanged) return tally(6);
   if (label == labels().total_mass_burned) return tally(7);
   if (label == labels().total_heat_released) return tally(8);
-  for (std::size_t s = 0; s < o.scalars.size(); ++s)
-    if (label == o.scalars[s].total()) return totals.amounts[s].sum.value();
+  for (std::size_t s = 0; s < o.materials.scalars.size(); ++s)
+    if (label == o.materials.scalars[s].total()) return totals.amounts[s].sum.value();
   if (label == labels().total_internal_energy) return totals.internal_energy.sum.value();
   return totals.kinetic_energy.sum.value();
 }

@@ -16,12 +16,12 @@ void add_totals(const Warehouse& state, const LevelCoverage& coverage, const Sch
 
 // What came in through the boundary, and what forces and models did; `sums`: of the step. Without
 // `start` forces count only where their sums are among these.
-StepBalance balance(const SchemeOptions& options, std::span<const double> sums,
+StepBalance balance(const SchemeOptions& options, const std::vector<double>& sums,
                     const StepStart* start, double dt);
 
 // What models add: mass, momentum, total energy; what passes between materials.
 std::vector<std::string> tracked_names(const SchemeOptions& options);
-std::vector<double> tracked_totals(const SchemeOptions& options, std::span<const double> sums);
+std::vector<double> tracked_totals(const SchemeOptions& options, const std::vector<double>& sums);
 
 // One value of a history at the end of a step.
 double history_value(const SchemeOptions& options, Label label, const Totals& totals);

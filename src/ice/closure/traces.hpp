@@ -59,7 +59,8 @@ constexpr double drained = 1e-3;
 struct Residue {
   double V, E;
 };
-inline Residue settled(double M, double V, double E, double M_before, double V_L, double E_L) {
+inline Residue drained_residue(double M, double V, double E, double M_before, double V_L,
+                               double E_L) {
   // threshold: share of its volume and energy before that what is left of a drained material may
   //   be moved by; unit: 1; test: AnyPair.StaysInEquilibriumOnItsWay
   constexpr double last_digits = 1e-12;

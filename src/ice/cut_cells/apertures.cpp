@@ -4,19 +4,19 @@
 
 namespace sluice::ice::cut_cells {
 
-void add_apertures(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
+void add_apertures(TaskList& list, const AperturesInput& v, const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("where slopes count", effect);
-  const In fraction = task.read(v.walls.fraction, Stencil::box(1));
+  const In fraction = task.read(v.fraction, Stencil::box(1));
   std::array<In, 3> covered;
-  for (int a = 0; a < o.axes.count; ++a)
-    covered[a] = task.read(v.walls.covered[a], Stencil::along(o.axes.direction[a], 0, 1));
+  for (int a = 0; a < o.grid.axes.count; ++a)
+    covered[a] = task.read(v.covered[a], Stencil::along(o.grid.axes.direction[a], 0, 1));
   In mask;
-  if (o.masked) mask = task.read(v.mask);
-  const Out open = task.write(v.walls.open);
+  if (o.scheme.masked) mask = task.read(v.mask);
+  const Out open = task.write(v.open);
   task.kernel([=](const Row& row) {
     const int n = row.count();
     const double* here = row(fraction);
-    for (int a = 0; a < o.axes.count; ++a) {
+    for (int a = 0; a < o.grid.axes.count; ++a) {
       const double *below = row(fraction, 0, a, -1), *above = row(fraction, 0, a, 1);
       const double* low = row(covered[a]);
       const double* high = row(covered[a], 0, a, 1);
@@ -27,7 +27,7 @@ void add_apertures(TaskList& list, const SchemeVariables& v, const SchemeOptions
         const bool open_by_half = (low[i] < 0.5) & (high[i] < 0.5);
         to[i] = (wet & open_by_half) ? 1.0 : 0.0;
       }
-      if (!o.masked) continue;
+      if (!o.scheme.masked) continue;
       const double* of_redo = row(mask);
 #pragma GCC ivdep
       for (int i = 0; i < n; ++i) to[i] *= of_redo[i];

@@ -64,15 +64,15 @@ struct Sides {
 
   Sides(const Row& row, const SchemeOptions& o) {
     const IntVec3 cell = row.cell();
-    for (int a = 1; a < o.axes.count; ++a) {
-      const int d = o.axes.direction[a];
-      if (o.periodic[d]) continue;
-      all |= cell[d] == o.domain.lower[d] || cell[d] == o.domain.upper[d] - 1;
+    for (int a = 1; a < o.grid.axes.count; ++a) {
+      const int d = o.grid.axes.direction[a];
+      if (o.grid.periodic[d]) continue;
+      all |= cell[d] == o.grid.domain.lower[d] || cell[d] == o.grid.domain.upper[d] - 1;
     }
-    const int d = o.axes.direction[0];
-    if (o.periodic[d]) return;
-    first = o.domain.lower[d] - cell[d];
-    last = o.domain.upper[d] - 1 - cell[d];
+    const int d = o.grid.axes.direction[0];
+    if (o.grid.periodic[d]) return;
+    first = o.grid.domain.lower[d] - cell[d];
+    last = o.grid.domain.upper[d] - 1 - cell[d];
   }
   bool meets(int i) const { return all | (i == first) | (i == last); }
 };
@@ -125,7 +125,7 @@ void impulse_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
         dP[i] = l * ((high * pp[i] - low * pm[i]) - pw[i] * (high - low)) + dP[i];
       }
     }
-    if (o.viscous) pull_row<D>(row, h, s, c, dP);
+    if (o.transport.viscous) pull_row<D>(row, h, s, c, dP);
   }
 }
 
@@ -133,13 +133,13 @@ void impulse_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
 template <int D, int C>
 void add_heat(const Row& row, const Handles& h, const ImpulseConstants& s, const SchemeOptions& o,
               double* energy) {
-  if (o.viscous) {
+  if (o.transport.viscous) {
     const int n = row.count();
-    double* friction = o.mixture ? row(h.mixture, 1) : row(h.energy_L);
+    double* friction = o.materials.mixture ? row(h.mixture, 1) : row(h.energy_L);
     friction_rows<D, C>(row, h.friction, row(h.inverse_mass), s, o.friction_tilts(), friction);
     for (int i = 0; i < n; ++i) energy[i] += friction[i];
   }
-  if (o.conducting) conduction_rows<D>(row, h.heat_flux, s, energy);
+  if (o.transport.conducting) conduction_rows<D>(row, h.heat_flux, s, energy);
 }
 
 // 1/M, and E* of the cell: what the pressures on its faces and on the wall work, and heat.
@@ -261,7 +261,7 @@ template <int D, int C>
 void cell_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
                const SchemeOptions& o) {
   impulse_rows<D, C>(row, h, s, o);
-  const bool sheared = o.shears_shocks && is_sheared<D>(row, h.shear);
+  const bool sheared = o.scheme.shears_shocks && is_sheared<D>(row, h.shear);
   if (sheared) take_shear<D, C>(row, h.shear);
   leave_held_ghosts(row, o, h.velocity, h.sound, h.impulse);
   const FaceRows<D> f(row, h);
@@ -272,57 +272,59 @@ void cell_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
 
 }  // namespace
 
-void add_lagrangian(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
+void add_lagrangian(TaskList& list, const LagrangianInput& v, const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("Lagrangian phase with solids", effect);
-  const WallVariables& w = v.walls;
   Handles h;
-  h.rho = task.read(v.rho);
-  h.inverse_rho = task.read(v.inverse_rho);
-  h.velocity = task.read(v.velocity, o.viscous ? Stencil::box(1) : Stencil::point());
-  if (holds_velocities(o)) h.sound = task.read(v.sound);
+  h.rho = task.read(v.fluid.rho);
+  h.inverse_rho = task.read(v.fluid.inverse_rho);
+  h.velocity =
+      task.read(v.fluid.velocity, o.transport.viscous ? Stencil::box(1) : Stencil::point());
+  if (holds_velocities(o)) h.sound = task.read(v.fluid.sound);
   h.momentum = task.read(v.momentum);
-  h.energy = task.read(v.energy);
-  h.fraction = task.read(w.fraction);
-  h.next = task.read(w.next);
-  h.wall_pressure = task.read(w.pressure);
-  h.open = task.read(w.open);
-  for (int axis = 0; axis < o.axes.count; ++axis) {
-    const Stencil both = Stencil::along(o.axes.direction[axis], 0, 1);
-    h.face_pressure[axis] = task.read(v.face_pressure[axis], both);
-    h.flow[axis] = task.read(w.flow[axis], both);
-    h.covered[axis] = task.read(w.covered[axis], both);
-    if (o.viscous) h.stress[axis] = task.read(v.stress[axis], both);
-    if (o.conducting) h.heat_flux[axis] = task.read(v.heat_flux[axis], both);
-    h.remap_mask[axis] = task.write(w.remap_mask[axis]);
+  h.energy = task.read(v.fluid.energy);
+  h.fraction = task.read(v.fraction);
+  h.next = task.read(v.next);
+  h.wall_pressure = task.read(v.wall_pressure);
+  h.open = task.read(v.open);
+  for (int axis = 0; axis < o.grid.axes.count; ++axis) {
+    const Stencil both = Stencil::along(o.grid.axes.direction[axis], 0, 1);
+    h.face_pressure[axis] = task.read(v.fluid.faces.pressure[axis], both);
+    h.flow[axis] = task.read(v.flow[axis], both);
+    h.covered[axis] = task.read(v.covered[axis], both);
+    if (o.transport.viscous) h.stress[axis] = task.read(v.fluid.faces.stress[axis], both);
+    if (o.transport.conducting) h.heat_flux[axis] = task.read(v.fluid.faces.heat_flux[axis], both);
+    h.remap_mask[axis] = task.write(v.cell.remap_mask[axis]);
   }
-  h.inverse_J = task.write(v.inverse_J);
-  h.rho_L = task.write(v.rho_L);
-  h.energy_L = task.write(v.energy_L);
-  h.velocity_L = task.write(v.velocity_L);
-  h.energy_star = task.write(v.energy_star);
-  h.courant = task.write(v.courant);
-  h.inverse_courant = task.write(v.inverse_courant);
-  h.impulse = task.write(v.impulse);
-  if (o.friction_tilts()) h.friction.viscosity = task.read(v.front_viscosity, Stencil::box(1));
+  h.inverse_J = task.write(v.fluid.donors.inverse_J);
+  h.rho_L = task.write(v.fluid.donors.rho_L);
+  h.energy_L = task.write(v.fluid.donors.energy_L);
+  h.velocity_L = task.write(v.fluid.donors.velocity_L);
+  h.energy_star = task.write(v.fluid.energy_star);
+  h.courant = task.write(v.fluid.donors.courant);
+  h.inverse_courant = task.write(v.fluid.donors.inverse_courant);
+  h.impulse = task.write(v.fluid.impulse);
+  if (o.friction_tilts())
+    h.friction.viscosity = task.read(v.fluid.front_viscosity, Stencil::box(1));
   h.friction.velocity = h.velocity;
   h.friction.stress = h.stress;
   h.friction.impulse = h.impulse;
-  if (o.shears_shocks) h.shear = read_shock_shear(task, v);
+  if (o.scheme.shears_shocks) h.shear = read_shock_shear(task, v.fluid.shear);
   h.shear.impulse = h.impulse;
-  h.mass = task.write(w.mass);
-  h.cell_momentum = task.write(w.momentum);
-  h.inverse_mass = task.write(w.inverse_mass);
-  h.donor_velocity = task.write(w.donor_velocity);
-  h.base_mask = task.write(w.base_mask);
-  h.gives_old = task.write(w.gives_old);
-  if (o.keeps_work()) h.mixture = task.write(v.lagrangian_mixture);
-  const bool scaled = !o.mixture && o.fluid.gamma_law() == nullptr;
-  if (scaled) h.scale = task.write(v.energy_scale);
-  dispatch(o.axes.count, o.components, [&]<int D, int C>() {
+  h.mass = task.write(v.cell.mass);
+  h.cell_momentum = task.write(v.cell.momentum);
+  h.inverse_mass = task.write(v.cell.inverse_mass);
+  h.donor_velocity = task.write(v.cell.donor_velocity);
+  h.base_mask = task.write(v.cell.base_mask);
+  h.gives_old = task.write(v.cell.gives_old);
+  if (o.keeps_work()) h.mixture = task.write(v.fluid.lagrangian_mixture);
+  const bool scaled = !o.materials.mixture && o.materials.fluid.gamma_law() == nullptr;
+  if (scaled) h.scale = task.write(v.fluid.donors.energy_scale);
+  dispatch(o.grid.axes.count, o.grid.components, [&]<int D, int C>() {
     task.kernel([=](const Row& row) {
       cell_rows<D, C>(row, h, impulse_constants(o, row.step()), o);
       if (scaled)
-        energy_scale_row(o.fluid, row.count(), row(h.rho_L), row(h.energy_L), row(h.scale));
+        energy_scale_row(o.materials.fluid, row.count(), row(h.rho_L), row(h.energy_L),
+                         row(h.scale));
     });
   });
 }

@@ -8,7 +8,7 @@
 namespace sluice::ice::cut_cells {
 
 MaterialVariables declare_materials(TaskList& list, const SchemeOptions& o, mixture::Variables& v) {
-  const int M = static_cast<int>(o.fluids.size());
+  const int M = static_cast<int>(o.materials.fluids.size());
   MaterialVariables x;
   x.energy_L = list.temporary("Lagrangian energy of each material beside solids", M);
   x.volume_L = list.temporary("Lagrangian volume beside solids");
@@ -17,45 +17,27 @@ MaterialVariables declare_materials(TaskList& list, const SchemeOptions& o, mixt
   v.cut_volume = x.volume_L;
   v.cut_energy = x.energy_L;
   v.old_momentum = v.common.momentum;
-  for (int a = 0; a < o.axes.count; ++a) {
+  for (int a = 0; a < o.grid.axes.count; ++a) {
     const std::string axis = " of whole cells, axis " + std::to_string(a);
-    const int d = o.axes.direction[a];
-    x.whole_flux[a] = list.temporary("flux" + axis, 2 + o.components, d);
+    const int d = o.grid.axes.direction[a];
+    x.whole_flux[a] = list.temporary("flux" + axis, 2 + o.grid.components, d);
     x.whole_flux_of_each[a] = list.temporary("flux of each material" + axis, 3 * M, d);
-    if (o.conducting)
+    if (o.transport.conducting)
       x.whole_heat_of_each[a] = list.temporary("heat through contacts" + axis, 2 * M, d);
-    if (!o.multi_velocity) continue;
-    x.whole_velocity[a] = list.temporary("velocity of each material" + axis, M * o.components, d);
-    if (o.viscous)
+    if (!o.materials.multi_velocity) continue;
+    x.whole_velocity[a] =
+        list.temporary("velocity of each material" + axis, M * o.grid.components, d);
+    if (o.transport.viscous)
       v.slip.stress[a] =
           list.temporary("friction of each material on open faces, axis " + std::to_string(a),
-                         M * o.components, d);
+                         M * o.grid.components, d);
   }
   return x;
 }
 
-mixture::Variables full_cell_remap(const mixture::Variables& v, const MaterialVariables& x,
-                                   int axis) {
-  mixture::Variables remap = v;
-  remap.common = remap_variables(v.common, axis);
-  remap.common.flux = x.whole_flux;
-  remap.flux = x.whole_flux_of_each;
-  if (v.common.material_velocity[0].index >= 0) remap.common.material_velocity = x.whole_velocity;
-  return remap;
-}
-
-SchemeVariables volume_variables(const mixture::Variables& v) {
-  SchemeVariables volume = v.common;
-  volume.rho = v.slip.common.rho;
-  volume.inverse_rho = v.slip.common.inverse_rho;
-  volume.velocity = v.slip.common.velocity;
-  volume.sound = v.slip.common.sound;
-  return volume;
-}
-
-void add_cut_cells(TaskList& list, const mixture::Variables& v, const SchemeOptions&, int effect) {
+void add_cut_cells(TaskList& list, const WhichCutInput& v, const SchemeOptions&, int effect) {
   TaskBuilder task = list.task("cells that solids touch", effect);
-  const In theta = task.read(v.common.walls.fraction), after = task.read(v.common.walls.next);
+  const In theta = task.read(v.fraction), after = task.read(v.next);
   const Out cut = task.write(v.cut);
   task.kernel([=](const Row& row) {
     const double *before = row(theta), *next = row(after);
@@ -64,24 +46,19 @@ void add_cut_cells(TaskList& list, const mixture::Variables& v, const SchemeOpti
   });
 }
 
-void add_stress_of_open_faces(TaskList& list, const mixture::Variables& whole,
-                              const mixture::Variables& v, const SchemeOptions& o, int effect) {
-  for (int axis = 0; axis < o.axes.count && o.viscous; ++axis) {
-    add_open_share(list, v.common, o, axis,
-                   {whole.slip.stress[axis], v.slip.stress[axis],
-                    static_cast<int>(o.fluids.size()) * o.components},
+void add_open_stresses(TaskList& list, const OpenShareInput& v, const SchemeOptions& o,
+                       int effect) {
+  const int components = static_cast<int>(o.materials.fluids.size()) * o.grid.components;
+  for (int axis = 0; axis < o.grid.axes.count && o.transport.viscous; ++axis)
+    add_open_share(list, v, o, axis, components,
                    "friction of each material on open faces " + std::to_string(axis), effect);
-  }
 }
 
-void add_heat_of_open_faces(TaskList& list, const mixture::Variables& v, const MaterialVariables& x,
-                            const SchemeOptions& o, int effect) {
-  for (int axis = 0; axis < o.axes.count && o.conducting; ++axis) {
-    add_open_share(
-        list, v.common, o, axis,
-        {x.whole_heat_of_each[axis], v.heat_flux[axis], 2 * static_cast<int>(o.fluids.size())},
-        "heat through contacts of open faces " + std::to_string(axis), effect);
-  }
+void add_open_heats(TaskList& list, const OpenShareInput& v, const SchemeOptions& o, int effect) {
+  const int components = 2 * static_cast<int>(o.materials.fluids.size());
+  for (int axis = 0; axis < o.grid.axes.count && o.transport.conducting; ++axis)
+    add_open_share(list, v, o, axis, components,
+                   "heat through contacts of open faces " + std::to_string(axis), effect);
 }
 
 namespace {
@@ -93,7 +70,8 @@ double energy_of_slip(const Row& row, const mixture::StateReads& state, const st
   for (std::size_t m = 0; m < slip.size(); ++m) {
     const double M = row(state.mass[m])[i];
     double squares[3] = {0, 0, 0};
-    for (int c = 0; c < o.components; ++c) squares[c] = row(slip[m], c)[i] * row(slip[m], c)[i];
+    for (int c = 0; c < o.grid.components; ++c)
+      squares[c] = row(slip[m], c)[i] * row(slip[m], c)[i];
     if (M > 0) sum += 0.5 / M * ((squares[0] + squares[1]) + squares[2]);
   }
   return sum;
@@ -101,29 +79,29 @@ double energy_of_slip(const Row& row, const mixture::StateReads& state, const st
 
 }  // namespace
 
-void add_shares_of_each(TaskList& list, const mixture::Variables& v, const MaterialVariables& x,
-                        const SchemeOptions& o, int effect) {
+void add_shares_of_each(TaskList& list, const SharesOfEachInput& v, const SchemeOptions& o,
+                        int effect) {
   TaskBuilder task = list.task("Lagrangian phase of each material beside solids", effect);
-  const WallVariables& w = v.common.walls;
-  const mixture::StateReads state = mixture::read_state(task, v);
-  const In theta = task.read(w.fraction), after = task.read(w.next);
-  const In p_in = task.read(v.common.pressure), w_in = task.read(v.common.inverse_rho);
-  const In star = task.read(v.common.energy_star), energy = task.read(v.common.energy);
+  const mixture::StateReads state = mixture::read_state(task, v.state);
+  const In theta = task.read(v.fraction), after = task.read(v.next);
+  const In p_in = task.read(v.pressure), w_in = task.read(v.inverse_rho);
+  const In star = task.read(v.energy_star), energy = task.read(v.energy);
   std::array<In, 3> flow;
-  for (int a = 0; a < o.axes.count; ++a)
-    flow[a] = task.read(w.flow[a], Stencil::along(o.axes.direction[a], 0, 1));
-  const Out volume = task.write(x.volume_L), E_L = task.write(x.energy_L);
-  const int materials = static_cast<int>(o.fluids.size());
+  for (int a = 0; a < o.grid.axes.count; ++a)
+    flow[a] = task.read(v.flow[a], Stencil::along(o.grid.axes.direction[a], 0, 1));
+  const Out volume = task.write(v.volume_L), E_L = task.write(v.energy_L);
+  const int materials = static_cast<int>(o.materials.fluids.size());
   std::vector<In> slip;
-  for (int m = 0; m < materials && o.multi_velocity; ++m) slip.push_back(task.read(v.slip.slip[m]));
+  for (int m = 0; m < materials && o.materials.multi_velocity; ++m)
+    slip.push_back(task.read(v.slip[m]));
   task.kernel([=](const Row& row) {
     const int n = row.count();
     const double *before = row(theta), *next = row(after), *p = row(p_in), *inverse = row(w_in);
     const double *Es = row(star), *E = row(energy);
     double* V_L = row(volume);
     for (int i = 0; i < n; ++i) V_L[i] = 1.0 - next[i];
-    for (int a = 0; a < o.axes.count; ++a) {
-      const double l = row.step().dt / row.step().spacing[o.axes.direction[a]];
+    for (int a = 0; a < o.grid.axes.count; ++a) {
+      const double l = row.step().dt / row.step().spacing[o.grid.axes.direction[a]];
       const In f = flow[a];
       const double *low = row(f), *high = row(f, 0, a, 1);
       for (int i = 0; i < n; ++i) V_L[i] += l * (high[i] - low[i]);
@@ -172,8 +150,8 @@ class TouchedFaces {
         h_(h),
         axis_(axis),
         shift_(shift),
-        materials_(static_cast<int>(o.fluids.size())),
-        l_(row.step().dt / row.step().spacing[o.axes.direction[axis]]) {}
+        materials_(static_cast<int>(o.materials.fluids.size())),
+        l_(row.step().dt / row.step().spacing[o.grid.axes.direction[axis]]) {}
 
   // The volume that passes, and whether b gives it.
   double volume(int i) const { return l_ * face(h_.flow)[i]; }
@@ -227,8 +205,7 @@ class TouchedFaces {
         return face(h_.whole_each, mixture::component(m, q))[i];
       };
       if (apart)
-        take(m,
-             {each(mixture::of_volume), each(mixture::of_mass), each(mixture::of_energy)});
+        take(m, {each(mixture::of_volume), each(mixture::of_mass), each(mixture::of_energy)});
       else
         take(m, m == pure ? Carried{volume(i), face(h_.whole, 0)[i], face(h_.whole, 1)[i]}
                           : Carried{});
@@ -248,40 +225,38 @@ class TouchedFaces {
 };
 
 // `cells`, `faces`: around those of a row.
-FluxHandles read_fluxes(TaskBuilder& task, const mixture::Variables& v, const MaterialVariables& x,
-                        std::size_t axis, const Stencil& cells, const Stencil& faces) {
+FluxHandles read_fluxes(TaskBuilder& task, const CutFluxInput& v, std::size_t axis,
+                        const Stencil& cells, const Stencil& faces) {
   FluxHandles h;
-  for (std::size_t m = 0; m < v.mass.size(); ++m) {
-    h.state.mass.push_back(task.read(v.mass[m], cells));
-    h.state.volume.push_back(task.read(v.volume[m], cells));
-    h.state.energy.push_back(task.read(v.energy[m], cells));
+  for (std::size_t m = 0; m < v.state.mass.size(); ++m) {
+    h.state.mass.push_back(task.read(v.state.mass[m], cells));
+    h.state.volume.push_back(task.read(v.state.volume[m], cells));
+    h.state.energy.push_back(task.read(v.state.energy[m], cells));
   }
   h.cut = task.read(v.cut, cells);
-  h.theta = task.read(v.common.walls.fraction, cells);
-  h.inverse_J = task.read(v.common.inverse_J, cells);
-  h.flow = task.read(v.common.walls.flow[axis], faces);
+  h.theta = task.read(v.fraction, cells);
+  h.inverse_J = task.read(v.inverse_J, cells);
+  h.flow = task.read(v.flow[axis], faces);
   h.pure = task.read(v.pure, cells);
-  h.whole = task.read(x.whole_flux[axis], faces);
-  h.whole_each = task.read(x.whole_flux_of_each[axis], faces);
-  h.velocity_L = task.read(v.common.walls.donor_velocity, cells);
-  h.energy_L = task.read(x.energy_L, cells);
-  h.gives_old = task.read(v.common.walls.gives_old, cells);
+  h.whole = task.read(v.whole.flux[axis], faces);
+  h.whole_each = task.read(v.whole.of_each[axis], faces);
+  h.velocity_L = task.read(v.donor_velocity, cells);
+  h.energy_L = task.read(v.energy_L, cells);
+  h.gives_old = task.read(v.gives_old, cells);
   return h;
 }
 
 // What cells without fluid take in of each fluid, per volume. Had they another mixture to give than
 // that, of some fluid they would give what they do not have.
-void add_passed_on(TaskList& list, const mixture::Variables& v, const MaterialVariables& x,
-                   const SchemeOptions& o, int effect) {
+void add_passed_on(TaskList& list, const CutFluxInput& v, const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("what cells without fluid pass on", effect);
   std::vector<FluxHandles> of_axis;
-  for (int axis = 0; axis < o.axes.count; ++axis) {
-    const int d = o.axes.direction[axis];
-    of_axis.push_back(
-        read_fluxes(task, v, x, axis, Stencil::along(d, 1, 1), Stencil::along(d, 0, 1)));
+  for (int axis = 0; axis < o.grid.axes.count; ++axis) {
+    const int d = o.grid.axes.direction[axis];
+    of_axis.push_back(read_fluxes(task, v, axis, Stencil::along(d, 1, 1), Stencil::along(d, 0, 1)));
   }
-  const Out out = task.write(x.passed_on);
-  const int materials = static_cast<int>(o.fluids.size());
+  const Out out = task.write(v.passed_on);
+  const int materials = static_cast<int>(o.materials.fluids.size());
   task.kernel([=](const Row& row) {
     const double* theta = row(of_axis.front().theta);
     for (int c = 0; c < 3 * materials; ++c) std::fill_n(row(out, c), row.count(), 0.0);
@@ -302,7 +277,7 @@ void add_passed_on(TaskList& list, const mixture::Variables& v, const MaterialVa
         };
         face.donor_is_touched(i) ? face.give(i, take) : face.give_whole(i, take);
       };
-      for (int axis = 0; axis < o.axes.count; ++axis) {
+      for (int axis = 0; axis < o.grid.axes.count; ++axis) {
         const FluxHandles& h = of_axis[axis];
         take_in(TouchedFaces(row, h, o, axis, 0), 1);
         take_in(TouchedFaces(row, h, o, axis, 1), -1);
@@ -311,8 +286,7 @@ void add_passed_on(TaskList& list, const mixture::Variables& v, const MaterialVa
       const mixture::StateReads& state = of_axis.front().state;
       for (int m = 0; m < materials; ++m) {
         const In own[] = {state.volume[m], state.mass[m], state.energy[m]};
-        for (const mixture::Carried q :
-             {mixture::of_volume, mixture::of_mass, mixture::of_energy})
+        for (const mixture::Carried q : {mixture::of_volume, mixture::of_mass, mixture::of_energy})
           to(m, q, i) = all > 0 ? to(m, q, i) / all : row(own[q])[i];
       }
     }
@@ -321,51 +295,52 @@ void add_passed_on(TaskList& list, const mixture::Variables& v, const MaterialVa
 
 // Fluids that move apart in whole cells.
 void copy_velocities(const Row& row, const FluxHandles& h, const SchemeOptions& o) {
-  const int count = static_cast<int>(o.fluids.size()) * o.components;
+  const int count = static_cast<int>(o.materials.fluids.size()) * o.grid.components;
   for (int c = 0; c < count; ++c)
     std::copy_n(row(h.whole_velocity, c), row.count(), row(h.velocity, c));
 }
 // All that passes face i has one velocity.
 void one_velocity(const Row& row, const FluxHandles& h, const SchemeOptions& o, int i) {
-  for (int m = 0; m < static_cast<int>(o.fluids.size()); ++m)
-    for (int c = 0; c < o.components; ++c)
-      row(h.velocity, m * o.components + c)[i] = row(h.flux, 2 + c)[i];
+  for (int m = 0; m < static_cast<int>(o.materials.fluids.size()); ++m)
+    for (int c = 0; c < o.grid.components; ++c)
+      row(h.velocity, m * o.grid.components + c)[i] = row(h.flux, 2 + c)[i];
 }
 // That of all, where each fluid has its own.
 void mean_velocity(const Row& row, const FluxHandles& h, const SchemeOptions& o, int i) {
   const double F = row(h.flux, 0)[i];
   if (F == 0) return;
-  for (int c = 0; c < o.components; ++c) {
+  for (int c = 0; c < o.grid.components; ++c) {
     double sum = 0;
-    for (int m = 0; m < static_cast<int>(o.fluids.size()); ++m)
+    for (int m = 0; m < static_cast<int>(o.materials.fluids.size()); ++m)
       sum += row(h.each, mixture::component(m, mixture::of_mass))[i] *
-             row(h.velocity, m * o.components + c)[i];
+             row(h.velocity, m * o.grid.components + c)[i];
     row(h.flux, 2 + c)[i] = sum / F;
   }
 }
 
 }  // namespace
 
-void add_fluxes_of_cut_cells(TaskList& list, const mixture::Variables& v,
-                             const MaterialVariables& x, const SchemeOptions& o, int effect) {
-  add_passed_on(list, v, x, o, effect);
-  for (int axis = 0; axis < o.axes.count; ++axis) {
-    const Stencil both = Stencil::along(o.axes.direction[axis], 1, 0);
+void add_fluxes_of_cut_cells(TaskList& list, const CutFluxInput& v, const SchemeOptions& o,
+                             int effect) {
+  add_passed_on(list, v, o, effect);
+  for (int axis = 0; axis < o.grid.axes.count; ++axis) {
+    const Stencil both = Stencil::along(o.grid.axes.direction[axis], 1, 0);
     TaskBuilder task = list.task("fluxes beside solids " + std::to_string(axis), effect);
-    FluxHandles h = read_fluxes(task, v, x, axis, both, Stencil::point());
-    h.passed_on = task.read(x.passed_on, both);
-    h.flux = task.write(v.common.flux[axis]);
-    h.each = task.write(v.flux[axis]);
-    if (o.multi_velocity) {
-      h.whole_velocity = task.read(x.whole_velocity[axis]);
-      h.velocity = task.write(v.common.material_velocity[axis]);
+    FluxHandles h = read_fluxes(task, v, axis, both, Stencil::point());
+    h.passed_on = task.read(v.passed_on, both);
+    h.flux = task.write(v.flux[axis]);
+    h.each = task.write(v.flux_of_each[axis]);
+    if (o.materials.multi_velocity) {
+      h.whole_velocity = task.read(v.whole.velocity[axis]);
+      h.velocity = task.write(v.material_velocity[axis]);
     }
     task.kernel([=](const Row& row) {
       const int n = row.count();
-      for (int c = 0; c < 2 + o.components; ++c) std::copy_n(row(h.whole, c), n, row(h.flux, c));
-      for (int c = 0; c < 3 * static_cast<int>(o.fluids.size()); ++c)
+      for (int c = 0; c < 2 + o.grid.components; ++c)
+        std::copy_n(row(h.whole, c), n, row(h.flux, c));
+      for (int c = 0; c < 3 * static_cast<int>(o.materials.fluids.size()); ++c)
         std::copy_n(row(h.whole_each, c), n, row(h.each, c));
-      if (o.multi_velocity) copy_velocities(row, h, o);
+      if (o.materials.multi_velocity) copy_velocities(row, h, o);
       const TouchedFaces face(row, h, o, axis);
       for (int i = 0; i < n; ++i) {
         if (!face.meets_touched(i)) continue;
@@ -380,8 +355,8 @@ void add_fluxes_of_cut_cells(TaskList& list, const mixture::Variables& v,
         if (!face.donor_is_touched(i)) {
           if (!face.tells_apart(i)) {
             face.give_whole(i, take);
-            if (o.multi_velocity) one_velocity(row, h, o, i);
-          } else if (o.multi_velocity) {
+            if (o.materials.multi_velocity) one_velocity(row, h, o, i);
+          } else if (o.materials.multi_velocity) {
             mean_velocity(row, h, o, i);
           }
           continue;
@@ -389,8 +364,9 @@ void add_fluxes_of_cut_cells(TaskList& list, const mixture::Variables& v,
         face.donor_is_dry(i) ? face.pass_on(i, take) : face.give(i, take);
         row(h.flux, 0)[i] = F;
         row(h.flux, 1)[i] = G;
-        for (int c = 0; c < o.components; ++c) row(h.flux, 2 + c)[i] = face.donor_velocity(c, i);
-        if (o.multi_velocity) one_velocity(row, h, o, i);
+        for (int c = 0; c < o.grid.components; ++c)
+          row(h.flux, 2 + c)[i] = face.donor_velocity(c, i);
+        if (o.materials.multi_velocity) one_velocity(row, h, o, i);
       }
     });
   }

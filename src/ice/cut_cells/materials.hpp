@@ -37,23 +37,57 @@ struct MaterialVariables {
 
 MaterialVariables declare_materials(TaskList&, const SchemeOptions&, mixture::Variables&);
 // Which cells solids touch.
-void add_cut_cells(TaskList&, const mixture::Variables&, const SchemeOptions&, int effect);
-// Of what moves apart: friction of each, on the open share of faces.
-void add_stress_of_open_faces(TaskList&, const mixture::Variables& whole, const mixture::Variables&,
-                              const SchemeOptions&, int effect);
-// Of what conducts: heat through contacts, on the open share of faces.
-void add_heat_of_open_faces(TaskList&, const mixture::Variables&, const MaterialVariables&,
-                            const SchemeOptions&, int effect);
-// E_mL, V_L of touched cells.
-void add_shares_of_each(TaskList&, const mixture::Variables&, const MaterialVariables&,
-                        const SchemeOptions&, int effect);
-// Fluxes of faces at touched cells.
-void add_fluxes_of_cut_cells(TaskList&, const mixture::Variables&, const MaterialVariables&,
-                             const SchemeOptions&, int effect);
+struct WhichCutInput {
+  VariableId fraction, next;
+  VariableId cut;  // written
 
-// Variables of the volume, which moves and is inert as its materials are together.
-SchemeVariables volume_variables(const mixture::Variables&);
-// As mixture/ has them, of the remap along an axis.
-mixture::Variables full_cell_remap(const mixture::Variables&, const MaterialVariables&, int axis);
+  static WhichCutInput of(const mixture::Variables& v) {
+    return {.fraction = v.common.walls.fraction, .next = v.common.walls.next, .cut = v.cut};
+  }
+};
+void add_cut_cells(TaskList&, const WhichCutInput&, const SchemeOptions&, int effect);
+// Of what moves apart: friction of each, on the open share of faces.
+void add_open_stresses(TaskList&, const OpenShareInput&, const SchemeOptions&, int effect);
+// Of what conducts: heat through contacts, on the open share of faces.
+void add_open_heats(TaskList&, const OpenShareInput&, const SchemeOptions&, int effect);
+// E_mL, V_L of touched cells.
+struct SharesOfEachInput {
+  mixture::StateOfEach state;
+  std::vector<VariableId> slip;
+  VariableId fraction, next, pressure, inverse_rho, energy_star, energy;
+  std::array<VariableId, 3> flow;
+  VariableId volume_L, energy_L;  // written
+
+  static SharesOfEachInput of(const mixture::Variables&, const MaterialVariables&);
+};
+void add_shares_of_each(TaskList&, const SharesOfEachInput&, const SchemeOptions&, int effect);
+// Fluxes of faces at touched cells.
+struct WholeFluxes {  // as the rules of whole cells have them: of the mixture, and of each material
+  std::array<VariableId, 3> flux, of_each, velocity;
+};
+struct CutFluxInput {
+  mixture::StateOfEach state;
+  VariableId cut, fraction, inverse_J, pure, donor_velocity, energy_L, gives_old;
+  std::array<VariableId, 3> flow;
+  WholeFluxes whole;
+
+  VariableId passed_on;                                             // written
+  std::array<VariableId, 3> flux, flux_of_each, material_velocity;  // written
+
+  static CutFluxInput of(const mixture::Variables&, const MaterialVariables&);
+};
+void add_fluxes_of_cut_cells(TaskList&, const CutFluxInput&, const SchemeOptions&, int effect);
+// Of several materials.
+struct OfEachInput {
+  SharesOfEachInput shares;
+  CutFluxInput fluxes;
+
+  static OfEachInput of(const mixture::Variables& v, const MaterialVariables& x) {
+    return {.shares = SharesOfEachInput::of(v, x), .fluxes = CutFluxInput::of(v, x)};
+  }
+};
+
+// As mixture/ has it, of the remap along an axis: what a whole cell gives.
+RemapFluxInput whole_cell_remap(const SchemeVariables&, int axis);
 
 }  // namespace sluice::ice::cut_cells

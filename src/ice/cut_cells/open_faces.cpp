@@ -56,9 +56,9 @@ void outflow_row(const Row& row, In fraction, In next, const std::array<In, 3>& 
     if (theta[i] < 1) continue;
     double sum = (1.0 - after[i]) / dt;
     int wet = 0;
-    for (int a = 0; a < o.axes.count; ++a) {
+    for (int a = 0; a < o.grid.axes.count; ++a) {
       const In w = flow[a];
-      const double inverse_dx = 1.0 / row.step().spacing[o.axes.direction[a]];
+      const double inverse_dx = 1.0 / row.step().spacing[o.grid.axes.direction[a]];
       sum += (row(w, 0, a, 1)[i] - row(w)[i]) * inverse_dx;
       wet += (row(fraction, 0, a, -1)[i] < 1) + (row(fraction, 0, a, 1)[i] < 1);
     }
@@ -84,46 +84,44 @@ void close_row(const Row& row, In fraction, In raw, In outflow, Out to, int axis
 
 }  // namespace
 
-void add_open_faces(TaskList& list, const SchemeVariables& fluid, const SchemeVariables& v,
-                    const SchemeOptions& o, int effect) {
+void add_open_faces(TaskList& list, const OpenFacesInput& v, const SchemeOptions& o, int effect) {
   // threshold: volume that flows out of a cell without fluid, of the cell's, up to which it is
   //   the round-off of overlaps; unit: 1; test: none
   constexpr double round_off = 1e-12;
-  for (int axis = 0; axis < o.axes.count; ++axis) {
-    const int d = o.axes.direction[axis];
+  for (int axis = 0; axis < o.grid.axes.count; ++axis) {
+    const int d = o.grid.axes.direction[axis];
     const Stencil both = Stencil::along(d, 1, 0);
     TaskBuilder task = list.task("faces with solids " + std::to_string(axis), effect);
     FaceHandles h;
-    h.fraction = task.read(v.walls.fraction, both);
-    h.next = task.read(v.walls.next, both);
-    h.pressure = task.read(v.walls.pressure, both);
-    h.mean = task.read(v.walls.mean_covered[axis]);
-    h.swept = task.read(v.walls.swept[axis]);
-    h.solid = task.read(v.walls.solid_velocity[axis]);
-    h.u = task.read(fluid.face_velocity[axis]);
-    h.p = task.read(fluid.face_pressure[axis]);
+    h.fraction = task.read(v.fraction, both);
+    h.next = task.read(v.next, both);
+    h.pressure = task.read(v.wall_pressure, both);
+    h.mean = task.read(v.mean_covered[axis]);
+    h.swept = task.read(v.swept[axis]);
+    h.solid = task.read(v.solid_velocity[axis]);
+    h.u = task.read(v.fluid_velocity[axis]);
+    h.p = task.read(v.fluid_pressure[axis]);
     h.u_f = task.write(v.face_velocity[axis]);
     h.p_f = task.write(v.face_pressure[axis]);
-    h.flow = task.write(v.walls.raw_flow[axis]);
+    h.flow = task.write(v.raw_flow[axis]);
     task.kernel(
         [=](const Row& row) { face_row(row, h, axis, row.step().spacing[d] / row.step().dt); });
   }
   TaskBuilder closing = list.task("outflow of cells without fluid", effect);
-  const In fraction = closing.read(v.walls.fraction, Stencil::box(1));
-  const In next = closing.read(v.walls.next);
+  const In fraction = closing.read(v.fraction, Stencil::box(1));
+  const In next = closing.read(v.next);
   std::array<In, 3> flows;
-  for (int axis = 0; axis < o.axes.count; ++axis)
-    flows[axis] =
-        closing.read(v.walls.raw_flow[axis], Stencil::along(o.axes.direction[axis], 0, 1));
-  const Out outflow = closing.write(v.walls.outflow);
+  for (int axis = 0; axis < o.grid.axes.count; ++axis)
+    flows[axis] = closing.read(v.raw_flow[axis], Stencil::along(o.grid.axes.direction[axis], 0, 1));
+  const Out outflow = closing.write(v.outflow);
   closing.kernel([=](const Row& row) { outflow_row(row, fraction, next, flows, outflow, o); });
-  for (int axis = 0; axis < o.axes.count; ++axis) {
-    const int d = o.axes.direction[axis];
+  for (int axis = 0; axis < o.grid.axes.count; ++axis) {
+    const int d = o.grid.axes.direction[axis];
     const Stencil both = Stencil::along(d, 1, 0);
     TaskBuilder task = list.task("volume flow " + std::to_string(axis), effect);
-    const In theta = task.read(v.walls.fraction, both), raw = task.read(v.walls.raw_flow[axis]);
-    const In out = task.read(v.walls.outflow, both);
-    const Out flow = task.write(v.walls.flow[axis]);
+    const In theta = task.read(v.fraction, both), raw = task.read(v.raw_flow[axis]);
+    const In out = task.read(v.outflow, both);
+    const Out flow = task.write(v.flow[axis]);
     task.kernel([=](const Row& row) {
       const double dx = row.step().spacing[d];
       close_row(row, theta, raw, out, flow, axis, dx, round_off * dx / row.step().dt);
@@ -131,13 +129,13 @@ void add_open_faces(TaskList& list, const SchemeVariables& fluid, const SchemeVa
   }
 }
 
-void add_open_share(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int axis,
-                    const FaceShare& of, const std::string& name, int effect) {
+void add_open_share(TaskList& list, const OpenShareInput& v, const SchemeOptions& o, int axis,
+                    int components, const std::string& name, int effect) {
   TaskBuilder task = list.task(name, effect);
-  const In theta = task.read(v.walls.fraction, Stencil::along(o.axes.direction[axis], 1, 0));
-  const In covered = task.read(v.walls.covered[axis]), in = task.read(of.whole);
-  const Out out = task.write(of.open);
-  task.kernel([=, components = of.components](const Row& row) {
+  const In theta = task.read(v.fraction, Stencil::along(o.grid.axes.direction[axis], 1, 0));
+  const In covered = task.read(v.covered[axis]), in = task.read(v.whole[axis]);
+  const Out out = task.write(v.open[axis]);
+  task.kernel([=](const Row& row) {
     const double *ta = row(theta, 0, axis, -1), *tb = row(theta), *a = row(covered);
     for (int c = 0; c < components; ++c) {
       const double* q = row(in, c);
@@ -154,14 +152,13 @@ void add_open_share(TaskList& list, const SchemeVariables& v, const SchemeOption
 }
 
 // Friction and conduction between cells of fluid, on the open share of their face.
-void add_shares(TaskList& list, const SchemeVariables& whole, const SchemeVariables& v,
-                const SchemeOptions& o, int effect) {
-  for (int axis = 0; axis < o.axes.count; ++axis) {
-    if (o.viscous)
-      add_open_share(list, v, o, axis, {whole.stress[axis], v.stress[axis], o.components},
+void add_shares(TaskList& list, const SharesInput& v, const SchemeOptions& o, int effect) {
+  for (int axis = 0; axis < o.grid.axes.count; ++axis) {
+    if (o.transport.viscous)
+      add_open_share(list, v.stress, o, axis, o.grid.components,
                      "stress of open faces " + std::to_string(axis), effect);
-    if (o.conducting)
-      add_open_share(list, v, o, axis, {whole.heat_flux[axis], v.heat_flux[axis]},
+    if (o.transport.conducting)
+      add_open_share(list, v.heat_flux, o, axis, 1,
                      "heat flux of open faces " + std::to_string(axis), effect);
   }
 }

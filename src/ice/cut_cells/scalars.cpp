@@ -15,33 +15,35 @@ namespace sluice::ice::cut_cells {
 void declare_scalar_walls(TaskList& list, const SchemeOptions& o, SchemeVariables& v) {
   ScalarVariables& s = v.scalars;
   if (s.each.empty()) return;
-  s.has_cut_cells = true;
-  s.cut = list.temporary("cells with scalars that solids touch");
+  s.walls.has_cut_cells = true;
+  s.walls.cut = list.temporary("cells with scalars that solids touch");
   for (ScalarVariables::Each& e : s.each) {
     e.density = e.mass;
     e.mass = list.temporary("mass with scalar " + std::to_string(e.index) + " in the cell");
   }
-  if (o.second_order) s.slopes = list.temporary("weight of slopes of scalars");
-  for (int a = 0; a < o.axes.count; ++a) {
+  if (o.scheme.second_order) s.walls.slopes = list.temporary("weight of slopes of scalars");
+  for (int a = 0; a < o.grid.axes.count; ++a) {
     const std::string axis = " of axis " + std::to_string(a);
-    if (o.second_order) s.axis_slopes[a] = list.temporary("weight of slopes of scalars" + axis);
-    if (s.diffusive) s.open_share[a] = list.temporary("open share" + axis, 1, o.axes.direction[a]);
+    if (o.scheme.second_order)
+      s.walls.axis_slopes[a] = list.temporary("weight of slopes of scalars" + axis);
+    if (s.diffusive)
+      s.walls.open_share[a] = list.temporary("open share" + axis, 1, o.grid.axes.direction[a]);
   }
 }
 
 namespace {
 
-void add_cells(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
+void add_cells(TaskList& list, const ScalarWallsInput& v, const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("cells with scalars beside solids", effect);
   const ScalarVariables& s = v.scalars;
-  const In fraction = task.read(v.walls.fraction), next = task.read(v.walls.next);
+  const In fraction = task.read(v.fraction), next = task.read(v.next);
   std::vector<In> density;
   std::vector<Out> mass;
   for (const ScalarVariables::Each& e : s.each) {
     density.push_back(task.read(e.density));
     mass.push_back(task.write(e.mass));
   }
-  const Out cut = task.write(s.cut);
+  const Out cut = task.write(s.walls.cut);
   task.kernel([=](const Row& row) {
     const int n = row.count();
     const double *theta = row(fraction), *after = row(next);
@@ -54,13 +56,13 @@ void add_cells(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
       for (int i = 0; i < n; ++i) M[i] = rho[i] * (1.0 - theta[i]);
     }
   });
-  if (!o.second_order) return;
+  if (!o.scheme.second_order) return;
   TaskBuilder weights = list.task("weight of slopes of scalars", effect);
-  const In touches = weights.read(s.cut), open = weights.read(v.walls.open);
-  const Out whole = weights.write(s.slopes);
+  const In touches = weights.read(s.walls.cut), open = weights.read(v.open);
+  const Out whole = weights.write(s.walls.slopes);
   std::array<Out, 3> along;
-  for (int a = 0; a < o.axes.count; ++a) along[a] = weights.write(s.axis_slopes[a]);
-  weights.kernel([=, axes = o.axes.count](const Row& row) {
+  for (int a = 0; a < o.grid.axes.count; ++a) along[a] = weights.write(s.walls.axis_slopes[a]);
+  weights.kernel([=, axes = o.grid.axes.count](const Row& row) {
     const int n = row.count();
     const double* here = row(touches);
     double* all = row(whole);
@@ -76,15 +78,15 @@ void add_cells(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
 
 }  // namespace
 
-void add_scalar_walls(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+void add_scalar_walls(TaskList& list, const ScalarWallsInput& v, const SchemeOptions& o,
                       int effect) {
   if (v.scalars.each.empty()) return;
   add_cells(list, v, o, effect);
-  for (int axis = 0; axis < o.axes.count && v.scalars.diffusive; ++axis) {
+  for (int axis = 0; axis < o.grid.axes.count && v.scalars.diffusive; ++axis) {
     TaskBuilder task = list.task("open share with scalars " + std::to_string(axis), effect);
-    const In fraction = task.read(v.walls.fraction, Stencil::along(o.axes.direction[axis], 1, 0));
-    const In covered = task.read(v.walls.covered[axis]);
-    const Out share = task.write(v.scalars.open_share[axis]);
+    const In fraction = task.read(v.fraction, Stencil::along(o.grid.axes.direction[axis], 1, 0));
+    const In covered = task.read(v.covered[axis]);
+    const Out share = task.write(v.scalars.walls.open_share[axis]);
     task.kernel([=](const Row& row) {
       const double *ta = row(fraction, 0, axis, -1), *tb = row(fraction), *a = row(covered);
       double* __restrict to = row(share);

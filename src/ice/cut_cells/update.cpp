@@ -78,49 +78,42 @@ void store_row(const Row& row, const Handles& h, int components) {
 // As check_row: of cells without solids.
 void check_cells(const Row& row, const Handles& h, const SchemeOptions& o) {
   const auto inverse = [](double x) { return 1.0 / x; };
-  const int state = fault_of_material * (o.material + 1);
+  const int state = fault_of_material * (o.materials.index + 1);
   const double *rho = row(h.amounts.next.rho), *energy = row(h.amounts.next.energy);
-  if (o.fluid.gamma_law() == nullptr) {
+  if (o.materials.fluid.gamma_law() == nullptr) {
     double* good = row(h.amounts.next.closure, 2);
-    admissible_row(o.fluid, row.count(), rho, energy, good);
-    return admissible_row<3>(row, o.axes,
+    admissible_row(o.materials.fluid, row.count(), rho, energy, good);
+    return admissible_row<3>(row, o.grid.axes,
                              {{{rho, fault_density},
                                {row(h.amounts.inverse_J), fault_volume, inverse},
                                {good, state, nullptr, energy}}},
-                             o.material);
+                             o.materials.index);
   }
   admissible_row<3>(
-      row, o.axes,
+      row, o.grid.axes,
       {{{rho, fault_density}, {row(h.amounts.inverse_J), fault_volume, inverse}, {energy, state}}},
-      o.material);
+      o.materials.index);
 }
 
 }  // namespace
 
-void add_update(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
+void add_update(TaskList& list, const UpdateInput& v, const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("update with solids", effect);
-  const WallVariables& w = v.walls;
-  SchemeVariables cell = v;
-  cell.rho = w.mass;
-  cell.momentum = w.momentum;
-  cell.rho_remap = w.after_rho;
-  cell.momentum_remap = w.after_momentum;
-  cell.energy_remap = w.after_energy;
   Handles h;
-  h.amounts = declare_update(task, cell, o);
+  h.amounts = declare_update(task, v.amounts, o);
   h.frame = task.read(v.velocity_L);
-  h.fraction = task.read(w.fraction);
-  h.next = task.read(w.next);
+  h.fraction = task.read(v.fraction);
+  h.next = task.read(v.next);
   h.rho = task.read(v.rho);
   h.momentum = task.read(v.momentum);
   h.energy = task.read(v.energy);
-  h.fraction_new = task.write(w.fraction_new);
+  h.fraction_new = task.write(v.fraction_new);
   h.rho_new = task.write(v.rho_new);
   h.momentum_new = task.write(v.momentum_new);
   h.energy_new = task.write(v.energy_new);
-  const int components = o.components;
-  const SourceHandles sources = declare_sources(task, v, o);
-  dispatch(o.axes.count, o.components, [&]<int D, int C>() {
+  const int components = o.grid.components;
+  const SourceHandles sources = declare_sources(task, v.amounts.source_change, o);
+  dispatch(o.grid.axes.count, o.grid.components, [&]<int D, int C>() {
     task.kernel([=](const Row& row) {
       update_cells<D, C>(row, h);
       const RateHandles& amounts = h.amounts.next;

@@ -8,14 +8,14 @@ namespace sluice::ice::cut_cells {
 
 void declare_variables(TaskList& list, const SchemeOptions& o, SchemeVariables& v) {
   const Labels& l = labels();
-  const int C = o.components, D = o.axes.count;
+  const int C = o.grid.components, D = o.grid.axes.count;
   WallVariables& w = v.walls;
   w.fraction = list.old_state(l.solid_fraction, 0, 1);
   w.fraction_new = list.new_state(l.solid_fraction, 0, 1);
   w.next = list.old_state(l.solid_fraction_next, 0, 1);
   w.pressure = list.old_state(l.wall_pressure, 0, 1);
   for (int a = 0; a < D; ++a) {
-    const int d = o.axes.direction[a];
+    const int d = o.grid.axes.direction[a];
     const std::string axis = " of axis " + std::to_string(a);
     w.covered[a] = list.old_state(l.covered[d], 0, 1);
     w.mean_covered[a] = list.old_state(l.mean_covered[d], 0, 1);
@@ -25,8 +25,10 @@ void declare_variables(TaskList& list, const SchemeOptions& o, SchemeVariables& 
     w.fluid_pressure[a] = list.temporary("pressure between fluid cells" + axis, 1, d);
     w.raw_flow[a] = list.temporary("volume flow before closing" + axis, 1, d);
     w.flow[a] = list.temporary("volume flow" + axis, 1, d);
-    if (o.viscous) w.whole_stress[a] = list.temporary("stress of open faces" + axis, C, d);
-    if (o.conducting) w.whole_heat_flux[a] = list.temporary("heat flux of open faces" + axis, 1, d);
+    if (o.transport.viscous)
+      w.whole_stress[a] = list.temporary("stress of open faces" + axis, C, d);
+    if (o.transport.conducting)
+      w.whole_heat_flux[a] = list.temporary("heat flux of open faces" + axis, 1, d);
     w.remap_mask[a] = list.temporary("weight of slopes" + axis);
   }
   w.open = list.temporary("where slopes count", D);
@@ -37,34 +39,10 @@ void declare_variables(TaskList& list, const SchemeOptions& o, SchemeVariables& 
   w.donor_velocity = list.temporary("velocity of donors", C);
   w.gives_old = list.temporary("donors that give their old state");
   w.base_mask = list.temporary("weight of transverse slopes");
-  w.after_rho = list.temporary("density after the step");
-  w.after_momentum = list.temporary("momentum after the step", C);
-  w.after_energy = list.temporary("energy after the step");
-}
-
-SchemeVariables fluid_face_variables(const SchemeVariables& v) {
-  SchemeVariables fluid = v;
-  fluid.face_velocity = v.walls.fluid_velocity;
-  fluid.face_pressure = v.walls.fluid_pressure;
-  return fluid;
-}
-
-// The remap of a whole cell moves l u_f of the cell's volume, differences of the old state count
-// (1 - nu)/J, a share |F|/rho of the mass leaves: here l w_f, (1 - nu) V/V_L, |F|/(rho V).
-SchemeVariables remap_variables(const SchemeVariables& v, int axis) {
-  SchemeVariables remap = v;
-  remap.face_velocity = v.walls.flow;
-  remap.inverse_rho = v.walls.inverse_mass;
-  remap.velocity_L = v.walls.donor_velocity;
-  remap.mask = v.walls.remap_mask[axis];
-  return remap;
-}
-
-SchemeVariables base_variables(const SchemeVariables& v) {
-  SchemeVariables bases = v;
-  bases.velocity_L = v.walls.donor_velocity;
-  bases.mask = v.walls.base_mask;
-  return bases;
+  w.after.rho = list.temporary("density after the step");
+  w.after.momentum = list.temporary("momentum after the step", C);
+  w.after.energy = list.temporary("energy after the step");
+  if (!o.materials.mixture) v.after = w.after;
 }
 
 }  // namespace sluice::ice::cut_cells

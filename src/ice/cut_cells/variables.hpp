@@ -9,35 +9,86 @@
 // The step of a cell that a solid meets ends with amounts per volume of the cell (M' = rho V, ...),
 // which may be negative where V' is small: who couples the two mends that, and divides by V'.
 #pragma once
+#include <string>
+
+#include "ice/one_material/tasks.hpp"
 #include "ice/step/variables.hpp"
 
 namespace sluice::ice::cut_cells {
 
-// Tasks of the step, in order, in place of those of the same name; each in the file of its name.
 void declare_variables(TaskList&, const SchemeOptions&, SchemeVariables&);
-void add_apertures(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
-void add_open_faces(TaskList&, const SchemeVariables& fluid, const SchemeVariables& v,
-                    const SchemeOptions&, int effect);
-// What passes faces between cells of fluid, from whole faces to their open share.
-struct FaceShare {
-  VariableId whole, open;
-  int components = 1;
-};
-void add_open_share(TaskList&, const SchemeVariables&, const SchemeOptions&, int axis,
-                    const FaceShare& of, const std::string& task, int effect);
-void add_shares(TaskList&, const SchemeVariables& whole, const SchemeVariables& v,
-                const SchemeOptions&, int effect);
-void add_lagrangian(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
-void add_update(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
 // What the tasks of scalars (scalars/) take of solids; once scalars are declared.
 void declare_scalar_walls(TaskList&, const SchemeOptions&, SchemeVariables&);
-void add_scalar_walls(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
 
-// Variables as the tasks of the whole cell take them: of the faces of the fluid alone; of the remap
-// along an axis.
-SchemeVariables fluid_face_variables(const SchemeVariables&);
-SchemeVariables remap_variables(const SchemeVariables&, int axis);
-SchemeVariables base_variables(const SchemeVariables&);
+// Tasks of the step, in order, in place of those of the same name; each in the file of its name.
+struct AperturesInput {
+  VariableId mask, fraction;
+  std::array<VariableId, 3> covered;
+  VariableId open;  // written
+
+  static AperturesInput of(const SchemeVariables&);
+};
+void add_apertures(TaskList&, const AperturesInput&, const SchemeOptions&, int effect);
+
+struct OpenFacesInput {
+  VariableId fraction, next, wall_pressure;
+  std::array<VariableId, 3> mean_covered, swept, solid_velocity;
+  std::array<VariableId, 3> fluid_velocity, fluid_pressure;  // of faces between fluid alone
+  std::array<VariableId, 3> face_velocity, face_pressure;    // written
+  std::array<VariableId, 3> raw_flow, flow;                  // written
+  VariableId outflow;                                        // written
+
+  static OpenFacesInput of(const SchemeVariables&);
+};
+void add_open_faces(TaskList&, const OpenFacesInput&, const SchemeOptions&, int effect);
+
+// What passes faces between cells of fluid, from whole faces to their open share.
+struct OpenShareInput {
+  VariableId fraction;
+  std::array<VariableId, 3> covered, whole;
+  std::array<VariableId, 3> open;  // written
+};
+void add_open_share(TaskList&, const OpenShareInput&, const SchemeOptions&, int axis,
+                    int components, const std::string& task, int effect);
+// Of the mixture.
+struct SharesInput {
+  OpenShareInput stress, heat_flux;
+};
+void add_shares(TaskList&, const SharesInput&, const SchemeOptions&, int effect);
+
+// Amounts of a cell, and what it gives to the remap.
+struct CellVariables {
+  VariableId mass, momentum, inverse_mass, donor_velocity, base_mask, gives_old;
+  std::array<VariableId, 3> remap_mask;
+};
+struct LagrangianInput {
+  VariableId momentum;
+  ice::LagrangianInput fluid;
+  VariableId fraction, next, wall_pressure, open;
+  std::array<VariableId, 3> flow, covered;
+  CellVariables cell;  // written
+
+  static LagrangianInput of(const SchemeVariables&);
+};
+void add_lagrangian(TaskList&, const LagrangianInput&, const SchemeOptions&, int effect);
+
+struct UpdateInput {
+  ice::UpdateInput amounts;  // of the cell
+  VariableId velocity_L, fraction, next, rho, momentum, energy;
+  VariableId fraction_new, rho_new, momentum_new, energy_new;  // written
+
+  static UpdateInput of(const SchemeVariables&);
+};
+void add_update(TaskList&, const UpdateInput&, const SchemeOptions&, int effect);
+
+struct ScalarWallsInput {
+  ScalarVariables scalars;
+  VariableId fraction, next, open;
+  std::array<VariableId, 3> covered;
+
+  static ScalarWallsInput of(const SchemeVariables&);
+};
+void add_scalar_walls(TaskList&, const ScalarWallsInput&, const SchemeOptions&, int effect);
 
 // threshold: share of a cell up to which a volume of fluid is none: the round-off of overlaps;
 //   unit: 1; test: none

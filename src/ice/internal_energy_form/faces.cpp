@@ -67,20 +67,21 @@ void pressure_row(const Row& row, const PressureHandles& h, int axis) {
 
 }  // namespace
 
-void add_face_velocity(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
+void add_face_velocity(TaskList& list, const FaceVelocityInput& v, const SchemeOptions& o,
+                       int effect) {
   static const char* names[] = {"face velocity of axis 0", "face velocity of axis 1",
                                 "face velocity of axis 2"};
-  for (int axis = 0; axis < o.axes.count; ++axis) {
-    const int direction = o.axes.direction[axis];
+  for (int axis = 0; axis < o.grid.axes.count; ++axis) {
+    const int direction = o.grid.axes.direction[axis];
     const Stencil both = Stencil::along(direction, 1, 0);
     TaskBuilder task = list.task(names[axis], effect);
     VelocityHandles h;
-    h.rho = task.read(v.common.rho, both);
-    h.velocity = task.read(v.common.velocity, both);
-    h.pressure = task.read(v.common.pressure, both);
-    if (holds_velocities(o)) h.sound = task.read(v.common.sound, both);
-    h.face_velocity = task.write(v.common.face_velocity[axis]);
-    const double gravity = o.gravity[direction], force = o.force[direction];
+    h.rho = task.read(v.rho, both);
+    h.velocity = task.read(v.velocity, both);
+    h.pressure = task.read(v.pressure, both);
+    if (holds_velocities(o)) h.sound = task.read(v.sound, both);
+    h.face_velocity = task.write(v.face_velocity[axis]);
+    const double gravity = o.forces.gravity[direction], force = o.forces.driving[direction];
     task.kernel([=](const Row& row) {
       const double dt = row.step().dt;
       velocity_row(row, h, axis, dt / row.step().spacing[direction], dt * gravity, dt * force);
@@ -92,25 +93,27 @@ void add_face_velocity(TaskList& list, const Variables& v, const SchemeOptions& 
   }
 }
 
-void add_face_pressure(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
+void add_face_pressure(TaskList& list, const FacePressureInput& v, const SchemeOptions& o,
+                       int effect) {
   static const char* names[] = {"face pressure of axis 0", "face pressure of axis 1",
                                 "face pressure of axis 2"};
-  for (int axis = 0; axis < o.axes.count; ++axis) {
-    const Stencil both = Stencil::along(o.axes.direction[axis], 1, 0);
+  for (int axis = 0; axis < o.grid.axes.count; ++axis) {
+    const Stencil both = Stencil::along(o.grid.axes.direction[axis], 1, 0);
     TaskBuilder task = list.task(names[axis], effect);
     PressureHandles h;
-    h.rho = task.read(v.common.rho, both);
+    h.rho = task.read(v.rho, both);
     h.pressure = task.read(v.pressure, both);
     if (holds_velocities(o)) {
-      h.velocity = task.read(v.common.velocity, both);
-      h.sound = task.read(v.common.sound, both);
+      h.velocity = task.read(v.velocity, both);
+      h.sound = task.read(v.sound, both);
     }
-    h.face_pressure = task.write(v.common.face_pressure[axis]);
-    const int direction = o.axes.direction[axis];
+    h.face_pressure = task.write(v.face_pressure[axis]);
+    const int direction = o.grid.axes.direction[axis];
     task.kernel([=](const Row& row) {
       pressure_row(row, h, axis);
       const double half = 0.5 * row.step().spacing[direction];
-      held_pressures(row, h, o, axis, half * o.gravity[direction], half * o.force[direction]);
+      held_pressures(row, h, o, axis, half * o.forces.gravity[direction],
+                     half * o.forces.driving[direction]);
     });
   }
 }

@@ -90,25 +90,25 @@ void flux_row(const Row& row, const Handles& h, int axis, double l) {
 
 }  // namespace
 
-void add_fluxes(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
+void add_fluxes(TaskList& list, const FluxesInput& v, const SchemeOptions& o, int effect) {
   static const char* names[] = {"fluxes of axis 0", "fluxes of axis 1", "fluxes of axis 2"};
-  for (int axis = 0; axis < o.axes.count; ++axis) {
-    const int direction = o.axes.direction[axis];
+  for (int axis = 0; axis < o.grid.axes.count; ++axis) {
+    const int direction = o.grid.axes.direction[axis];
     const Stencil both = Stencil::along(direction, 1, 0);
     TaskBuilder task = list.task(names[axis], effect);
     Handles h;
-    h.rho = task.read(v.common.rho, both);
+    h.rho = task.read(v.rho, both);
     h.energy = task.read(v.energy, both);
     h.momentum = task.read(v.momentum, both);
-    if (o.second_order) h.slope = task.read(v.slope, both);
-    if (o.second_order && o.axes.count > 1) h.shift = task.read(v.shift, both);
-    h.face_velocity = task.read(v.common.face_velocity[axis]);
-    h.flux = task.write(v.common.flux[axis]);
+    if (o.scheme.second_order) h.slope = task.read(v.slope, both);
+    if (o.scheme.second_order && o.grid.axes.count > 1) h.shift = task.read(v.shift, both);
+    h.face_velocity = task.read(v.face_velocity[axis]);
+    h.flux = task.write(v.flux[axis]);
     const bool per_mass = specific(o);
-    dispatch(o.axes.count, o.components, [&]<int D, int C>() {
+    dispatch(o.grid.axes.count, o.grid.components, [&]<int D, int C>() {
       task.kernel([=](const Row& row) {
         const double l = row.step().dt / row.step().spacing[direction];
-        if (!o.second_order)
+        if (!o.scheme.second_order)
           flux_row<D, C, false, true>(row, h, axis, l);
         else if (per_mass)
           flux_row<D, C, true, true>(row, h, axis, l);

@@ -34,29 +34,29 @@ void advected_rows(const Row& row, const Handles& h) {
 
 }  // namespace
 
-void add_lagrangian(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
+void add_lagrangian(TaskList& list, const LagrangianInput& v, const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("Lagrangian momentum and energy", effect);
   Handles h;
-  h.forces.rho = task.read(v.common.rho);
-  for (int axis = 0; axis < o.axes.count; ++axis) {
-    const Stencil both = Stencil::along(o.axes.direction[axis], 0, 1);
-    h.forces.face_pressure[axis] = task.read(v.common.face_pressure[axis], both);
-    if (o.viscous) h.forces.stress[axis] = task.read(v.common.stress[axis], both);
+  h.forces.rho = task.read(v.rho);
+  for (int axis = 0; axis < o.grid.axes.count; ++axis) {
+    const Stencil both = Stencil::along(o.grid.axes.direction[axis], 0, 1);
+    h.forces.face_pressure[axis] = task.read(v.face_pressure[axis], both);
+    if (o.transport.viscous) h.forces.stress[axis] = task.read(v.stress[axis], both);
   }
-  h.inverse_rho = task.read(v.common.inverse_rho);
-  h.momentum = task.read(v.common.momentum);
-  h.energy_star = task.read(v.common.energy_star);
+  h.inverse_rho = task.read(v.inverse_rho);
+  h.momentum = task.read(v.old_momentum);
+  h.energy_star = task.read(v.energy_star);
   if (holds_velocities(o)) {
-    h.velocity = task.read(v.common.velocity);
-    h.sound = task.read(v.common.sound);
+    h.velocity = task.read(v.velocity);
+    h.sound = task.read(v.sound);
   }
-  h.forces.impulse = task.write(v.common.impulse);
+  h.forces.impulse = task.write(v.impulse);
   h.momentum_out = task.write(v.momentum);
   h.energy_out = task.write(v.energy);
   const bool per_mass = specific(o);
-  dispatch(o.axes.count, o.components, [&]<int D, int C>() {
+  dispatch(o.grid.axes.count, o.grid.components, [&]<int D, int C>() {
     task.kernel([=](const Row& row) {
-      impulse_rows<D, C>(row, h.forces, impulse_constants(o, row.step()), o.viscous);
+      impulse_rows<D, C>(row, h.forces, impulse_constants(o, row.step()), o.transport.viscous);
       leave_held_ghosts(row, o, h.velocity, h.sound, h.forces.impulse);
       if (per_mass)
         advected_rows<C, true>(row, h);

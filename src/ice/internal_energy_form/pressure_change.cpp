@@ -44,24 +44,26 @@ void change_row(const Row& row, const Handles& h, const double (&l)[3]) {
 
 }  // namespace
 
-void add_pressure_change(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
+void add_pressure_change(TaskList& list, const PressureChangeInput& v, const SchemeOptions& o,
+                         int effect) {
   TaskBuilder task = list.task("pressure change", effect);
   Handles h;
-  h.energy = task.read(v.common.energy);
-  h.inverse_rho = task.read(v.common.inverse_rho);
-  h.pressure = task.read(v.common.pressure);
-  h.sound = task.read(v.common.sound);
-  for (int axis = 0; axis < o.axes.count; ++axis) {
+  h.energy = task.read(v.energy);
+  h.inverse_rho = task.read(v.inverse_rho);
+  h.pressure = task.read(v.pressure);
+  h.sound = task.read(v.sound);
+  for (int axis = 0; axis < o.grid.axes.count; ++axis) {
     h.face_velocity[axis] =
-        task.read(v.common.face_velocity[axis], Stencil::along(o.axes.direction[axis], 0, 1));
+        task.read(v.face_velocity[axis], Stencil::along(o.grid.axes.direction[axis], 0, 1));
   }
-  h.change = task.write(v.common.pressure_change);
-  h.pressure_new = task.write(v.pressure);
-  h.energy_star = task.write(v.common.energy_star);
-  dispatch(o.axes.count, o.components, [&]<int D, int C>() {
+  h.change = task.write(v.pressure_change);
+  h.pressure_new = task.write(v.acting_pressure);
+  h.energy_star = task.write(v.energy_star);
+  dispatch(o.grid.axes.count, o.grid.components, [&]<int D, int C>() {
     task.kernel([=](const Row& row) {
       double l[3] = {0, 0, 0};
-      for (int d = 0; d < D; ++d) l[d] = row.step().dt / row.step().spacing[o.axes.direction[d]];
+      for (int d = 0; d < D; ++d)
+        l[d] = row.step().dt / row.step().spacing[o.grid.axes.direction[d]];
       change_row<D>(row, h, l);
     });
   });

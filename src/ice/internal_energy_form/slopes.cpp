@@ -74,10 +74,11 @@ void flatten(const Row& row, const Handles& h, int slopes, int first, int last) 
 // No slopes in ghost cells outside the domain: what comes in has the ghost's own value.
 void flatten_outside(const Row& row, const Handles& h, const SchemeOptions& o, int slopes) {
   const int n = row.count();
-  for (int axis = 0; axis < o.axes.count; ++axis) {
-    const int d = o.axes.direction[axis];
-    if (o.periodic[d]) continue;
-    const int first = o.domain.lower[d] - row.cell()[d], last = o.domain.upper[d] - row.cell()[d];
+  for (int axis = 0; axis < o.grid.axes.count; ++axis) {
+    const int d = o.grid.axes.direction[axis];
+    if (o.grid.periodic[d]) continue;
+    const int first = o.grid.domain.lower[d] - row.cell()[d],
+              last = o.grid.domain.upper[d] - row.cell()[d];
     if (axis == 0) {
       flatten(row, h, slopes, 0, first < n ? first : n);
       flatten(row, h, slopes, last > 0 ? last : 0, n);
@@ -99,7 +100,7 @@ template <int D>
 void shift_rows(const Row& row, const Handles& h, const SchemeOptions& o) {
   const int n = row.count();
   for (int d = 0; d < D; ++d) {
-    const double half = 0.5 * row.step().dt / row.step().spacing[o.axes.direction[d]];
+    const double half = 0.5 * row.step().dt / row.step().spacing[o.grid.axes.direction[d]];
     const double* __restrict um = row(h.face_velocity[d]);
     const double* __restrict up = row(h.face_velocity[d], 0, d, 1);
     double* __restrict shift = row(h.shift, d);
@@ -113,44 +114,44 @@ void all_rows(const Row& row, const Handles& h, const SchemeOptions& o) {
   constexpr int slopes = (2 + C) * D;
   slope_rows<D, false>(row, h, neighbours<D>(row, h.rho, 0), 0);
   // The density's own slopes must be final before others are weighted with them.
-  if (o.masked) apply_mask(row, h, D);
+  if (o.scheme.masked) apply_mask(row, h, D);
   for (int q = 1; q < 2 + C; ++q) {
     const Neighbours<D> near =
         q == 1 ? neighbours<D>(row, h.energy, 0) : neighbours<D>(row, h.momentum, q - 2);
-    if (o.compatible_fluxes)
+    if (o.scheme.compatible_fluxes)
       slope_rows<D, true>(row, h, near, q);
     else
       slope_rows<D, false>(row, h, near, q);
   }
-  if (o.masked) apply_mask(row, h, slopes);
+  if (o.scheme.masked) apply_mask(row, h, slopes);
   flatten_outside(row, h, o, slopes);
   if constexpr (D > 1) shift_rows<D>(row, h, o);
 }
 
 }  // namespace
 
-void add_slopes(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
-  if (!o.second_order) return;
+void add_slopes(TaskList& list, const SlopesInput& v, const SchemeOptions& o, int effect) {
+  if (!o.scheme.second_order) return;
   TaskBuilder task = list.task("limited slopes", effect);
   Stencil around;
-  for (int axis = 0; axis < o.axes.count; ++axis) {
-    around.low[o.axes.direction[axis]] = 1;
-    around.high[o.axes.direction[axis]] = 1;
+  for (int axis = 0; axis < o.grid.axes.count; ++axis) {
+    around.low[o.grid.axes.direction[axis]] = 1;
+    around.high[o.grid.axes.direction[axis]] = 1;
   }
   Handles h;
-  h.rho = task.read(v.common.rho, around);
+  h.rho = task.read(v.rho, around);
   h.energy = task.read(v.energy, around);
   h.momentum = task.read(v.momentum, around);
-  if (o.masked) h.mask = task.read(v.common.mask);
+  if (o.scheme.masked) h.mask = task.read(v.mask);
   h.slope = task.write(v.slope);
-  if (o.axes.count > 1) {
-    for (int axis = 0; axis < o.axes.count; ++axis) {
+  if (o.grid.axes.count > 1) {
+    for (int axis = 0; axis < o.grid.axes.count; ++axis) {
       h.face_velocity[axis] =
-          task.read(v.common.face_velocity[axis], Stencil::along(o.axes.direction[axis], 0, 1));
+          task.read(v.face_velocity[axis], Stencil::along(o.grid.axes.direction[axis], 0, 1));
     }
     h.shift = task.write(v.shift);
   }
-  dispatch(o.axes.count, o.components, [&]<int D, int C>() {
+  dispatch(o.grid.axes.count, o.grid.components, [&]<int D, int C>() {
     task.kernel([=](const Row& row) { all_rows<D, C>(row, h, o); });
   });
 }

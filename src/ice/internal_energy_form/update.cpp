@@ -67,7 +67,7 @@ void rest_row(const Row& row, const Handles& h, const SchemeOptions& o) {
   double* __restrict rest = row(h.rest);
   for (int i = 0; i < n; ++i) rest[i] = 1.0;
   for (int d = 0; d < D; ++d) {
-    const double l = row.step().dt / row.step().spacing[o.axes.direction[d]];
+    const double l = row.step().dt / row.step().spacing[o.grid.axes.direction[d]];
     const double* __restrict um = row(h.face_velocity[d]);
     const double* __restrict up = row(h.face_velocity[d], 0, d, 1);
 #pragma GCC ivdep
@@ -84,38 +84,38 @@ void check_row(const Row& row, const Handles& h, const Axes& axes) {
                       {row(h.energy_star), fault_energy}}});
 }
 
-Handles declare(TaskBuilder& task, const Variables& v, const SchemeOptions& o) {
+Handles declare(TaskBuilder& task, const UpdateInput& v, const SchemeOptions& o) {
   Handles h;
-  h.rho = task.read(v.common.rho);
-  h.momentum = task.read(v.common.momentum);
-  h.impulse = task.read(v.common.impulse);
-  h.energy_star = task.read(v.common.energy_star);
-  if (o.conservative_time_step) h.next.sound = task.read(v.common.sound, Stencil::box(1));
-  for (int axis = 0; axis < o.axes.count; ++axis) {
-    const Stencil both = Stencil::along(o.axes.direction[axis], 0, 1);
-    h.flux[axis] = task.read(v.common.flux[axis], both);
-    h.face_velocity[axis] = task.read(v.common.face_velocity[axis], both);
+  h.rho = task.read(v.rho);
+  h.momentum = task.read(v.momentum);
+  h.impulse = task.read(v.impulse);
+  h.energy_star = task.read(v.energy_star);
+  if (o.scheme.conservative_time_step) h.next.sound = task.read(v.sound, Stencil::box(1));
+  for (int axis = 0; axis < o.grid.axes.count; ++axis) {
+    const Stencil both = Stencil::along(o.grid.axes.direction[axis], 0, 1);
+    h.flux[axis] = task.read(v.flux[axis], both);
+    h.face_velocity[axis] = task.read(v.face_velocity[axis], both);
   }
   h.next.face_velocity = h.face_velocity;
-  h.next.rho = task.write(v.common.rho_new);
-  h.next.momentum = task.write(v.common.momentum_new);
-  h.next.energy = task.write(v.common.energy_new);
+  h.next.rho = task.write(v.rho_new);
+  h.next.momentum = task.write(v.momentum_new);
+  h.next.energy = task.write(v.energy_new);
   h.rest = task.write(v.rest);
   return h;
 }
 
 }  // namespace
 
-void add_update(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
+void add_update(TaskList& list, const UpdateInput& v, const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("update", effect);
   const Handles h = declare(task, v, o);
-  const SourceHandles sources = declare_sources(task, v.common, o);
-  dispatch(o.axes.count, o.components, [&]<int D, int C>() {
+  const SourceHandles sources = declare_sources(task, v.source_change, o);
+  dispatch(o.grid.axes.count, o.grid.components, [&]<int D, int C>() {
     task.kernel([=](const Row& row) {
       update_rows<D, C>(row, h);
       rest_row<D>(row, h, o);
       add_sources_of_one(row, sources, o, h.next.rho, h.next.momentum, h.next.energy);
-      check_row(row, h, o.axes);
+      check_row(row, h, o.grid.axes);
       rates_of_row<D>(row, h.next, o);
     });
   });

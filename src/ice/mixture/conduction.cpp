@@ -12,7 +12,7 @@
 #include "ice/fluid/face_mean.hpp"
 #include "ice/fluid/limiters.hpp"
 #include "ice/mixture/surface.hpp"
-#include "ice/mixture/variables.hpp"
+#include "ice/mixture/tasks.hpp"
 #include "ice/one_material/heat_flux_rows.hpp"
 #include "ice/step/laws_of_cells.hpp"
 #include "ice/step/material_runs.hpp"
@@ -24,20 +24,21 @@ namespace {
 
 // T and rho_m cv_m of each material that conducts, where it is; where it varies its k too,
 //   k_m + cp_m mu_t/Pr_t (rho_m/rho), k_m of a mixed gas that of its fraction.
-void add_temperatures(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
+void add_temperatures(TaskList& list, const HeatFluxInput& v, const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("temperature of each material", effect);
-  const StateReads state = read_state(task, v);
+  const StateReads state = read_state(task, v.state);
   const In presence = task.read(v.presence);
   const Out temperature = task.write(v.temperature), capacity = task.write(v.heat_capacity);
-  const bool varies = o.conductivity_varies, turbulent = o.transport.turbulence.has_value();
+  const bool varies = o.transport.conductivity_varies,
+             turbulent = o.transport.models.turbulence.has_value();
   const Out own = task.write(list.temporary("density and energy of a material", turbulent ? 3 : 2));
   const LawsOfCells laws(task, list, o);
-  const In eddy = turbulent ? task.read(v.common.eddy_viscosity) : In{};
-  const In rho = turbulent ? task.read(v.common.rho) : In{};
-  const Out conductivity = varies ? task.write(v.common.conductivity) : Out{};
+  const In eddy = turbulent ? task.read(v.eddy_viscosity) : In{};
+  const In rho = turbulent ? task.read(v.rho) : In{};
+  const Out conductivity = varies ? task.write(v.conductivity) : Out{};
   task.kernel([=](const Row& row) {
     // The end of the step asks for it where a material may have come in.
-    for (int m = 0; varies && m < static_cast<int>(o.fluids.size()); ++m)
+    for (int m = 0; varies && m < static_cast<int>(o.materials.fluids.size()); ++m)
       std::fill_n(row(conductivity, m), row.count(), 0.0);
     for_each_run(runs_of(row, presence), row.count(), [&](int first, int count, double set) {
       const Row part = row.part(first, count);
@@ -50,7 +51,7 @@ void add_temperatures(TaskList& list, const Variables& v, const SchemeOptions& o
         const LawRow law = laws.of(part, m);
         law.temperature(count, r, e, part(temperature, m));
         law.heat_capacity(count, r, e, C);
-        if (varies) law.conductivity(count, o.conductivities[m], part(conductivity, m));
+        if (varies) law.conductivity(count, o.transport.conductivities[m], part(conductivity, m));
         if (turbulent) {
           const double* __restrict mu_t = part(eddy);
           const double* __restrict all = part(rho);
@@ -58,7 +59,7 @@ void add_temperatures(TaskList& list, const Variables& v, const SchemeOptions& o
           double* __restrict ratio = part(own, 2);
           law.heat_capacity_ratio(count, r, e, ratio);
           for (int i = 0; i < count; ++i) {
-            const double scale = ratio[i] / o.transport.turbulence->prandtl;
+            const double scale = ratio[i] / o.transport.models.turbulence->prandtl;
             k[i] += scale * C[i] * (mu_t[i] * (r[i] / all[i]));
           }
         }
@@ -99,8 +100,8 @@ class FaceHeat {
       : o_(o),
         h_(h),
         axis_(axis),
-        contacts_(static_cast<int>(o.fluids.size()), o.heat_exchange, o.multi_velocity_exchange,
-                  o.convective) {}
+        contacts_(static_cast<int>(o.materials.fluids.size()), o.materials.heat_exchange,
+                  o.materials.multi_velocity_exchange, o.materials.convective) {}
 
   void run(const Row& row) const {
     const RunRow a = runs_of(row, h_.presence, axis_, -1), b = runs_of(row, h_.presence);
@@ -115,15 +116,15 @@ class FaceHeat {
   }
 
  private:
-  double dx(const Row& row) const { return row.step().spacing[o_.axes.direction[axis_]]; }
-  int materials() const { return static_cast<int>(o_.fluids.size()); }
-  double k(int m) const { return o_.conductivities[m]; }
+  double dx(const Row& row) const { return row.step().spacing[o_.grid.axes.direction[axis_]]; }
+  int materials() const { return static_cast<int>(o_.materials.fluids.size()); }
+  double k(int m) const { return o_.transport.conductivities[m]; }
 
   void one_material(const Row& row, int m) const {
     const int n = row.count();
     double* q = row(h_.flux);
     const double *Ta = row(h_.temperature, m, axis_, -1), *Tb = row(h_.temperature, m);
-    if (o_.conductivity_varies)
+    if (o_.transport.conductivity_varies)
       heat_flux_row(n, row(h_.conductivity, m, axis_, -1), row(h_.conductivity, m), Ta, Tb,
                     1.0 / dx(row), q);
     else if (k(m) > 0.0)
@@ -145,13 +146,15 @@ class FaceHeat {
   SideRows side(const Row& row, int shift) const {
     SideRows s;
     s.presence = row(h_.presence, 0, axis_, shift);
-    s.jump = o_.multi_velocity_exchange ? row(h_.surface, SurfaceParts::heat_per_area, axis_, shift)
-                                        : nullptr;
+    s.jump = o_.materials.multi_velocity_exchange
+                 ? row(h_.surface, SurfaceParts::heat_per_area, axis_, shift)
+                 : nullptr;
     for (int m = 0; m < materials(); ++m) {
       s.share[m] = row(h_.volume[m], 0, axis_, shift);
       s.temperature[m] = row(h_.temperature, m, axis_, shift);
       s.capacity[m] = row(h_.capacity, m, axis_, shift);
-      s.conductivity[m] = o_.conductivity_varies ? row(h_.conductivity, m, axis_, shift) : nullptr;
+      s.conductivity[m] =
+          o_.transport.conductivity_varies ? row(h_.conductivity, m, axis_, shift) : nullptr;
       s.mass[m] = h_.mass.empty() ? nullptr : row(h_.mass[m], 0, axis_, shift);
     }
     return s;
@@ -159,8 +162,8 @@ class FaceHeat {
   // The most k for each unit of rho cv.
   double bound(const Row& row) const {
     double inverse_dx2 = 0;
-    for (int a = 0; a < o_.axes.count; ++a) {
-      const double inverse = 1.0 / row.step().spacing[o_.axes.direction[a]];
+    for (int a = 0; a < o_.grid.axes.count; ++a) {
+      const double inverse = 1.0 / row.step().spacing[o_.grid.axes.direction[a]];
       inverse_dx2 += inverse * inverse;
     }
     return 1.0 / (2.0 * row.step().dt * inverse_dx2);
@@ -173,7 +176,7 @@ class FaceHeat {
       g.share[m] = present ? s.share[m][i] : 0.0;
       g.conductivity[m] = 0.0;
       if (!present || !o_.conducts(m)) continue;
-      g.conductivity[m] = o_.conductivity_varies ? s.conductivity[m][i] : k(m);
+      g.conductivity[m] = o_.transport.conductivity_varies ? s.conductivity[m][i] : k(m);
       g.temperature[m] = s.temperature[m][i];
       if (s.mass[m] != nullptr) g.density[m] = s.mass[m][i] / s.share[m][i];
       // The little that limits no step keeps half of what it has for the work that it does.
@@ -247,7 +250,7 @@ class FaceHeat {
         differ[i] += std::fabs(sa[i] - sb[i]);
       }
     };
-    if (!o_.conductivity_varies) return mark_modified([k_m = k(m)](int) { return k_m; });
+    if (!o_.transport.conductivity_varies) return mark_modified([k_m = k(m)](int) { return k_m; });
     mark_modified([ka = f.below.conductivity[m], kb = f.above.conductivity[m]](int i) {
       return harmonic_mean(ka[i], kb[i]);
     });
@@ -267,7 +270,7 @@ class FaceHeat {
     const double length = dx(row), inverse = 1.0 / length;
     for_each_wall_face(row, o_, axis_, [&](int i, bool plus) {
       IntVec3 cell = row.cell();
-      cell[o_.axes.direction[0]] += i;
+      cell[o_.grid.axes.direction[0]] += i;
       const SideRows inside = side(row, plus ? -1 : 0);
       const auto set = as_set(inside.presence[i]);
       Gathered g;
@@ -277,7 +280,7 @@ class FaceHeat {
         q[m] = 0.0;
         if ((set >> m & 1) == 0 || !(k(m) > 0.0)) continue;
         const WallHeat& wall =
-            o_.boundary->wall_heat(side_of(o_.axes.direction[axis_], plus), cell, m);
+            o_.grid.boundary->wall_heat(side_of(o_.grid.axes.direction[axis_], plus), cell, m);
         const bool alone = is_single(static_cast<double>(set));
         const double k_m = conductivity_on_wall(row, m, i);
         const double conductivity = alone ? k_m : smaller(k_m, g.most[m]);
@@ -303,27 +306,27 @@ class FaceHeat {
 
 }  // namespace
 
-void add_heat_flux(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
-  if (!o.conducting) return;
+void add_heat_flux(TaskList& list, const HeatFluxInput& v, const SchemeOptions& o, int effect) {
+  if (!o.transport.conducting) return;
   add_temperatures(list, v, o, effect);
   static const char* names[] = {"heat through contacts on axis 0",
                                 "heat through contacts on axis 1",
                                 "heat through contacts on axis 2"};
-  for (int axis = 0; axis < o.axes.count; ++axis) {
+  for (int axis = 0; axis < o.grid.axes.count; ++axis) {
     TaskBuilder task = list.task(names[axis], effect);
-    const Stencil both = Stencil::along(o.axes.direction[axis], 1, 0);
+    const Stencil both = Stencil::along(o.grid.axes.direction[axis], 1, 0);
     Handles h;
     h.presence = task.read(v.presence, both);
     h.pure = task.read(v.pure, both);
     h.temperature = task.read(v.temperature, both);
     h.capacity = task.read(v.heat_capacity, both);
-    if (o.multi_velocity_exchange) h.surface = task.read(v.surface, both);
-    if (o.conductivity_varies) h.conductivity = task.read(v.common.conductivity, both);
-    for (const VariableId volume : v.volume) h.volume.push_back(task.read(volume, both));
-    for (std::size_t m = 0; m < v.mass.size() && o.heat_exchange.varies(); ++m)
-      h.mass.push_back(task.read(v.mass[m], both));
-    h.flux = task.write(v.common.heat_flux[axis]);
-    h.of_materials = task.write(v.heat_flux[axis]);
+    if (o.materials.multi_velocity_exchange) h.surface = task.read(v.surface, both);
+    if (o.transport.conductivity_varies) h.conductivity = task.read(v.conductivity, both);
+    for (const VariableId volume : v.state.volume) h.volume.push_back(task.read(volume, both));
+    for (std::size_t m = 0; m < v.state.mass.size() && o.materials.heat_exchange.varies(); ++m)
+      h.mass.push_back(task.read(v.state.mass[m], both));
+    h.flux = task.write(v.heat_flux[axis]);
+    h.of_materials = task.write(v.of_materials[axis]);
     task.kernel([heat = FaceHeat(o, h, axis)](const Row& row) { heat.run(row); });
   }
 }

@@ -15,15 +15,16 @@ bool limits_the_step(double mass, double volume, double total_mass) {
 }  // namespace
 
 DiffusionRates::DiffusionRates(const SchemeOptions& o)
-    : fluids_(o.fluids),
-      viscosities_(o.viscosities),
-      conductivities_(o.conductivities),
-      axes_(o.axes),
-      multi_velocity_(o.multi_velocity),
-      viscous_(o.viscous),
-      conducting_(o.conducting),
-      viscosity_varies_(o.viscous && (o.own_viscosity_varies() || o.transport.turbulence)),
-      conductivity_varies_(o.conductivity_varies) {}
+    : fluids_(o.materials.fluids),
+      viscosities_(o.transport.viscosities),
+      conductivities_(o.transport.conductivities),
+      axes_(o.grid.axes),
+      multi_velocity_(o.materials.multi_velocity),
+      viscous_(o.transport.viscous),
+      conducting_(o.transport.conducting),
+      viscosity_varies_(o.transport.viscous &&
+                        (o.own_viscosity_varies() || o.transport.models.turbulence)),
+      conductivity_varies_(o.transport.conductivity_varies) {}
 
 double DiffusionRates::largest(const MaterialRows& s, int n, const Vec3& spacing) const {
   double inverse_dx2 = 0;

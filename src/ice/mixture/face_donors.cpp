@@ -8,15 +8,15 @@
 
 namespace sluice::ice::mixture {
 
-MaterialHandles read_materials(TaskBuilder& task, const Variables& v, const SchemeOptions& o,
+MaterialHandles read_materials(TaskBuilder& task, const DonorsInput& v, const SchemeOptions& o,
                                int axis) {
-  const int direction = o.axes.direction[axis];
+  const int direction = o.grid.axes.direction[axis];
   const Stencil both = Stencil::along(direction, 1, 0), four = Stencil::along(direction, 2, 1);
   const Stencil six = Stencil::along(direction, 3, 2);
   MaterialHandles h;
-  for (const VariableId id : v.mass) h.mass.push_back(task.read(id, four));
-  for (const VariableId id : v.energy) h.energy.push_back(task.read(id, four));
-  for (const VariableId id : v.volume) h.volume.push_back(task.read(id, six));
+  for (const VariableId id : v.state.mass) h.mass.push_back(task.read(id, four));
+  for (const VariableId id : v.state.energy) h.energy.push_back(task.read(id, four));
+  for (const VariableId id : v.state.volume) h.volume.push_back(task.read(id, six));
   h.presence = task.read(v.presence, six);
   h.pure = task.read(v.pure, both);
   h.energy_L = task.read(v.energy_L, both);
@@ -24,15 +24,15 @@ MaterialHandles read_materials(TaskBuilder& task, const Variables& v, const Sche
   h.scale = task.read(v.energy_scale, both);
   h.stretch = task.read(v.stretch, both);
   if (relaxes_before_remap(o)) h.strain = task.read(v.strain, both);
-  if (o.second_order && o.axes.count > 1) h.base = task.read(v.base[axis], both);
-  if (o.mixed != nullptr && o.second_order) h.alike = task.read(v.alike, both);
+  if (o.scheme.second_order && o.grid.axes.count > 1) h.base = task.read(v.base[axis], both);
+  if (o.materials.mixed != nullptr && o.scheme.second_order) h.alike = task.read(v.alike, both);
   return h;
 }
 
-void read_blends(TaskBuilder& task, const Variables& v, int axis, const SchemeOptions& o,
+void read_blends(TaskBuilder& task, const BlendInput& v, int axis, const SchemeOptions& o,
                  MaterialHandles& h) {
-  if (!o.second_order) return;
-  const int direction = o.axes.direction[axis];
+  if (!o.scheme.second_order) return;
+  const int direction = o.grid.axes.direction[axis];
   h.blend = task.read(v.blend, Stencil::along(direction, 3, 2));
   h.blend_density = task.read(v.blend_density, Stencil::along(direction, 2, 1));
   h.blend_energy = task.read(v.blend_energy, Stencil::along(direction, 2, 1));
@@ -47,7 +47,7 @@ MaterialFaces::MaterialFaces(const Row& row, const RemapFluxHandles& common,
       flux_(flux),
       axis_(axis),
       materials_(static_cast<int>(materials.volume.size())),
-      based_(options.second_order && options.axes.count > 1),
+      based_(options.scheme.second_order && options.grid.axes.count > 1),
       l_(l),
       uf_(row(common.face_velocity)) {
   const auto cells = [&](In in, int c = 0) { return pair_of(row, in, c, axis); };
@@ -56,10 +56,10 @@ MaterialFaces::MaterialFaces(const Row& row, const RemapFluxHandles& common,
   iN_ = cells(common.inverse_courant);
   J_ = cells(materials.stretch, 0);
   outlet_ = cells(materials.stretch, 1);
-  if (options.masked) mask_ = cells(common.mask);
+  if (options.scheme.masked) mask_ = cells(common.mask);
   for (int s = 0; s < 6; ++s) {
     presence_[s] = row(materials.presence, 0, axis, s - 3);
-    if (options.second_order) blend_[s] = runs_of(row, materials.blend, axis, s - 3);
+    if (options.scheme.second_order) blend_[s] = runs_of(row, materials.blend, axis, s - 3);
   }
 }
 
@@ -75,7 +75,7 @@ void MaterialFaces::bind(int m) {
   const auto look_up = [&](const double** to, In in, int c) {
     for (int s = 0; s < 2; ++s) to[s] = row_(in, c, axis_, s - 1);
   };
-  if (options_.second_order) {
+  if (options_.scheme.second_order) {
     k.r = around(row_, h_.blend_density, m, axis_);
     k.e = around(row_, h_.blend_energy, m, axis_);
   }
@@ -88,7 +88,7 @@ void MaterialFaces::bind(int m) {
     look_up(k.iJ, h_.strain, materials_ + m);
   }
   k.alike[0] = k.alike[1] = nullptr;
-  if (is_mixed(options_, m) && options_.second_order) look_up(k.alike, h_.alike, 0);
+  if (is_mixed(options_, m) && options_.scheme.second_order) look_up(k.alike, h_.alike, 0);
   if (based_) {
     look_up(k.base_V, h_.base, component(m, of_volume));
     look_up(k.base_r, h_.base, component(m, of_mass));
@@ -111,7 +111,7 @@ std::uint64_t MaterialFaces::materials_around(int first, int count) const {
 
 // The materials of the six cells around all of the faces, if they are blends of the same; else 0.
 std::uint64_t MaterialFaces::blend_around(int first, int count) const {
-  return options_.second_order ? as_set(key_of_all(blend_, 6, first, count)) : 0;
+  return options_.scheme.second_order ? as_set(key_of_all(blend_, 6, first, count)) : 0;
 }
 
 void MaterialFaces::nothing_passes(int m, int first, int count) const {

@@ -4,7 +4,7 @@
 // numbered steps are those of remap_fluxes.cpp. Only the materials present around the faces take
 // part.
 #pragma once
-#include "ice/mixture/variables.hpp"
+#include "ice/mixture/tasks.hpp"
 #include "ice/one_material/remap_flux_rows.hpp"
 #include "ice/step/material_runs.hpp"
 
@@ -33,10 +33,10 @@ struct MaterialHandles {
   In alike;   // of a mixed gas
   In blend, blend_density, blend_energy;
 };
-MaterialHandles read_materials(TaskBuilder& task, const Variables& v, const SchemeOptions& o,
+MaterialHandles read_materials(TaskBuilder& task, const DonorsInput& v, const SchemeOptions& o,
                                int axis);
 // Where faces between blends have loops of their own.
-void read_blends(TaskBuilder& task, const Variables& v, int axis, const SchemeOptions& o,
+void read_blends(TaskBuilder& task, const BlendInput& v, int axis, const SchemeOptions& o,
                  MaterialHandles& h);
 
 // The rows of one material, looked up once for all faces of a row.

@@ -404,9 +404,9 @@ std::uint64_t MaterialFaces::carry(int first, int count) {
     FaceShares<Second, Masked, 0, false, Strained>(*this, first, count, set).run();
   };
   const auto share_by_order = [&]<bool Strained>() {
-    if (!options_.second_order)
+    if (!options_.scheme.second_order)
       share.template operator()<false, false, Strained>();
-    else if (options_.masked)
+    else if (options_.scheme.masked)
       share.template operator()<true, true, Strained>();
     else
       share.template operator()<true, false, Strained>();

@@ -14,7 +14,7 @@
 #include "ice/closure/cell_closure.hpp"
 #include "ice/fluid/closure_rows.hpp"
 #include "ice/fluid/limiters.hpp"
-#include "ice/mixture/variables.hpp"
+#include "ice/mixture/tasks.hpp"
 #include "ice/one_material/tasks.hpp"
 #include "ice/step/end_of_step.hpp"
 #include "ice/step/material_runs.hpp"
@@ -208,50 +208,46 @@ void alone(const Row& row, const Handles& h, const Fluid& fluid) {
 
 }  // namespace
 
-void add_lagrangian(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
-  ice::add_lagrangian(list, v.common, o, effect);
-  add_lagrangian_of_each(list, v, o, effect);
-}
-
-void add_lagrangian_of_each(TaskList& list, const Variables& v, const SchemeOptions& o,
+void add_lagrangian_of_each(TaskList& list, const LagrangianOfEachInput& v, const SchemeOptions& o,
                             int effect) {
   TaskBuilder task = list.task("Lagrangian phase of each material", effect);
   Handles h;
-  h.state = read_state(task, v);
+  h.state = read_state(task, v.state);
   h.presence = task.read(v.presence);
   h.pure = task.read(v.pure);
   h.near = task.read(v.near);
-  h.mixture_density_L = task.read(v.common.rho_L);
-  h.mixture_energy_L = task.read(v.common.energy_L);
-  h.mixture_energy_star = task.read(v.common.energy_star);
-  h.pressure = task.read(v.common.pressure);
-  h.inverse_rho = task.read(v.common.inverse_rho);
-  h.inverse_J = task.read(v.common.inverse_J);
-  for (int axis = 0; axis < o.axes.count; ++axis) {
+  h.mixture_density_L = task.read(v.mixture.rho_L);
+  h.mixture_energy_L = task.read(v.mixture.energy_L);
+  h.mixture_energy_star = task.read(v.mixture.energy_star);
+  h.pressure = task.read(v.mixture.pressure);
+  h.inverse_rho = task.read(v.mixture.inverse_rho);
+  h.inverse_J = task.read(v.mixture.inverse_J);
+  for (int axis = 0; axis < o.grid.axes.count; ++axis) {
     h.face_velocity[axis] =
-        task.read(v.common.face_velocity[axis], Stencil::along(o.axes.direction[axis], 0, 1));
+        task.read(v.mixture.face_velocity[axis], Stencil::along(o.grid.axes.direction[axis], 0, 1));
   }
-  h.mixture_energy = task.read(v.common.energy);
-  if (o.keeps_work())
-    h.work = task.read(o.multi_velocity ? v.slip.work : v.common.lagrangian_mixture);
+  h.mixture_energy = task.read(v.mixture.energy);
+  if (o.keeps_work()) h.work = task.read(o.materials.multi_velocity ? v.work : v.mixture.work);
   h.stretch = task.write(v.stretch);
-  const bool heated = o.viscous || o.conducting;
+  const bool heated = o.transport.viscous || o.transport.conducting;
   if (heated) h.heat = task.read(v.heat);
   h.energy_L = task.write(v.energy_L);
   h.specific_energy_L = task.write(v.specific_energy_L);
-  Materials materials{o.fluids, all_ideal_gases(o.fluids), heated, o.keeps_work(), {}};
+  Materials materials{
+      o.materials.fluids, all_ideal_gases(o.materials.fluids), heated, o.keeps_work(), {}};
   if (relaxes_before_remap(o)) {
     h.strain = task.write(v.strain);
-    materials.relaxation.emplace(o.fluids, PairCoefficients(static_cast<int>(o.fluids.size())),
+    materials.relaxation.emplace(o.materials.fluids,
+                                 PairCoefficients(static_cast<int>(o.materials.fluids.size())),
                                  std::nullopt);
   }
   if (!materials.all_ideal) h.scale = task.write(v.energy_scale);
-  h.mixture_scale = task.write(v.common.energy_scale);
+  h.mixture_scale = task.write(v.mixture.energy_scale);
   h.scratch = task.write(list.temporary("Lagrangian density, work", 2));
-  const auto stretch = o.axes.count == 1   ? stretch_cells<1>
-                       : o.axes.count == 2 ? stretch_cells<2>
-                                           : stretch_cells<3>;
-  task.kernel([=, axes = o.axes](const Row& row) {
+  const auto stretch = o.grid.axes.count == 1   ? stretch_cells<1>
+                       : o.grid.axes.count == 2 ? stretch_cells<2>
+                                                : stretch_cells<3>;
+  task.kernel([=, axes = o.grid.axes](const Row& row) {
     for_each_run(runs_of(row, h.pure), row.count(), [&](int first, int count, double pure) {
       if (pure >= 0.0)
         alone(row.part(first, count), h, materials.fluids[static_cast<std::size_t>(pure)]);

@@ -8,8 +8,8 @@
 
 #include "ice/closure/cell_closure.hpp"
 #include "ice/mixture/diffusion_rates.hpp"
+#include "ice/mixture/tasks.hpp"
 #include "ice/mixture/update_state.hpp"
-#include "ice/mixture/variables.hpp"
 #include "ice/step/laws_of_cells.hpp"
 #include "ice/step/material_runs.hpp"
 
@@ -28,28 +28,29 @@ struct Handles {
   LawsOfCells laws;  // of the new state
 };
 
-Handles declare(TaskBuilder& task, TaskList& list, const Variables& v, const SchemeOptions& o) {
+Handles declare(TaskBuilder& task, TaskList& list, const OnePressureInput& v,
+                const SchemeOptions& o) {
   Handles h;
   UpdateState& end = h.end;
-  end.common = read_end_of_step(task, v.common, o);
-  end.common.energy_scale = task.read(v.common.energy_scale);
+  end.common = read_end_of_step(task, v.end, o);
+  end.common.energy_scale = task.read(v.energy_scale);
   end.pure = task.read(v.pure);
-  h.remapped.momentum = task.read(v.common.momentum_remap);
-  for (std::size_t m = 0; m < o.fluids.size(); ++m) {
-    h.remapped.mass.push_back(task.read(v.mass_remap[m]));
-    h.remapped.volume.push_back(task.read(v.volume_remap[m]));
-    h.remapped.energy.push_back(task.read(v.energy_remap[m]));
+  h.remapped.momentum = task.read(v.momentum_remap);
+  for (std::size_t m = 0; m < o.materials.fluids.size(); ++m) {
+    h.remapped.mass.push_back(task.read(v.remapped.mass[m]));
+    h.remapped.volume.push_back(task.read(v.remapped.volume[m]));
+    h.remapped.energy.push_back(task.read(v.remapped.energy[m]));
     MaterialState s;
-    s.mass_new = task.write(v.mass_new[m]);
-    s.volume_new = task.write(v.volume_new[m]);
-    s.energy_new = task.write(v.energy_new[m]);
+    s.mass_new = task.write(v.next.mass[m]);
+    s.volume_new = task.write(v.next.volume[m]);
+    s.energy_new = task.write(v.next.energy[m]);
     end.state.push_back(s);
   }
-  end.common.next.momentum = task.write(v.common.momentum_new);
-  end.end = task.write(v.end);
+  end.common.next.momentum = task.write(v.momentum_new);
+  end.end = task.write(v.density_new);
   end.common.next.rho = end.end;
-  end.pressure = task.write(v.common.new_pressure);
-  end.closure = task.write(v.common.closure);
+  end.pressure = task.write(v.new_pressure);
+  end.closure = task.write(v.closure);
   h.laws = LawsOfCells(task, list, o, LawsOfCells::When::new_state);
   return h;
 }
@@ -77,7 +78,7 @@ void copy_state(const Row& row, const Handles& h, int components) {
 void close_alone(const Row& row, const Handles& h, const SchemeOptions& o, std::size_t m) {
   const UpdateHandles u = handles_of(h.end, static_cast<int>(m));
   check_row(row, u, o, static_cast<int>(m));
-  end_alone(row, h.end, u, o.fluid);
+  end_alone(row, h.end, u, o.materials.fluid);
   if (h.laws.plain(m)) return;
   const double *rho = row(u.next.rho), *E = row(u.next.energy);
   h.laws.of(row, m).pressure(row.count(), rho, E, row(h.end.pressure));
@@ -85,28 +86,31 @@ void close_alone(const Row& row, const Handles& h, const SchemeOptions& o, std::
 
 // Of a cell at the edge of others, which holds the mixed gas alone: likewise.
 void set_rate_of_gas(const Row& row, const UpdateState& h, const SchemeOptions& o, int i) {
-  const std::size_t gas = o.mixed->material;
+  const std::size_t gas = o.materials.mixed->material;
   for (std::size_t m = 0; m < h.state.size(); ++m)
     if (m != gas && row(h.state[m].mass_new)[i] != 0.0) return;
-  const eos::IdealGas& law = *o.fluids[gas].gamma_law();
+  const eos::IdealGas& law = *o.materials.fluids[gas].gamma_law();
   const MaterialState& s = h.state[gas];
   row(h.end, 1)[i] = law.gamma * law.pressure(row(s.mass_new)[i], row(s.energy_new)[i]);
 }
 
 // Can sources have brought others into cells that held material m alone.
 bool may_hold_others(const Row& row, const SchemeOptions& o, int m) {
-  return o.sources != nullptr && o.sources->takes_from(m, row.step());
+  return o.forces.sources != nullptr && o.forces.sources->takes_from(m, row.step());
 }
 
 }  // namespace
 
-void add_one_pressure(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
-  if (o.mixed == nullptr) return;
+void add_one_pressure(TaskList& list, const OnePressureInput& v, const SchemeOptions& o,
+                      int effect) {
+  if (o.materials.mixed == nullptr) return;
   TaskBuilder task = list.task("one pressure", effect);
   const Handles h = declare(task, list, v, o);
   const std::vector<SchemeOptions> of_material = options_of_materials(o);
-  dispatch(o.axes.count, o.components, [&]<int D, int C>() {
-    task.kernel([=, closure = CellClosure(o.fluids, o.heat_exchange, o.multi_velocity_exchange),
+  dispatch(o.grid.axes.count, o.grid.components, [&]<int D, int C>() {
+    task.kernel([=,
+                 closure = CellClosure(o.materials.fluids, o.materials.heat_exchange,
+                                       o.materials.multi_velocity_exchange),
                  diffusion = DiffusionRates(o)](const Row& row) {
       mark_alone(row, -1);  // the whole state is written
       copy_state(row, h, C);

@@ -9,11 +9,11 @@
 namespace sluice::ice::mixture {
 namespace {
 
-void add_sets(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
+void add_sets(TaskList& list, const PresenceInput& v, const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("presence of materials", effect);
-  const auto [mass, volume, energy] = read_state(task, v);
+  const auto [mass, volume, energy] = read_state(task, v.state);
   const Out presence = task.write(v.presence);
-  const int last_axis = o.axes.count - 1;
+  const int last_axis = o.grid.axes.count - 1;
   task.kernel([=](const Row& row) {
     double* __restrict set = row(presence);
     RunWriter runs(set, row(presence, 1));
@@ -40,11 +40,11 @@ void add_sets(TaskList& list, const Variables& v, const SchemeOptions& o, int ef
 }
 
 // The material that a cell and all cells around it hold alone.
-void add_neighbourhood(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
+void add_neighbourhood(TaskList& list, const PresenceInput& v, const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("pure neighbourhoods", effect);
   const In presence = task.read(v.presence, Stencil::box(1));
   const Out pure = task.write(v.pure);
-  const int axes = o.axes.count;
+  const int axes = o.grid.axes.count;
   task.kernel([=](const Row& row) {
     RunRow around[9];  // from the cell before the row on
     int rows = 0;
@@ -57,13 +57,13 @@ void add_neighbourhood(TaskList& list, const Variables& v, const SchemeOptions& 
 }
 
 // Cells of unlike neighbourhood, and those that share a face with one.
-void add_near(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
+void add_near(TaskList& list, const PresenceInput& v, const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("cells near several materials", effect);
   std::array<In, 3> pure;
-  for (int axis = 0; axis < o.axes.count; ++axis)
-    pure[axis] = task.read(v.pure, Stencil::along(o.axes.direction[axis], 1, 1));
+  for (int axis = 0; axis < o.grid.axes.count; ++axis)
+    pure[axis] = task.read(v.pure, Stencil::along(o.grid.axes.direction[axis], 1, 1));
   const Out near = task.write(v.near);
-  const int axes = o.axes.count;
+  const int axes = o.grid.axes.count;
   task.kernel([=](const Row& row) {
     RunRow around[2 * 3 + 1];
     int rows = 0;
@@ -91,11 +91,11 @@ bool values_in_blend(int n, const double* __restrict M, const double* __restrict
 
 // Runs of cells in which several materials fill a fair part, and the values of each there. A choice
 // of loops alone hangs on it; short runs are worth none.
-void add_blends(TaskList& list, const Variables& v, int effect) {
+void add_blends(TaskList& list, const PresenceInput& v, int effect) {
   constexpr int fewest = 16;
   TaskBuilder task = list.task("blends of materials", effect);
   const In presence = task.read(v.presence);
-  const StateReads state = read_state(task, v);
+  const StateReads state = read_state(task, v.state);
   const Out blend = task.write(v.blend);
   const Out density = task.write(v.blend_density), energy = task.write(v.blend_energy);
   task.kernel([=](const Row& row) {
@@ -115,12 +115,12 @@ void add_blends(TaskList& list, const Variables& v, int effect) {
 }
 
 // 1 where the fraction of a mixed gas is that of all cells around which hold the gas.
-void add_alike(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
+void add_alike(TaskList& list, const PresenceInput& v, const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("the same fraction around", effect);
   const In fraction = task.read(old_fraction(list, o), Stencil::box(1));
-  const In mass = task.read(v.mass[o.mixed->material], Stencil::box(1));
+  const In mass = task.read(v.state.mass[o.materials.mixed->material], Stencil::box(1));
   const Out alike = task.write(v.alike);
-  task.kernel([=, axes = o.axes.count](const Row& row) {
+  task.kernel([=, axes = o.grid.axes.count](const Row& row) {
     const int n = row.count();
     const double* __restrict f = row(fraction);
     double* __restrict same = row(alike);
@@ -139,12 +139,12 @@ void add_alike(TaskList& list, const Variables& v, const SchemeOptions& o, int e
 
 }  // namespace
 
-void add_presence(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
+void add_presence(TaskList& list, const PresenceInput& v, const SchemeOptions& o, int effect) {
   add_sets(list, v, o, effect);
   add_neighbourhood(list, v, o, effect);
   add_near(list, v, o, effect);
-  if (o.second_order) add_blends(list, v, effect);
-  if (o.mixed != nullptr && o.second_order) add_alike(list, v, o, effect);
+  if (o.scheme.second_order) add_blends(list, v, effect);
+  if (o.materials.mixed != nullptr && o.scheme.second_order) add_alike(list, v, o, effect);
 }
 
 }  // namespace sluice::ice::mixture

@@ -1,9 +1,9 @@
 // Step 1 with several materials: who is where.
 #pragma once
-#include "ice/mixture/variables.hpp"
+#include "ice/mixture/tasks.hpp"
 
 namespace sluice::ice::mixture {
 
-void add_presence(TaskList& list, const Variables& v, const SchemeOptions& o, int effect);
+void add_presence(TaskList& list, const PresenceInput& v, const SchemeOptions& o, int effect);
 
 }  // namespace sluice::ice::mixture

@@ -11,7 +11,7 @@
 
 #include "ice/fluid/limiters.hpp"
 #include "ice/mixture/presence.hpp"
-#include "ice/mixture/variables.hpp"
+#include "ice/mixture/tasks.hpp"
 #include "ice/one_material/primitives_rows.hpp"
 #include "ice/step/laws_of_cells.hpp"
 #include "ice/step/material_runs.hpp"
@@ -177,9 +177,9 @@ void mixed_gases(const Row& row, const Handles& h, std::uint64_t set,
 }
 
 // Density and energy of each material per its own volume.
-void add_material_values(TaskList& list, const Variables& v, int effect) {
+void add_material_values(TaskList& list, const PrimitivesInput& v, int effect) {
   TaskBuilder task = list.task("values of each material", effect);
-  const StateReads state = read_state(task, v);
+  const StateReads state = read_state(task, v.materials.state);
   const Out density = task.write(v.density), specific_energy = task.write(v.specific_energy);
   task.kernel([=](const Row& row) {
     const int n = row.count();
@@ -199,24 +199,25 @@ void add_material_values(TaskList& list, const Variables& v, int effect) {
   });
 }
 
-void add_mixture_values(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
+void add_mixture_values(TaskList& list, const PrimitivesInput& v, const SchemeOptions& o,
+                        int effect) {
   TaskBuilder task = list.task("primitives", effect);
   Handles h;
-  h.state = read_state(task, v);
-  h.momentum = task.read(v.common.momentum);
-  h.presence = task.read(v.presence);
-  h.rho = task.write(v.common.rho);
-  h.total_energy = task.write(v.common.energy);
-  h.velocity = task.write(v.common.velocity);
-  h.pressure = task.write(v.common.pressure);
-  h.sound = task.write(v.common.sound);
-  h.inverse_rho = task.write(v.common.inverse_rho);
-  h.shock_slope = task.write(v.common.shock_slope);
-  h.pi = task.write(v.common.pi);
+  h.state = read_state(task, v.materials.state);
+  h.momentum = task.read(v.momentum);
+  h.presence = task.read(v.materials.presence);
+  h.rho = task.write(v.rho);
+  h.total_energy = task.write(v.energy);
+  h.velocity = task.write(v.velocity);
+  h.pressure = task.write(v.pressure);
+  h.sound = task.write(v.sound);
+  h.inverse_rho = task.write(v.inverse_rho);
+  h.shock_slope = task.write(v.shock_slope);
+  h.pi = task.write(v.pi);
   h.scratch = task.write(list.temporary("closure of a material", 5));
   h.laws = LawsOfCells(task, list, o);
-  const std::vector<Fluid> fluids = o.fluids;
-  const int components = o.components;
+  const std::vector<Fluid> fluids = o.materials.fluids;
+  const int components = o.grid.components;
   const bool gases = h.laws.all_plain() && all_ideal_gases(fluids);
   task.kernel([=](const Row& row) {
     const int room = row.whole_vectors();
@@ -237,9 +238,9 @@ void add_mixture_values(TaskList& list, const Variables& v, const SchemeOptions&
 
 }  // namespace
 
-void add_primitives(TaskList& list, const Variables& v, const SchemeOptions& o, int effect,
+void add_primitives(TaskList& list, const PrimitivesInput& v, const SchemeOptions& o, int effect,
                     bool of_each) {
-  add_presence(list, v, o, effect);
+  add_presence(list, v.materials, o, effect);
   add_mixture_values(list, v, o, effect);
   if (of_each) add_material_values(list, v, effect);
 }

@@ -8,8 +8,8 @@
 // energy .9 scales below the Lagrangian value.
 #include <algorithm>
 
+#include "ice/mixture/tasks.hpp"
 #include "ice/mixture/trace_rules.hpp"
-#include "ice/mixture/variables.hpp"
 #include "ice/one_material/remap_base_rows.hpp"
 #include "ice/step/material_runs.hpp"
 #include "ice/step/remap_bounds.hpp"
@@ -224,16 +224,18 @@ class MixedBases {
 template <int D, int C, bool Masked>
 void base_rows_of(const Row& row, const Handles& h, const SchemeOptions& o, Vec3 gravity) {
   const auto runs = [&](auto&& f) { for_each_run(runs_of(row, h.pure), row.count(), f); };
-  const auto scaled = [&](std::size_t m) { return int{o.fluids[m].gamma_law() == nullptr}; };
+  const auto scaled = [&](std::size_t m) {
+    return int{o.materials.fluids[m].gamma_law() == nullptr};
+  };
   const RunRow pure_runs = runs_of(row, h.pure), near_runs = runs_of(row, h.near);
   if (pure_runs.key[0] < 0.0 && is_one_run(pure_runs, row.count()))
-    velocity_base_rows<D, C, Masked>(row, h.common, o.axes, gravity);
+    velocity_base_rows<D, C, Masked>(row, h.common, o.grid.axes, gravity);
   else
     for_each_piece(runs, row.count(), scaled, [&](int first, int count, int of) {
-      base_rows<D, C, Masked>(row.part(first, count), h.common, o.axes, gravity, of != 0);
+      base_rows<D, C, Masked>(row.part(first, count), h.common, o.grid.axes, gravity, of != 0);
     });
   if (near_runs.key[0] == 0.0 && is_one_run(near_runs, row.count())) return;
-  const MixedBases<D, Masked> mixed(row, h, o.axes);  // only where asked for: it is large
+  const MixedBases<D, Masked> mixed(row, h, o.grid.axes);  // only where asked for: it is large
   for_each_run(near_runs, row.count(), [&](int first, int count, double near) {
     // Nobody reads what is computed for cells further away.
     if (near != 0.0) mixed.run(first, whole_vectors(count, row.count() - first));
@@ -242,33 +244,35 @@ void base_rows_of(const Row& row, const Handles& h, const SchemeOptions& o, Vec3
 
 }  // namespace
 
-void add_remap_bases(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
-  if (!o.second_order || o.axes.count == 1) return;  // the base is the Lagrangian value
+void add_remap_bases(TaskList& list, const RemapBasesInput& v, const SchemeOptions& o, int effect) {
+  if (!o.scheme.second_order || o.grid.axes.count == 1) return;  // the base is the Lagrangian value
   TaskBuilder task = list.task("remap bases", effect);
   Handles h;
-  h.common = declare_remap_bases(task, v.common, o);
+  h.common = declare_remap_bases(task, v.mixture, o);
   h.pure = task.read(v.pure);
   h.near = task.read(v.near);
-  for (const VariableId volume : v.volume) h.volume.push_back(task.read(volume, Stencil::box(1)));
-  for (const VariableId mass : v.mass) h.mass.push_back(task.read(mass, Stencil::box(1)));
-  for (const VariableId energy : v.energy) h.energy.push_back(task.read(energy, Stencil::box(1)));
+  for (const VariableId volume : v.state.volume)
+    h.volume.push_back(task.read(volume, Stencil::box(1)));
+  for (const VariableId mass : v.state.mass) h.mass.push_back(task.read(mass, Stencil::box(1)));
+  for (const VariableId energy : v.state.energy)
+    h.energy.push_back(task.read(energy, Stencil::box(1)));
   h.blend = task.read(v.blend, Stencil::box(1));
   h.blend_density = task.read(v.blend_density, Stencil::box(1));
   h.blend_energy = task.read(v.blend_energy, Stencil::box(1));
-  if (o.multi_velocity) {
-    h.own_velocity = task.read(v.slip.velocity);
-    h.velocity_components = o.components;
+  if (o.materials.multi_velocity) {
+    h.own_velocity = task.read(v.own_velocity);
+    h.velocity_components = o.grid.components;
   }
-  h.inverse_J = task.read(v.common.inverse_J);
+  h.inverse_J = task.read(v.inverse_J);
   h.specific_energy_L = task.read(v.specific_energy_L);
   if (relaxes_before_remap(o)) h.strain = task.read(v.strain);
   h.scale = task.read(v.energy_scale);
-  for (int d = 0; d < o.axes.count; ++d) h.base[d] = task.write(v.base[d]);
-  const Vec3 gravity = o.gravity_on ? o.gravity : Vec3{};
-  dispatch(o.axes.count, o.components, [&]<int D, int C>() {
+  for (int d = 0; d < o.grid.axes.count; ++d) h.base[d] = task.write(v.base[d]);
+  const Vec3 gravity = o.forces.on ? o.forces.gravity : Vec3{};
+  dispatch(o.grid.axes.count, o.grid.components, [&]<int D, int C>() {
     if constexpr (D > 1)
       task.kernel([=](const Row& row) {
-        if (o.masked)
+        if (o.scheme.masked)
           base_rows_of<D, C, true>(row, h, o, gravity);
         else
           base_rows_of<D, C, false>(row, h, o, gravity);

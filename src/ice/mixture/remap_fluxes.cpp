@@ -22,7 +22,7 @@
 #include <algorithm>
 
 #include "ice/mixture/face_donors.hpp"
-#include "ice/mixture/variables.hpp"
+#include "ice/mixture/tasks.hpp"
 #include "ice/one_material/remap_flux_rows.hpp"
 #include "ice/step/laws_of_cells.hpp"
 #include "ice/step/material_runs.hpp"
@@ -46,17 +46,17 @@ class MixedFaces {
  public:
   MixedFaces(const Row& row, const Handles& h, const SchemeOptions& o, int axis, double l)
       : materials_(row, h.common, h.materials, h.flux, o, axis, l),
-        second_(o.second_order),
-        masked_(o.masked),
+        second_(o.scheme.second_order),
+        masked_(o.scheme.masked),
         l_(l) {
     const auto cells = [&](In in, int c = 0) { return pair_of(row, in, c, axis); };
-    const bool based = o.second_order && D > 1;
+    const bool based = o.scheme.second_order && D > 1;
     w_ = cells(h.common.inverse_rho);
     rho_L_ = cells(h.common.rho_L);
     scale_ = cells(h.common.energy_scale);
-    if (o.masked) mask_ = cells(h.common.mask);
+    if (o.scheme.masked) mask_ = cells(h.common.mask);
     for (int c = 0; c < C; ++c) {
-      if (o.second_order) V_[c] = around(row, h.common.velocity, c, axis);
+      if (o.scheme.second_order) V_[c] = around(row, h.common.velocity, c, axis);
       v_[c] = cells(h.common.velocity_L, c);
       base_[c] = based ? cells(h.common.base, 2 + c) : v_[c];
       U_[c] = row(h.common.flux, 2 + c);
@@ -194,30 +194,30 @@ class MixedFaces {
 
 }  // namespace
 
-void add_remap_fluxes(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
-  for (int axis = 0; axis < o.axes.count; ++axis) add_remap_flux(list, v, o, effect, axis);
+void add_remap_fluxes(TaskList& list, const RemapFluxInput& v, const SchemeOptions& o, int effect) {
+  for (int axis = 0; axis < o.grid.axes.count; ++axis) add_remap_flux(list, v, o, effect, axis);
 }
 
-void add_remap_flux(TaskList& list, const Variables& v, const SchemeOptions& o, int effect,
+void add_remap_flux(TaskList& list, const RemapFluxInput& v, const SchemeOptions& o, int effect,
                     int axis) {
   static const char* names[] = {"remap along axis 0", "remap along axis 1", "remap along axis 2"};
-  const int direction = o.axes.direction[axis];
+  const int direction = o.grid.axes.direction[axis];
   TaskBuilder task = list.task(names[axis], effect);
   Handles h;
-  h.common = read_remap_inputs(task, v.common, o, axis);
-  h.common.flux = task.write(v.common.flux[axis]);
-  h.materials = read_materials(task, v, o, axis);
-  read_blends(task, v, axis, o, h.materials);
-  h.pure = task.read(v.pure, Stencil::along(direction, 1, 0));
+  h.common = read_remap_inputs(task, v.mixture, o, axis);
+  h.common.flux = task.write(v.mixture.flux[axis]);
+  h.materials = read_materials(task, v.materials, o, axis);
+  read_blends(task, v.blend, axis, o, h.materials);
+  h.pure = task.read(v.materials.pure, Stencil::along(direction, 1, 0));
   h.flux = task.write(v.flux[axis]);
-  dispatch(o.axes.count, o.components, [&]<int D, int C>() {
+  dispatch(o.grid.axes.count, o.grid.components, [&]<int D, int C>() {
     task.kernel([=](const Row& row) {
       const double l = row.step().dt / row.step().spacing[direction];
       const auto runs = [&](auto&& f) {
         for_each_face_run(runs_of(row, h.pure, axis, -1), runs_of(row, h.pure), row.count(), f);
       };
       const auto kind = [&](std::size_t m) {
-        return is_mixed(o, m) ? of_mixed_gas : int{o.fluids[m].gamma_law() == nullptr};
+        return is_mixed(o, m) ? of_mixed_gas : int{o.materials.fluids[m].gamma_law() == nullptr};
       };
       const auto pure_faces = [&](int first, int count, int of) {
         const Row part = row.part(first, count);

@@ -23,7 +23,10 @@ struct Handles {
 class SurfaceCells {
  public:
   SurfaceCells(const Row& row, const Handles& h, const SchemeOptions& o)
-      : row_(row), h_(h), o_(o), fluid_(o.fluids[o.multi_velocity_exchange->fluid]) {}
+      : row_(row),
+        h_(h),
+        o_(o),
+        fluid_(o.materials.fluids[o.materials.multi_velocity_exchange->fluid]) {}
 
   void run(int first, int count) const {
     for (int i = first; i < first + count; ++i) cell(i);
@@ -36,8 +39,8 @@ class SurfaceCells {
     const double gas = at(h_.gas, 0, 0, i), solid = at(h_.solid, 0, 0, i);
     const double own = shared_part(gas, solid);
     double vector[3] = {0, 0, 0}, squared = 0, jump = 0;
-    for (int a = 0; a < o_.axes.count; ++a) {
-      const double inverse_dx = 1.0 / row_.step().spacing[o_.axes.direction[a]];
+    for (int a = 0; a < o_.grid.axes.count; ++a) {
+      const double inverse_dx = 1.0 / row_.step().spacing[o_.grid.axes.direction[a]];
       double least = solid, most = solid, part[2];
       for (const int side : {0, 1}) {
         const int shift = side == 0 ? -1 : 1;
@@ -60,9 +63,9 @@ class SurfaceCells {
     if (gas > 0.0) {
       const double rho = row_(h_.mass)[i] / gas, e = row_(h_.energy)[i] / gas;
       const double T = fluid_.temperature(rho, e);
-      momentum = o_.multi_velocity_exchange->momentum_transfer(fluid_, rho, T);
-      heat =
-          o_.multi_velocity_exchange->heat_transfer(fluid_, rho, T, fluid_.heat_capacity(rho, e));
+      momentum = o_.materials.multi_velocity_exchange->momentum_transfer(fluid_, rho, T);
+      heat = o_.materials.multi_velocity_exchange->heat_transfer(fluid_, rho, T,
+                                                                 fluid_.heat_capacity(rho, e));
     }
     const double share = std::clamp((jump - loose_jump) / (tight_jump - loose_jump), 0.0, 1.0);
     to(SurfaceParts::share) = area > 0.0 ? share : 0.0;
@@ -70,7 +73,7 @@ class SurfaceCells {
     to(SurfaceParts::heat) = area * heat;
     to(SurfaceParts::momentum_per_area) = momentum;
     to(SurfaceParts::heat_per_area) = heat;
-    for (int a = 0; a < o_.axes.count; ++a)
+    for (int a = 0; a < o_.grid.axes.count; ++a)
       to(SurfaceParts::normal + a) = area > 0.0 ? vector[a] / area : 0.0;
   }
 
@@ -90,42 +93,44 @@ double FaceOfSurface::left_to_face() const {
   return 1.0 - larger(shared_part(gas[0], solid[0]), shared_part(gas[1], solid[1]));
 }
 
-void add_surface(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
-  if (!o.multi_velocity_exchange) return;
+void add_surface(TaskList& list, const SurfaceInput& v, const SchemeOptions& o, int effect) {
+  if (!o.materials.multi_velocity_exchange) return;
   TaskBuilder task = list.task("surface along which gas slips", effect);
-  const std::size_t gas = o.multi_velocity_exchange->fluid;
-  const std::size_t solid = o.multi_velocity_exchange->solid;
+  const std::size_t gas = o.materials.multi_velocity_exchange->fluid;
+  const std::size_t solid = o.materials.multi_velocity_exchange->solid;
   Handles h;
   h.pure = task.read(v.pure);
-  h.gas = task.read(v.volume[gas], Stencil::box(1));
-  h.solid = task.read(v.volume[solid], Stencil::box(1));
-  h.mass = task.read(v.mass[gas]);
-  h.energy = task.read(v.energy[gas]);
+  h.gas = task.read(v.state.volume[gas], Stencil::box(1));
+  h.solid = task.read(v.state.volume[solid], Stencil::box(1));
+  h.mass = task.read(v.state.mass[gas]);
+  h.energy = task.read(v.state.energy[gas]);
   h.surface = task.write(v.surface);
   task.kernel([=](const Row& row) {
     for_each_run(runs_of(row, h.pure), row.count(), [&](int first, int count, double alone) {
       if (alone < 0.0) return SurfaceCells(row, h, o).run(first, count);
-      for (int part = 0; part < SurfaceParts::count(o.axes.count); ++part)
+      for (int part = 0; part < SurfaceParts::count(o.grid.axes.count); ++part)
         std::fill_n(row(h.surface, part) + first, count, 0.0);
     });
   });
 }
 
-void add_slip_of_friction(TaskList& list, const Variables& v, const SchemeOptions& o,
+void add_slip_of_friction(TaskList& list, const FrictionInput& v, const SchemeOptions& o,
                           const std::array<VariableId, 3>& raw, int effect) {
   const auto of = [](int material) { return static_cast<std::size_t>(material); };
-  for (int axis = 0; axis < o.axes.count; ++axis) {
+  for (int axis = 0; axis < o.grid.axes.count; ++axis) {
     static const char* names[] = {"slip on axis 0", "slip on axis 1", "slip on axis 2"};
     TaskBuilder task = list.task(names[axis], effect);
-    const Stencil both = Stencil::along(o.axes.direction[axis], 1, 0);
-    const In stress = task.read(raw[of(axis)]), viscosity = task.read(v.common.viscosity, both);
-    const In gas = task.read(v.volume[of(o.multi_velocity_exchange->fluid)], both);
-    const In solid = task.read(v.volume[of(o.multi_velocity_exchange->solid)], both);
+    const Stencil both = Stencil::along(o.grid.axes.direction[axis], 1, 0);
+    const In stress = task.read(raw[of(axis)]), viscosity = task.read(v.mixture.viscosity, both);
+    const In gas =
+        task.read(v.of_each.state.volume[of(o.materials.multi_velocity_exchange->fluid)], both);
+    const In solid =
+        task.read(v.of_each.state.volume[of(o.materials.multi_velocity_exchange->solid)], both);
     const In surface = task.read(v.surface, both);
-    const Out slipping = task.write(v.common.stress[of(axis)]);
-    task.kernel([=, components = o.components](const Row& row) {
+    const Out slipping = task.write(v.mixture.stress[of(axis)]);
+    task.kernel([=, components = o.grid.components](const Row& row) {
       const auto low = [&](In in, int c = 0) { return row(in, c, axis, -1); };
-      const double dx = row.step().spacing[o.axes.direction[axis]];
+      const double dx = row.step().spacing[o.grid.axes.direction[axis]];
       constexpr int transfer = SurfaceParts::momentum_per_area;
       for (int c = 0; c < components; ++c) {
         const double* t = row(stress, c);

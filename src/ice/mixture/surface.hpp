@@ -11,7 +11,7 @@
 // normal the direction, out of the solid.
 #pragma once
 #include "ice/closure/surface_law.hpp"
-#include "ice/mixture/variables.hpp"
+#include "ice/mixture/tasks.hpp"
 
 namespace sluice::ice::mixture {
 
@@ -38,11 +38,18 @@ struct FaceOfSurface {
   }
 };
 
-void add_surface(TaskList&, const Variables&, const SchemeOptions&, int effect);
+struct SurfaceInput {
+  StateOfEach state;
+  VariableId pure;
+  VariableId surface;  // written
+
+  static SurfaceInput of(const Variables& v) { return {StateOfEach::of(v), v.pure, v.surface}; }
+};
+void add_surface(TaskList&, const SurfaceInput&, const SchemeOptions&, int effect);
 // The stress along faces where gas touches the solid and all move with one velocity: friction and
 // slip one after the other.
 // `raw`: the stress without slip, by axis.
-void add_slip_of_friction(TaskList&, const Variables&, const SchemeOptions&,
+void add_slip_of_friction(TaskList&, const FrictionInput&, const SchemeOptions&,
                           const std::array<VariableId, 3>& raw, int effect);
 
 }  // namespace sluice::ice::mixture

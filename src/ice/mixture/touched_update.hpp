@@ -1,29 +1,28 @@
 // The end of the update in cells that solids touch, where fluids have one velocity:
 // cut_cells/materials.hpp.
 #pragma once
+#include "ice/mixture/tasks.hpp"
 #include "ice/mixture/update_state.hpp"
-#include "ice/mixture/variables.hpp"
 
 namespace sluice::ice::mixture {
 
-inline void declare_cut_cells(TaskBuilder& task, const Variables& v, const SchemeOptions& o,
+inline void declare_cut_cells(TaskBuilder& task, const CutCellsInput& v, const SchemeOptions& o,
                               CutCells& t) {
-  t.any = o.has_cut_cells;
+  t.any = o.grid.has_cut_cells;
   if (!t.any) return;
-  const WallVariables& w = v.common.walls;
   t.cells = task.read(v.cut);
   t.volume_L = task.read(v.cut_volume);
   t.energy_L = task.read(v.cut_energy);
-  t.frame = task.read(v.common.velocity_L);
-  t.gives_old = task.read(w.gives_old);
-  t.before = task.read(w.fraction);
-  t.next = task.read(w.next);
+  t.frame = task.read(v.velocity_L);
+  t.gives_old = task.read(v.gives_old);
+  t.before = task.read(v.fraction);
+  t.next = task.read(v.next);
   t.old_momentum = task.read(v.old_momentum);
   for (const VariableId energy : v.energy) t.old_energy.push_back(task.read(energy));
-  t.kinetic = task.write(w.fraction_new);
-  for (int axis = 0; axis < o.axes.count && o.multi_velocity; ++axis) {
+  t.kinetic = task.write(v.fraction_new);
+  for (int axis = 0; axis < o.grid.axes.count && o.materials.multi_velocity; ++axis) {
     t.velocity[axis] =
-        task.read(v.common.material_velocity[axis], Stencil::along(o.axes.direction[axis], 0, 1));
+        task.read(v.material_velocity[axis], Stencil::along(o.grid.axes.direction[axis], 0, 1));
   }
 }
 
@@ -40,7 +39,7 @@ inline void hold_cut_cells(const Row& row, const UpdateState& h, const SchemeOpt
       row(h.state[m].volume_new)[i] = row(h.state[m].volume)[i];
       row(h.state[m].energy_new)[i] = row(h.cut.old_energy[m])[i];
     }
-    for (int c = 0; c < o.components; ++c)
+    for (int c = 0; c < o.grid.components; ++c)
       row(h.common.next.momentum, c)[i] = row(h.cut.old_momentum, c)[i];
     row(h.end, 0)[i] = rho;
     row(h.end, 1)[i] = 0;  // no rate: who settles the cell has it
@@ -109,12 +108,12 @@ void store_cut_cells(const Row& row, const UpdateState& h, const SchemeOptions& 
     }
     if (!h.slip_new.empty()) bind_what_enters<D, C>(row, h, i);
     double rest = motion.heat(i, 0.0, 0.0, [](int) { return 0.0; });
-    for (int c = 0; c < o.components; ++c) {
+    for (int c = 0; c < o.grid.components; ++c) {
       const double v = row(h.cut.frame, c)[i];
       rest += (row(h.common.next.momentum, c)[i] - 0.5 * rho * v) * v;
     }
     kinetic[i] = rest;
-    if (o.sources != nullptr) add_sources(row.part(i, 1), h, o, Motion::bound);
+    if (o.forces.sources != nullptr) add_sources(row.part(i, 1), h, o, Motion::bound);
   }
 }
 

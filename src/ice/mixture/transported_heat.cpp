@@ -13,7 +13,7 @@
 // The rest, and a defect below zero (where a wave accelerates the cell), goes by mass. Absent
 // without friction and conduction.
 #include "ice/fluid/limiters.hpp"
-#include "ice/mixture/variables.hpp"
+#include "ice/mixture/tasks.hpp"
 #include "ice/step/material_runs.hpp"
 
 namespace sluice::ice::mixture {
@@ -37,13 +37,14 @@ void friction_rows(const Row& row, const Handles& h, const SchemeOptions& o, std
   const double* work = row(h.dissipation, friction_of_mixture);
   const double *M[max_materials], *V[max_materials], *own[max_materials];
   double *heat[max_materials], viscosity[max_materials], share[max_materials];
-  const bool varies = o.own_viscosity_varies(), turbulent = o.transport.turbulence.has_value();
+  const bool varies = o.own_viscosity_varies(),
+             turbulent = o.transport.models.turbulence.has_value();
   const double* mu_t = turbulent ? row(h.eddy_viscosity) : nullptr;
   int count = 0;
   for_each_of(set, [&](int m) {
     M[count] = row(h.mass[m]);
     V[count] = row(h.volume[m]);
-    viscosity[count] = o.viscosities[m];
+    viscosity[count] = o.transport.viscosities[m];
     own[count] = varies ? row(h.own_viscosity, m) : nullptr;
     heat[count++] = row(h.heat, m);
   });
@@ -69,7 +70,7 @@ void conduction_row(const Row& row, const Handles& h, const SchemeOptions& o, in
   const double *taken[D], *given[D];
   for (int d = 0; d < D; ++d) {
     const In flux = h.heat_flux[d];
-    l[d] = row.step().dt / row.step().spacing[o.axes.direction[d]];
+    l[d] = row.step().dt / row.step().spacing[o.grid.axes.direction[d]];
     taken[d] = row(flux, 2 * m + 1);
     given[d] = row(flux, 2 * m, d, 1);
   }
@@ -83,11 +84,11 @@ void conduction_row(const Row& row, const Handles& h, const SchemeOptions& o, in
 
 template <int D>
 void heat_rows(const Row& row, const Handles& h, const SchemeOptions& o, std::uint64_t set) {
-  if (o.viscous) friction_rows(row, h, o, set);
+  if (o.transport.viscous) friction_rows(row, h, o, set);
   for_each_of(set, [&](int m) {
     double* heat = row(h.heat, m);
-    for (int i = 0; !o.viscous && i < row.count(); ++i) heat[i] = 0.0;
-    if (o.conducting && o.conducts(m)) conduction_row<D>(row, h, o, m);
+    for (int i = 0; !o.transport.viscous && i < row.count(); ++i) heat[i] = 0.0;
+    if (o.transport.conducting && o.conducts(m)) conduction_row<D>(row, h, o, m);
   });
 }
 
@@ -104,28 +105,30 @@ void heat_cells(const Row& row, const Handles& h, const SchemeOptions& o) {
 
 }  // namespace
 
-void add_transported_heat(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
-  if (!o.viscous && !o.conducting) return;
+void add_transported_heat(TaskList& list, const TransportedHeatInput& v, const SchemeOptions& o,
+                          int effect) {
+  if (!o.transport.viscous && !o.transport.conducting) return;
   TaskBuilder task = list.task("heat of friction and conduction", effect);
   Handles h;
   h.pure = task.read(v.pure);
   h.presence = task.read(v.presence);
-  if (o.viscous) {
-    h.dissipation = task.read(v.common.lagrangian_mixture);
-    h.viscosity = task.read(v.common.viscosity);
-    h.inverse_rho = task.read(v.common.inverse_rho);
+  if (o.transport.viscous) {
+    h.dissipation = task.read(v.lagrangian_mixture);
+    h.viscosity = task.read(v.viscosity);
+    h.inverse_rho = task.read(v.inverse_rho);
     if (o.own_viscosity_varies()) h.own_viscosity = task.read(v.own_viscosity);
-    if (o.transport.turbulence) h.eddy_viscosity = task.read(v.common.eddy_viscosity);
-    for (std::size_t m = 0; m < v.mass.size(); ++m) {
-      h.mass.push_back(task.read(v.mass[m]));
-      h.volume.push_back(task.read(v.volume[m]));
+    if (o.transport.models.turbulence) h.eddy_viscosity = task.read(v.eddy_viscosity);
+    for (std::size_t m = 0; m < v.state.mass.size(); ++m) {
+      h.mass.push_back(task.read(v.state.mass[m]));
+      h.volume.push_back(task.read(v.state.volume[m]));
     }
   }
-  for (int axis = 0; o.conducting && axis < o.axes.count; ++axis) {
-    h.heat_flux[axis] = task.read(v.heat_flux[axis], Stencil::along(o.axes.direction[axis], 0, 1));
+  for (int axis = 0; o.transport.conducting && axis < o.grid.axes.count; ++axis) {
+    h.heat_flux[axis] =
+        task.read(v.heat_flux[axis], Stencil::along(o.grid.axes.direction[axis], 0, 1));
   }
   h.heat = task.write(v.heat);
-  dispatch(o.axes.count, o.components,
+  dispatch(o.grid.axes.count, o.grid.components,
            [&]<int D, int C>() { task.kernel([=](const Row& row) { heat_cells<D>(row, h, o); }); });
 }
 

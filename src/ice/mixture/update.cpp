@@ -14,8 +14,8 @@
 #include "ice/closure/ideal_relaxation.hpp"
 #include "ice/closure/traces.hpp"
 #include "ice/mixture/diffusion_rates.hpp"
+#include "ice/mixture/tasks.hpp"
 #include "ice/mixture/touched_update.hpp"
-#include "ice/mixture/variables.hpp"
 #include "ice/one_material/update_rows.hpp"
 #include "ice/step/material_runs.hpp"
 
@@ -68,14 +68,14 @@ class MaterialCells {
   template <class Move>
   void run(int first, int count, int room, Move&& move) {
     constexpr int most = IdealRelaxation::max_cells;
-    const int all = o_.sources == nullptr ? whole_vectors(count, room) : count;
+    const int all = o_.forces.sources == nullptr ? whole_vectors(count, room) : count;
     if (h_.closes) mark_alone(row_.part(first, all), -1);
     for (int done = 0; done < count; done += most) {
       const int some = std::min(most, count - done), whole = std::min(most, all - done);
       remap_materials(first + done, whole);
       move(first + done, whole);
       share_defect(first + done, whole);
-      if (o_.sources != nullptr) add_sources(row_.part(first + done, some), h_, o_);
+      if (o_.forces.sources != nullptr) add_sources(row_.part(first + done, some), h_, o_);
       if (!h_.closes) continue;
       repeat_first(first + done, some, whole);
       find_pressure(first + done, some, whole);
@@ -161,7 +161,7 @@ class MaterialCells {
     }
   }
 
-  // May some cell be drained of a material (settled).
+  // May some cell be drained of a material (drained_residue).
   static bool drains(const Material& k, int first, int n) {
     const double* __restrict M_before = k.M + first;
     const double* __restrict M = k.next[of_mass] + first;
@@ -193,7 +193,7 @@ class MaterialCells {
       Residue rest{volume, energy};
       if constexpr (Drained) {
         const double V_L = r == nullptr ? V_before[i] * J[i] : V_before[i] * J[i] * r[i];
-        rest = settled(mass, volume, energy, M_before[i], V_L, E_L[i]);
+        rest = drained_residue(mass, volume, energy, M_before[i], V_L, E_L[i]);
       }
       defect[i] += gone ? energy : energy - rest.E;
       M[i] = gone ? 0.0 : mass;
@@ -277,16 +277,17 @@ class MixedCells : public MaterialCells<D> {
 
 }  // namespace
 
-void add_update(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
+void add_update(TaskList& list, const UpdateInput& v, const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("update", effect);
   UpdateState h;
   declare_update(task, v, o, h);
-  declare_cut_cells(task, v, o, h.cut);
+  declare_cut_cells(task, v.cut_cells, o, h.cut);
   const std::vector<SchemeOptions> of_material = options_of_materials(o);
-  dispatch(o.axes.count, o.components, [&]<int D, int C>() {
+  dispatch(o.grid.axes.count, o.grid.components, [&]<int D, int C>() {
     task.kernel([=,
-                 laws = Laws{CellClosure(o.fluids, o.heat_exchange, o.multi_velocity_exchange),
-                             IdealRelaxation(o.fluids)},
+                 laws = Laws{CellClosure(o.materials.fluids, o.materials.heat_exchange,
+                                         o.materials.multi_velocity_exchange),
+                             IdealRelaxation(o.materials.fluids)},
                  diffusion = DiffusionRates(o)](const Row& row) {
       const RunRow runs = runs_of(row, h.pure);
       const auto alone = [&](int first, int count, double pure) {  // true: one pressure is to find

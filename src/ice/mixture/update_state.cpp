@@ -26,43 +26,44 @@ void fill_where_other(double* to, int n, double value) {
 
 }  // namespace
 
-void declare_update(TaskBuilder& task, const Variables& v, const SchemeOptions& o, UpdateState& h) {
-  h.closes = o.mixed == nullptr;
-  h.common = read_update(task, v.common, o);
-  h.common.energy_scale = task.read(v.common.energy_scale);
+void declare_update(TaskBuilder& task, const UpdateInput& v, const SchemeOptions& o,
+                    UpdateState& h) {
+  h.closes = o.materials.mixed == nullptr;
+  h.common = read_update(task, v.amounts, o);
+  h.common.energy_scale = task.read(v.mixture_energy_scale);
   h.stretch = task.read(v.stretch);
   if (relaxes_before_remap(o)) h.strain = task.read(v.strain);
   h.energy_L = task.read(v.energy_L);
   h.pure = task.read(v.pure);
-  if (o.multi_velocity_exchange) h.surface = task.read(v.surface);
-  for (int axis = 0; axis < o.axes.count; ++axis) {
-    h.flux[axis] = task.read(v.flux[axis], Stencil::along(o.axes.direction[axis], 0, 1));
+  if (o.materials.multi_velocity_exchange) h.surface = task.read(v.surface);
+  for (int axis = 0; axis < o.grid.axes.count; ++axis) {
+    h.flux[axis] = task.read(v.flux[axis], Stencil::along(o.grid.axes.direction[axis], 0, 1));
   }
-  h.common.next.momentum = task.write(v.common.momentum_remap);
-  for (std::size_t m = 0; m < o.fluids.size(); ++m) {
+  h.common.next.momentum = task.write(v.next.momentum);
+  for (std::size_t m = 0; m < o.materials.fluids.size(); ++m) {
     MaterialState s;
-    s.mass = task.read(v.mass[m]);
-    s.volume = task.read(v.volume[m]);
-    s.mass_new = task.write(v.mass_remap[m]);
-    s.volume_new = task.write(v.volume_remap[m]);
-    s.energy_new = task.write(v.energy_remap[m]);
+    s.mass = task.read(v.state.mass[m]);
+    s.volume = task.read(v.state.volume[m]);
+    s.mass_new = task.write(v.next.of_each.mass[m]);
+    s.volume_new = task.write(v.next.of_each.volume[m]);
+    s.energy_new = task.write(v.next.of_each.energy[m]);
     h.state.push_back(s);
   }
-  if (o.multi_velocity)
-    for (const VariableId id : v.slip.slip_new) h.slip_new.push_back(task.write(id));
-  h.sources = declare_sources(task, v.common, o);
-  h.end = task.write(v.end_remap);
+  if (o.materials.multi_velocity)
+    for (const VariableId id : v.next.slip) h.slip_new.push_back(task.write(id));
+  h.sources = declare_sources(task, v.next.source_change, o);
+  h.end = task.write(v.next.end);
   h.common.next.rho = h.end;
   if (!h.closes) return;
-  h.pressure = task.write(v.common.new_pressure);
-  h.closure = task.write(v.common.closure);
+  h.pressure = task.write(v.next.pressure);
+  h.closure = task.write(v.next.closure);
 }
 
 std::vector<SchemeOptions> options_of_materials(const SchemeOptions& o) {
   std::vector<SchemeOptions> of_material;
-  for (const Fluid& fluid : o.fluids) {
+  for (const Fluid& fluid : o.materials.fluids) {
     of_material.push_back(o);
-    of_material.back().fluid = fluid;
+    of_material.back().materials.fluid = fluid;
   }
   return of_material;
 }
@@ -118,10 +119,10 @@ void add_sources(const Row& row, const UpdateState& h, const SchemeOptions& o, M
     rows.volume[m] = row(h.state[m].volume_new);
     rows.energy[m] = row(h.state[m].energy_new);
   }
-  for (int c = 0; c < o.components; ++c) rows.momentum[c] = row(h.common.next.momentum, c);
+  for (int c = 0; c < o.grid.components; ++c) rows.momentum[c] = row(h.common.next.momentum, c);
   for (std::size_t m = 0; motion == Motion::apart && m < h.slip_new.size(); ++m)
-    for (int c = 0; c < o.components; ++c) rows.slip[m][c] = row(h.slip_new[m], c);
-  o.sources->apply(rows);
+    for (int c = 0; c < o.grid.components; ++c) rows.slip[m][c] = row(h.slip_new[m], c);
+  o.forces.sources->apply(rows);
   double* density = row(h.end, 0);
   std::fill_n(density, row.count(), 0.0);
   for (const MaterialState& s : h.state) {
@@ -178,7 +179,7 @@ void ClosingCells::close(int i, const CellClosure& closure) const {
   }
   const Equilibration::Result result =
       closure.close({M, V, E}, density_[i], row_.step().dt, surface_of(row_, h_, o_, i));
-  tell_faults(row_, o_.axes, i, density_[i], inverse_J_[i], result, E);
+  tell_faults(row_, o_.grid.axes, i, density_[i], inverse_J_[i], result, E);
   modulus_[i] = result.modulus;
   pressure_[i] = result.pressure;
   for (int m = 0; m < materials_; ++m) {

@@ -6,7 +6,7 @@
 #include "ice/closure/cell_closure.hpp"
 #include "ice/mixture/diffusion_rates.hpp"
 #include "ice/mixture/surface.hpp"
-#include "ice/mixture/variables.hpp"
+#include "ice/mixture/tasks.hpp"
 #include "ice/one_material/update_rows.hpp"
 #include "ice/sources/source_tasks.hpp"
 #include "ice/step/material_runs.hpp"
@@ -41,7 +41,8 @@ struct UpdateState {
   SourceHandles sources;
   CutCells cut;  // beside solids
 };
-void declare_update(TaskBuilder& task, const Variables& v, const SchemeOptions& o, UpdateState& h);
+void declare_update(TaskBuilder& task, const UpdateInput& v, const SchemeOptions& o,
+                    UpdateState& h);
 
 // The options of each material alone.
 std::vector<SchemeOptions> options_of_materials(const SchemeOptions& o);
@@ -50,7 +51,7 @@ UpdateHandles handles_of(const UpdateState& h, int m);
 // What of a surface a cell holds, for the heat that passes it.
 inline HeatExchange::Surface surface_of(const Row& row, const UpdateState& h,
                                         const SchemeOptions& o, int i) {
-  if (!o.multi_velocity_exchange) return {};
+  if (!o.materials.multi_velocity_exchange) return {};
   return {row(h.surface, SurfaceParts::share)[i], row(h.surface, SurfaceParts::heat)[i]};
 }
 // Where material m is alone the others have nothing.
@@ -70,14 +71,14 @@ bool update_alone(const Row& row, const UpdateState& h, const SchemeOptions& o, 
   const UpdateHandles u = handles_of(h, m);
   update_row<D, C>(row, u);
   leave_alone(row, h, m, C);
-  if (h.closes) mark_alone(row, o.sources == nullptr ? m : -1);
-  if (o.sources != nullptr) {
+  if (h.closes) mark_alone(row, o.forces.sources == nullptr ? m : -1);
+  if (o.forces.sources != nullptr) {
     add_sources(row, h, o);
-    if (o.sources->takes_from(m, row.step())) return true;
+    if (o.forces.sources->takes_from(m, row.step())) return true;
   }
   if (!h.closes) return false;
   check_row(row, u, o, m);
-  end_alone(row, h, u, o.fluid);
+  end_alone(row, h, u, o.materials.fluid);
   return false;
 }
 

@@ -12,23 +12,24 @@ namespace {
 
 // What the one-material tasks know under the same names; mass and energy are sums here.
 SchemeVariables declare_common(TaskList& list, const SchemeOptions& o) {
-  const int C = o.components;
+  const int C = o.grid.components;
   SchemeVariables v;
   v.rho = list.temporary("density of the mixture");
   v.energy = list.temporary("energy of the mixture");
   v.momentum = list.old_state(labels().momentum, 0, C);
-  if (o.masked) v.mask = list.old_state(labels().mask, 0, 1);
+  if (o.scheme.masked) v.mask = list.old_state(labels().mask, 0, 1);
   v.momentum_new = list.new_state(labels().momentum, 0, C);
+  v.after.momentum = v.momentum_new;
   v.shock_slope = list.temporary("shock slope");
   v.pi = list.temporary("lowest pressure");
   v.new_pressure = list.temporary("new pressure");
-  v.lagrangian_mixture = list.temporary("work, friction", o.viscous ? 2 : 1);
+  v.lagrangian_mixture = list.temporary("work, friction", o.transport.viscous ? 2 : 1);
   declare_step_temporaries(list, o, v);
   declare_conservative_temporaries(list, o, v);
-  if (o.viscous)
-    v.front_viscosity = o.own_viscosity_varies() ? list.temporary("viscosity of fronts")
-                        : o.transport.turbulence ? v.molecular_viscosity
-                                                 : v.viscosity;
+  if (o.transport.viscous)
+    v.front_viscosity = o.own_viscosity_varies()        ? list.temporary("viscosity of fronts")
+                        : o.transport.models.turbulence ? v.molecular_viscosity
+                                                        : v.viscosity;
   v.energy_scale = list.temporary("energy scale");
   v.closure = list.temporary("closure of the new state", 3);
   return v;
@@ -39,9 +40,9 @@ void declare_remap(TaskList& list, const SchemeOptions& o, Variables& v) {
   v.mass_remap = v.mass_new;
   v.volume_remap = v.volume_new;
   v.energy_remap = v.energy_new;
-  if (o.mixed == nullptr) return;
+  if (o.materials.mixed == nullptr) return;
   v.alike = list.temporary("the same fraction around");
-  v.common.momentum_remap = list.temporary("momentum after the remap", o.components);
+  v.common.momentum_remap = list.temporary("momentum after the remap", o.grid.components);
   for (std::size_t m = 0; m < v.mass.size(); ++m) {
     const std::string of = " after the remap, material " + std::to_string(m);
     v.mass_remap[m] = list.temporary("mass" + of);
@@ -53,7 +54,8 @@ void declare_remap(TaskList& list, const SchemeOptions& o, Variables& v) {
 }  // namespace
 
 bool relaxes_before_remap(const SchemeOptions& o) {
-  return o.implicit && !o.solids && !o.has_cut_cells && !o.multi_velocity && o.mixed == nullptr;
+  return o.scheme.implicit && !o.grid.solids && !o.grid.has_cut_cells &&
+         !o.materials.multi_velocity && o.materials.mixed == nullptr;
 }
 
 bool all_ideal_gases(const std::vector<Fluid>& fluids) {
@@ -63,7 +65,7 @@ bool all_ideal_gases(const std::vector<Fluid>& fluids) {
 
 Variables declare_variables(TaskList& list, const SchemeOptions& o) {
   const Labels& l = labels();
-  const int M = static_cast<int>(o.fluids.size());
+  const int M = static_cast<int>(o.materials.fluids.size());
   Variables v;
   v.common = declare_common(list, o);
   for (int m = 0; m < M; ++m) {
@@ -86,34 +88,36 @@ Variables declare_variables(TaskList& list, const SchemeOptions& o) {
   if (relaxes_before_remap(o)) v.strain = list.temporary("strain of each material", 2 * M);
   v.energy_L = list.temporary("Lagrangian energy of each material", M);
   v.specific_energy_L = list.temporary("Lagrangian energy per volume of each material", M);
-  v.energy_scale = all_ideal_gases(o.fluids) ? v.specific_energy_L
-                                             : list.temporary("energy scale of each material", M);
-  for (int a = 0; a < o.axes.count; ++a) {
+  v.energy_scale = all_ideal_gases(o.materials.fluids)
+                       ? v.specific_energy_L
+                       : list.temporary("energy scale of each material", M);
+  for (int a = 0; a < o.grid.axes.count; ++a) {
     const std::string axis = " of axis " + std::to_string(a);
     v.base[a] = list.temporary("remap base of each material" + axis, 3 * M);
-    v.flux[a] = list.temporary("flux of each material" + axis, 3 * M, o.axes.direction[a]);
+    v.flux[a] = list.temporary("flux of each material" + axis, 3 * M, o.grid.axes.direction[a]);
   }
-  if (o.conducting) {
+  if (o.transport.conducting) {
     v.temperature = list.temporary("temperature of each material", M);
     v.heat_capacity = list.temporary("heat capacity of each material", M);
-    for (int a = 0; a < o.axes.count; ++a)
+    for (int a = 0; a < o.grid.axes.count; ++a)
       v.heat_flux[a] = list.temporary("heat through contacts of axis " + std::to_string(a), 2 * M,
-                                      o.axes.direction[a]);
+                                      o.grid.axes.direction[a]);
   }
-  if (o.multi_velocity_exchange)
-    v.surface = list.temporary("surface", SurfaceParts::count(o.axes.count));
-  if (o.viscous && o.own_viscosity_varies())
+  if (o.materials.multi_velocity_exchange)
+    v.surface = list.temporary("surface", SurfaceParts::count(o.grid.axes.count));
+  if (o.transport.viscous && o.own_viscosity_varies())
     v.own_viscosity = list.temporary("viscosity of each material", M);
-  if (o.viscous || o.conducting) v.heat = list.temporary("heat of each material", M);
+  if (o.transport.viscous || o.transport.conducting)
+    v.heat = list.temporary("heat of each material", M);
   v.common.pure = v.pure;
   declare_remap(list, o, v);
   v.common.material_flux = v.flux;
   v.end = list.temporary("density and modulus of the new mixture", 2);
-  v.end_remap = o.mixed == nullptr ? v.end : list.temporary("density after the remap", 2);
+  v.end_remap = o.materials.mixed == nullptr ? v.end : list.temporary("density after the remap", 2);
   return v;
 }
 
-StateReads read_state(TaskBuilder& task, const Variables& v) {
+StateReads read_state(TaskBuilder& task, const StateOfEach& v) {
   StateReads r;
   for (std::size_t m = 0; m < v.mass.size(); ++m) {
     r.mass.push_back(task.read(v.mass[m]));

@@ -17,13 +17,12 @@ namespace sluice::ice::mixture {
 struct RelativeVelocityVariables {
   std::vector<VariableId> slip, slip_new;  // state: S_m = M_m (u_m - u), zero where alone
   VariableId velocity;                     // u_m by component; that of the mixture where absent
-  VariableId lock;         // how strongly an interface binds the materials of a cell
-  SchemeVariables common;  // of the mixture, but rho, 1/rho, u, c as the volume moves
-  VariableId velocity_L;   // u_m - v by component, after the Lagrangian phase
-  VariableId drift;        // by axis: u_m less the mean by volume, in the middle of the step
-  VariableId kick;         // by axis: what pressure gave to u_m - u
-  VariableId work;         // work defect of the mixture and its change of kinetic energy of slip
-  VariableId force_work;   // what a driving force works on the slip
+  VariableId lock;        // how strongly an interface binds the materials of a cell
+  VariableId velocity_L;  // u_m - v by component, after the Lagrangian phase
+  VariableId drift;       // by axis: u_m less the mean by volume, in the middle of the step
+  VariableId kick;        // by axis: what pressure gave to u_m - u
+  VariableId work;        // work defect of the mixture and its change of kinetic energy of slip
+  VariableId force_work;  // what a driving force works on the slip
   std::array<VariableId, 3> stress;         // by axis: friction of each material
   std::array<VariableId, 3> face_velocity;  // by axis, of each material
   VariableId outflow;                       // of each material: Courant number, main outlet
@@ -90,6 +89,13 @@ bool relaxes_before_remap(const SchemeOptions& o);
 
 Variables declare_variables(TaskList& list, const SchemeOptions& o);
 
+// The state of each material.
+struct StateOfEach {
+  std::vector<VariableId> mass, volume, energy;
+
+  static StateOfEach of(const Variables& v) { return {v.mass, v.volume, v.energy}; }
+};
+
 // The old state of each material, at a point.
 struct StateReads {
   std::vector<In> mass, volume, energy;
@@ -97,7 +103,7 @@ struct StateReads {
   // True density and energy per volume of material m, which is in all cells of the row.
   void divide(const Row& row, int m, double* density, double* energy_density) const;
 };
-StateReads read_state(TaskBuilder& task, const Variables& v);
+StateReads read_state(TaskBuilder& task, const StateOfEach& v);
 
 // Component of `lagrangian_mixture`.
 constexpr int friction_of_mixture = 1;
@@ -118,24 +124,5 @@ enum Carried { of_volume = 0, of_mass = 1, of_energy = 2 };
 inline int component(int material, Carried q) {
   return 3 * material + q;
 }
-
-// Tasks of the step, in order; each in the file of its name.
-// `of_each`: density and energy of each material, too, for outputs.
-void add_primitives(TaskList&, const Variables&, const SchemeOptions&, int effect,
-                    bool of_each = false);
-// Viscosity and stress.
-void add_friction(TaskList&, const Variables&, const SchemeOptions&);
-// Molecular viscosity of each material.
-void add_own_viscosities(TaskList&, const Variables&, const SchemeOptions&, int effect);
-void add_heat_flux(TaskList&, const Variables&, const SchemeOptions&, int effect);
-void add_transported_heat(TaskList&, const Variables&, const SchemeOptions&, int effect);
-void add_lagrangian(TaskList&, const Variables&, const SchemeOptions&, int effect);
-// What it does to each material, once that to the mixture is known.
-void add_lagrangian_of_each(TaskList&, const Variables&, const SchemeOptions&, int effect);
-void add_remap_bases(TaskList&, const Variables&, const SchemeOptions&, int effect);
-void add_remap_fluxes(TaskList&, const Variables&, const SchemeOptions&, int effect);
-void add_remap_flux(TaskList&, const Variables&, const SchemeOptions&, int effect, int axis);
-void add_update(TaskList&, const Variables&, const SchemeOptions&, int effect);
-void add_one_pressure(TaskList&, const Variables&, const SchemeOptions&, int effect);
 
 }  // namespace sluice::ice::mixture

@@ -20,8 +20,9 @@ template <int D, int C>
 void bases(const Row& row, const Handles& h, const SchemeOptions& o, int m) {
   const int n = row.count();
   double hc[D];
-  for (int t = 0; t < D; ++t) hc[t] = 0.5 * row.step().dt / row.step().spacing[o.axes.direction[t]];
-  const double* mask = o.masked ? row(h.mask) : nullptr;
+  for (int t = 0; t < D; ++t)
+    hc[t] = 0.5 * row.step().dt / row.step().spacing[o.grid.axes.direction[t]];
+  const double* mask = o.scheme.masked ? row(h.mask) : nullptr;
   for (int c = 0; c < C; ++c) {
     const Quantity own = quantity<D>(row, h.own, m * C + c), all = quantity<D>(row, h.velocity, c);
     const double* w = row(h.velocity_L, m * C + c);
@@ -47,22 +48,22 @@ void bases(const Row& row, const Handles& h, const SchemeOptions& o, int m) {
 
 }  // namespace
 
-void add_slip_bases(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
-  if (!o.second_order || o.axes.count == 1) return;  // the base is the Lagrangian value
+void add_slip_bases(TaskList& list, const SlipBasesInput& v, const SchemeOptions& o, int effect) {
+  if (!o.scheme.second_order || o.grid.axes.count == 1) return;  // the base is the Lagrangian value
   TaskBuilder task = list.task("remap bases of each velocity", effect);
   Handles h;
   h.pure = task.read(v.pure);
-  h.own = task.read(v.slip.velocity, Stencil::box(1));
-  h.velocity = task.read(v.common.velocity, Stencil::box(1));
-  h.velocity_L = task.read(v.slip.velocity_L);
-  h.kick = task.read(v.slip.kick);
-  if (o.masked) h.mask = task.read(v.common.mask);
-  for (int d = 0; d < o.axes.count; ++d) {
-    h.mixture[d] = task.read(v.common.base[d]);
-    h.base[d] = task.write(v.slip.base[d]);
+  h.own = task.read(v.own_velocity, Stencil::box(1));
+  h.velocity = task.read(v.velocity, Stencil::box(1));
+  h.velocity_L = task.read(v.velocity_L);
+  h.kick = task.read(v.kick);
+  if (o.scheme.masked) h.mask = task.read(v.mask);
+  for (int d = 0; d < o.grid.axes.count; ++d) {
+    h.mixture[d] = task.read(v.mixture_base[d]);
+    h.base[d] = task.write(v.base[d]);
   }
-  const int materials = static_cast<int>(v.mass.size());
-  dispatch(o.axes.count, o.components, [&]<int D, int C>() {
+  const int materials = static_cast<int>(o.materials.fluids.size());
+  dispatch(o.grid.axes.count, o.grid.components, [&]<int D, int C>() {
     if constexpr (D > 1)
       task.kernel([=](const Row& row) {
         for_each_run(runs_of(row, h.pure), row.count(), [&](int first, int count, double pure) {

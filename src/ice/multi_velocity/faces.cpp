@@ -81,34 +81,34 @@ void mixed_face(const Row& row, const FaceHandles& h, int axis, int axes, int i,
 }
 
 void mixed_faces(const Row& row, const FaceHandles& h, int axis, const SchemeOptions& o) {
-  for (int i = 0; i < row.count(); ++i) mixed_face(row, h, axis, o.axes.count, i, true, true);
+  for (int i = 0; i < row.count(); ++i) mixed_face(row, h, axis, o.grid.axes.count, i, true, true);
   for_each_held_face(row, o, axis, h.velocity, h.sound, [&](int i, bool plus, double) {
-    mixed_face(row, h, axis, o.axes.count, i, !plus, plus);
+    mixed_face(row, h, axis, o.grid.axes.count, i, !plus, plus);
   });
 }
 
-void add_faces_of_materials(TaskList& list, const Variables& v, const SchemeOptions& o,
+void add_faces_of_materials(TaskList& list, const SlipFacesInput& v, const SchemeOptions& o,
                             int effect) {
   static const char* names[] = {"faces of each material, axis 0", "faces of each material, axis 1",
                                 "faces of each material, axis 2"};
-  for (int axis = 0; axis < o.axes.count; ++axis) {
-    const Stencil both = Stencil::along(o.axes.direction[axis], 1, 0);
+  for (int axis = 0; axis < o.grid.axes.count; ++axis) {
+    const Stencil both = Stencil::along(o.grid.axes.direction[axis], 1, 0);
     TaskBuilder task = list.task(names[axis], effect);
     FaceHandles h;
-    for (std::size_t m = 0; m < v.mass.size(); ++m) {
-      h.mass.push_back(task.read(v.mass[m], both));
-      h.volume.push_back(task.read(v.volume[m], both));
+    for (std::size_t m = 0; m < v.state.mass.size(); ++m) {
+      h.mass.push_back(task.read(v.state.mass[m], both));
+      h.volume.push_back(task.read(v.state.volume[m], both));
     }
     h.pure = task.read(v.pure, both);
-    h.drift = task.read(v.slip.drift, both);
-    h.face_velocity = task.read(v.common.face_velocity[axis]);
+    h.drift = task.read(v.drift, both);
+    h.face_velocity = task.read(v.face_velocity[axis]);
     if (holds_velocities(o)) {
-      h.velocity = task.read(v.slip.common.velocity, both);
-      h.sound = task.read(v.slip.common.sound, both);
+      h.velocity = task.read(v.moving.velocity, both);
+      h.sound = task.read(v.moving.sound, both);
     }
-    h.own = task.write(v.slip.face_velocity[axis]);
-    h.has_cut_cells = o.has_cut_cells;
-    if (o.has_cut_cells) h.cut = task.read(v.cut, both);
+    h.own = task.write(v.own_face_velocity[axis]);
+    h.has_cut_cells = o.grid.has_cut_cells;
+    if (o.grid.has_cut_cells) h.cut = task.read(v.cut, both);
     task.kernel([=](const Row& row) {
       for_each_face_run(runs_of(row, h.pure, axis, -1), runs_of(row, h.pure), row.count(),
                         [&](int first, int count, double pure) {
@@ -125,9 +125,10 @@ struct CellHandles {
 };
 
 void count_outflow(const Row& row, const CellHandles& h, const SchemeOptions& o, int materials) {
-  const int D = o.axes.count;
+  const int D = o.grid.axes.count;
   double l[3] = {};
-  for (int c = 0; c < o.components; ++c) l[c] = row.step().dt / row.step().spacing[o.direction[c]];
+  for (int c = 0; c < o.grid.components; ++c)
+    l[c] = row.step().dt / row.step().spacing[o.grid.direction[c]];
   for (int m = 0; m < materials; ++m) {
     double* N = row(h.outflow, m);
     double* outlet = row(h.outflow, materials + m);
@@ -146,8 +147,9 @@ void count_outflow(const Row& row, const CellHandles& h, const SchemeOptions& o,
         const double low = row(face, m)[i], high = row(face, m, d, 1)[i];
         ties += (l[d] * high == largest ? 1.0 : 0.0) + (l[d] * -low == largest ? 1.0 : 0.0);
       }
-      for (int c = D; c < o.components; ++c) carried += l[c] * std::fabs(row(h.velocity, c)[i]);
-      const bool bound = o.has_cut_cells && row(h.cut)[i] != 0;
+      for (int c = D; c < o.grid.components; ++c)
+        carried += l[c] * std::fabs(row(h.velocity, c)[i]);
+      const bool bound = o.grid.has_cut_cells && row(h.cut)[i] != 0;
       N[i] = bound ? row(h.courant)[i] : (out + carried) * row(h.inverse_J)[i];
       const double several = ties > 1.0 ? -infinity : -largest;
       outlet[i] = count > 1.0 ? several : largest;
@@ -157,23 +159,23 @@ void count_outflow(const Row& row, const CellHandles& h, const SchemeOptions& o,
 
 }  // namespace
 
-void add_slip_faces(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
+void add_slip_faces(TaskList& list, const SlipFacesInput& v, const SchemeOptions& o, int effect) {
   add_faces_of_materials(list, v, o, effect);
   TaskBuilder task = list.task("outflow of each material", effect);
   CellHandles h;
   h.pure = task.read(v.pure);
-  h.inverse_J = task.read(v.common.inverse_J);
-  h.velocity = task.read(v.common.velocity);
-  if (o.has_cut_cells) {
+  h.inverse_J = task.read(v.inverse_J);
+  h.velocity = task.read(v.velocity);
+  if (o.grid.has_cut_cells) {
     h.cut = task.read(v.cut);
-    h.courant = task.read(v.common.courant);
+    h.courant = task.read(v.courant);
   }
-  for (int axis = 0; axis < o.axes.count; ++axis) {
+  for (int axis = 0; axis < o.grid.axes.count; ++axis) {
     h.face_velocity[axis] =
-        task.read(v.slip.face_velocity[axis], Stencil::along(o.axes.direction[axis], 0, 1));
+        task.read(v.own_face_velocity[axis], Stencil::along(o.grid.axes.direction[axis], 0, 1));
   }
-  h.outflow = task.write(v.slip.outflow);
-  const int materials = static_cast<int>(v.mass.size());
+  h.outflow = task.write(v.outflow);
+  const int materials = static_cast<int>(v.state.mass.size());
   task.kernel([=](const Row& row) {
     for_each_run(runs_of(row, h.pure), row.count(), [&](int first, int count, double pure) {
       if (pure < 0.0) count_outflow(row.part(first, count), h, o, materials);

@@ -59,8 +59,8 @@ class Faces {
         o_(o),
         axis_(axis),
         materials_(static_cast<int>(h.materials.mass.size())),
-        l_(row.step().dt / row.step().spacing[o.axes.direction[axis]]),
-        based_(o.second_order && D > 1) {}
+        l_(row.step().dt / row.step().spacing[o.grid.axes.direction[axis]]),
+        based_(o.scheme.second_order && D > 1) {}
 
   void run() {
     for (int i = 0; i < row_.count(); ++i) face(i);
@@ -71,7 +71,7 @@ class Faces {
   double volume(int m, int shift, int i) const { return cell(h_.materials.volume[m], 0, shift, i); }
   double mass(int m, int shift, int i) const { return cell(h_.materials.mass[m], 0, shift, i); }
   double mask(int shift, int i) const {
-    return o_.masked ? cell(h_.common.mask, 0, shift, i) : 1.0;
+    return o_.scheme.masked ? cell(h_.common.mask, 0, shift, i) : 1.0;
   }
   double sign(const Passing& k) const { return k.donor == 0 ? -0.5 : 0.5; }
 
@@ -170,20 +170,21 @@ class Faces {
   // it sent ahead of itself would be taken back when fluxes are matched; by then the finer level,
   // whose ghost cells have seen it, may hold part of it: more than the cell could give back.
   bool leaves_cover(const Passing& k, int i) const {
-    if (k.V >= interface_band || o_.coverage == nullptr || !o_.coverage->any()) return false;
+    if (k.V >= interface_band || o_.accounts.coverage == nullptr || !o_.accounts.coverage->any())
+      return false;
     IntVec3 donor = row_.cell();
-    donor[o_.axes.direction[0]] += i;
+    donor[o_.grid.axes.direction[0]] += i;
     IntVec3 receiver = donor;
-    (k.donor == 0 ? receiver : donor)[o_.axes.direction[axis_]] -= 1;
-    return o_.coverage->is_covered_around(row_.box(), donor) &&
-           !o_.coverage->is_covered_around(row_.box(), receiver);
+    (k.donor == 0 ? receiver : donor)[o_.grid.axes.direction[axis_]] -= 1;
+    return o_.accounts.coverage->is_covered_around(row_.box(), donor) &&
+           !o_.accounts.coverage->is_covered_around(row_.box(), receiver);
   }
 
   double theta(const Passing& k, int i) const {
     const int m = k.index;
     const bool left = k.donor == 0;
     double value = based_ ? cell(h_.materials.base, component(m, of_volume), k.donor, i) : k.V;
-    if (o_.second_order) {
+    if (o_.scheme.second_order) {
       const double V[6] = {volume(m, -3, i), volume(m, -2, i), volume(m, -1, i),
                            volume(m, 0, i),  volume(m, 1, i),  volume(m, 2, i)};
       const double dm = left ? V[4] - V[3] : V[2] - V[1], dp = V[3] - V[2];
@@ -219,7 +220,7 @@ class Faces {
     const double e_L = cell(x.specific_energy_L, m, at, i), sc = cell(x.scale, m, at, i);
     double rho = based_ ? cell(x.base, component(m, of_mass), at, i) : rho_L;
     double eps = based_ ? cell(x.base, component(m, of_energy), at, i) : e_L;
-    const bool full = o_.second_order && volume(m, -1, i) > min_sloped &&
+    const bool full = o_.scheme.second_order && volume(m, -1, i) > min_sloped &&
                       volume(m, 0, i) > min_sloped && volume(m, at == 0 ? 1 : -2, i) > min_sloped;
     if (full) {
       const double nu = std::fabs(k.flow) * iJ;
@@ -265,7 +266,7 @@ class Faces {
           cell(h_.common.velocity_L, c, at, i) + cell(h_.velocity_L, m * C + c, at, i);
       double U = before;
       if (based_) U = pure ? cell(h_.common.base, 2 + c, at, i) : cell(h_.base, m * C + c, at, i);
-      if (o_.second_order) {
+      if (o_.scheme.second_order) {
         const auto u = [&](int shift) { return cell(h_.velocity, m * C + c, shift, i); };
         const double dm = at == 0 ? u(1) - u(0) : u(-1) - u(-2);
         U += sign(k) * (1.0 - f) * mask(at, i) * upwind_slope(dm, u(0) - u(-1), f, 2.0);
@@ -289,29 +290,29 @@ class Faces {
 
 }  // namespace
 
-void add_slip_fluxes(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
-  for (int axis = 0; axis < o.axes.count; ++axis) add_slip_flux(list, v, o, effect, axis);
+void add_slip_fluxes(TaskList& list, const SlipFluxInput& v, const SchemeOptions& o, int effect) {
+  for (int axis = 0; axis < o.grid.axes.count; ++axis) add_slip_flux(list, v, o, effect, axis);
 }
 
-void add_slip_flux(TaskList& list, const Variables& v, const SchemeOptions& o, int effect,
+void add_slip_flux(TaskList& list, const SlipFluxInput& v, const SchemeOptions& o, int effect,
                    int axis) {
   static const char* names[] = {"remap along axis 0", "remap along axis 1", "remap along axis 2"};
-  const int direction = o.axes.direction[axis];
+  const int direction = o.grid.axes.direction[axis];
   const Stencil both = Stencil::along(direction, 1, 0), four = Stencil::along(direction, 2, 1);
   TaskBuilder task = list.task(names[axis], effect);
   Handles h;
-  h.common = read_remap_inputs(task, v.common, o, axis);
-  h.common.flux = task.write(v.common.flux[axis]);
-  h.materials = read_materials(task, v, o, axis);
+  h.common = read_remap_inputs(task, v.mixture, o, axis);
+  h.common.flux = task.write(v.mixture.flux[axis]);
+  h.materials = read_materials(task, v.materials, o, axis);
   h.pure = h.materials.pure;
-  h.velocity = task.read(v.slip.velocity, four);
-  h.velocity_L = task.read(v.slip.velocity_L, both);
-  if (o.second_order && o.axes.count > 1) h.base = task.read(v.slip.base[axis], both);
-  h.face_velocity = task.read(v.slip.face_velocity[axis]);
-  h.outflow = task.read(v.slip.outflow, both);
+  h.velocity = task.read(v.velocity, four);
+  h.velocity_L = task.read(v.velocity_L, both);
+  if (o.scheme.second_order && o.grid.axes.count > 1) h.base = task.read(v.base[axis], both);
+  h.face_velocity = task.read(v.face_velocity[axis]);
+  h.outflow = task.read(v.outflow, both);
   h.flux = task.write(v.flux[axis]);
-  h.material_velocity = task.write(v.common.material_velocity[axis]);
-  dispatch(o.axes.count, o.components, [&]<int D, int C>() {
+  h.material_velocity = task.write(v.material_velocity[axis]);
+  dispatch(o.grid.axes.count, o.grid.components, [&]<int D, int C>() {
     task.kernel([=](const Row& row) {
       const double l = row.step().dt / row.step().spacing[direction];
       for_each_face_run(runs_of(row, h.pure, axis, -1), runs_of(row, h.pure), row.count(),
@@ -319,7 +320,7 @@ void add_slip_flux(TaskList& list, const Variables& v, const SchemeOptions& o, i
                           const Row part = row.part(first, count);
                           if (pure < 0) return Faces<D, C>(part, h, o, axis).run();
                           const auto m = static_cast<std::size_t>(pure);
-                          const bool ideal = o.fluids[m].gamma_law() != nullptr;
+                          const bool ideal = o.materials.fluids[m].gamma_law() != nullptr;
                           flux_row_of<D, C>(part, h.common, axis, l, o,
                                             ideal ? RemapLaw::ideal : RemapLaw::scaled);
                         });

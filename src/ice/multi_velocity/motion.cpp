@@ -21,13 +21,13 @@
 namespace sluice::ice::mixture {
 namespace {
 
-void add_lock(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
+void add_lock(TaskList& list, const SlipMotionInput& v, const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("interfaces that bind materials", effect);
   std::vector<In> volume;
-  for (const VariableId id : v.volume) volume.push_back(task.read(id, Stencil::box(1)));
+  for (const VariableId id : v.state.state.volume) volume.push_back(task.read(id, Stencil::box(1)));
   const In pure = task.read(v.pure);
-  const Out lock = task.write(v.slip.lock);
-  const int axes = o.axes.count;
+  const Out lock = task.write(v.bonds.lock);
+  const int axes = o.grid.axes.count;
   task.kernel([=](const Row& row) {
     const int n = row.count();
     const double* key = row(pure);
@@ -79,11 +79,11 @@ void alone(const Row& row, const Handles& h, int components) {
 // What comes in through a side as it is given has felt no drag.
 void keep_given(const Row& row, const Handles& h, const SchemeOptions& o) {
   for_each_held_ghost(row, o, h.velocity, h.sound, [&](int i) {
-    for (int c = 0; c < o.components; ++c) {
+    for (int c = 0; c < o.grid.components; ++c) {
       const double u = row(h.velocity, c)[i];
       double mean = 0;
       for (int m = 0; m < static_cast<int>(h.mass.size()); ++m)
-        mean += row(h.volume[m])[i] * (row(h.own, m * o.components + c)[i] - u);
+        mean += row(h.volume[m])[i] * (row(h.own, m * o.grid.components + c)[i] - u);
       row(h.volume_velocity, c)[i] = u + mean;
     }
   });
@@ -159,11 +159,11 @@ class MixedCells {
 
 }  // namespace
 
-Bonds read_bonds(TaskBuilder& task, const Variables& v, const SchemeOptions& o) {
+Bonds read_bonds(TaskBuilder& task, const BondsInput& v, const SchemeOptions& o) {
   Bonds b;
-  b.axes = o.axes.count;
-  b.slips = o.multi_velocity_exchange.has_value();
-  b.lock = task.read(v.slip.lock);
+  b.axes = o.grid.axes.count;
+  b.slips = o.materials.multi_velocity_exchange.has_value();
+  b.lock = task.read(v.lock);
   if (b.slips) b.surface = task.read(v.surface);
   return b;
 }
@@ -177,7 +177,8 @@ void Bonds::put(const Row& row, int i, DragCell& cell) const {
 }
 
 void declare_relative_velocities(TaskList& list, const SchemeOptions& o, Variables& v) {
-  const int M = static_cast<int>(o.fluids.size()), C = o.components, D = o.axes.count;
+  const int M = static_cast<int>(o.materials.fluids.size()), C = o.grid.components,
+            D = o.grid.axes.count;
   RelativeVelocityVariables& s = v.slip;
   for (int m = 0; m < M; ++m) {
     s.slip.push_back(list.old_state(labels().slip, m, C));
@@ -185,62 +186,63 @@ void declare_relative_velocities(TaskList& list, const SchemeOptions& o, Variabl
   }
   s.velocity = list.temporary("velocity of each material", M * C);
   s.lock = list.temporary("lock of interfaces");
-  s.common = v.common;
-  s.common.rho = list.temporary("inertia of the volume");
-  s.common.inverse_rho = list.temporary("1/inertia of the volume");
-  s.common.velocity = list.temporary("velocity of the volume", C);
-  s.common.sound = list.temporary("sound speed of the volume");
+  VolumeVariables& moving = v.common.moving;
+  moving.rho = list.temporary("inertia of the volume");
+  moving.inverse_rho = list.temporary("1/inertia of the volume");
+  moving.velocity = list.temporary("velocity of the volume", C);
+  moving.sound = list.temporary("sound speed of the volume");
   s.velocity_L = list.temporary("Lagrangian slip of each material", M * C);
   s.drift = list.temporary("drift of each material", M * D);
   s.kick = list.temporary("slip by pressure of each material", M * D);
   s.work = list.temporary("work defect with slip");
-  if (o.force_on) s.force_work = list.temporary("work of the driving force on slip");
+  if (o.forces.driving_on) s.force_work = list.temporary("work of the driving force on slip");
   s.outflow = list.temporary("outflow and outlets of each material", 2 * M);
   for (int a = 0; a < D; ++a) {
     const std::string axis = " of axis " + std::to_string(a);
     s.face_velocity[a] =
-        list.temporary("face velocity of each material" + axis, M, o.axes.direction[a]);
+        list.temporary("face velocity of each material" + axis, M, o.grid.axes.direction[a]);
     s.base[a] = list.temporary("remap base of each velocity" + axis, M * C);
     v.common.material_velocity[a] =
-        list.temporary("remap velocity of each material" + axis, M * C, o.axes.direction[a]);
+        list.temporary("remap velocity of each material" + axis, M * C, o.grid.axes.direction[a]);
   }
 }
 
-void read_slip(TaskBuilder& task, const Variables& v, const SchemeOptions& o,
+void read_slip(TaskBuilder& task, const RelativeStateInput& v, const SchemeOptions& o,
                RelativeVelocityReads& r) {
   r.presence = task.read(v.presence);
-  r.has_cut_cells = o.has_cut_cells;
-  if (o.has_cut_cells) r.cut = task.read(v.cut);
-  for (std::size_t m = 0; m < v.mass.size(); ++m) {
-    r.mass.push_back(task.read(v.mass[m]));
-    r.volume.push_back(task.read(v.volume[m]));
-    r.slip.push_back(task.read(v.slip.slip[m]));
+  r.has_cut_cells = o.grid.has_cut_cells;
+  if (o.grid.has_cut_cells) r.cut = task.read(v.cut);
+  for (std::size_t m = 0; m < v.state.mass.size(); ++m) {
+    r.mass.push_back(task.read(v.state.mass[m]));
+    r.volume.push_back(task.read(v.state.volume[m]));
+    r.slip.push_back(task.read(v.slip[m]));
   }
 }
 
-void add_slip_motion(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
+void add_slip_motion(TaskList& list, const SlipMotionInput& v, const SchemeOptions& o, int effect) {
   add_lock(list, v, o, effect);
   TaskBuilder task = list.task("velocities of each material", effect);
   Handles h;
-  read_slip(task, v, o, h);
-  h.bonds = read_bonds(task, v, o);
-  h.rho = task.read(v.common.rho);
-  h.inverse_rho = task.read(v.common.inverse_rho);
-  h.velocity = task.read(v.common.velocity);
-  h.sound = task.read(v.common.sound);
-  h.own = task.write(v.slip.velocity);
-  h.rho_e = task.write(v.slip.common.rho);
-  h.inverse_rho_e = task.write(v.slip.common.inverse_rho);
-  h.volume_velocity = task.write(v.slip.common.velocity);
-  h.sound_e = task.write(v.slip.common.sound);
-  task.kernel([=, drag = Drag(o.drag, o.multi_velocity_exchange)](const Row& row) {
-    for_each_motion(
-        row, h, [&](const Row& part) { alone(part, h, o.components); },
-        [&](const Row& part) {
-          MixedCells(part, h, drag, o.axes, o.components).run();
-          keep_given(part, h, o);
-        });
-  });
+  read_slip(task, v.state, o, h);
+  h.bonds = read_bonds(task, v.bonds, o);
+  h.rho = task.read(v.rho);
+  h.inverse_rho = task.read(v.inverse_rho);
+  h.velocity = task.read(v.velocity);
+  h.sound = task.read(v.sound);
+  h.own = task.write(v.own_velocity);
+  h.rho_e = task.write(v.moving.rho);
+  h.inverse_rho_e = task.write(v.moving.inverse_rho);
+  h.volume_velocity = task.write(v.moving.velocity);
+  h.sound_e = task.write(v.moving.sound);
+  task.kernel(
+      [=, drag = Drag(o.materials.drag, o.materials.multi_velocity_exchange)](const Row& row) {
+        for_each_motion(
+            row, h, [&](const Row& part) { alone(part, h, o.grid.components); },
+            [&](const Row& part) {
+              MixedCells(part, h, drag, o.grid.axes, o.grid.components).run();
+              keep_given(part, h, o);
+            });
+      });
 }
 
 }  // namespace sluice::ice::mixture

@@ -34,12 +34,13 @@ class Cells {
       : row_(row),
         h_(h),
         drag_(drag),
-        components_(o.components),
-        axes_(o.axes.count),
+        components_(o.grid.components),
+        axes_(o.grid.axes.count),
         materials_(static_cast<int>(h.mass.size())) {
-    for (int c = 0; c < components_; ++c) force_[c] = row.step().dt * o.force[o.direction[c]];
+    for (int c = 0; c < components_; ++c)
+      force_[c] = row.step().dt * o.forces.driving[o.grid.direction[c]];
     for (int a = 0; a < axes_; ++a) {
-      l_[a] = row.step().dt / row.step().spacing[o.axes.direction[a]];
+      l_[a] = row.step().dt / row.step().spacing[o.grid.axes.direction[a]];
       low_[a] = row(h.face_pressure[a]);
       high_[a] = row(h.face_pressure[a], 0, a, 1);
     }
@@ -148,32 +149,33 @@ class Cells {
 
 }  // namespace
 
-void add_slip_phase(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
+void add_slip_phase(TaskList& list, const SlipPhaseInput& v, const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("drag and pressure on each material", effect);
   Handles h;
-  read_slip(task, v, o, h);
-  h.bonds = read_bonds(task, v, o);
-  h.lagrangian = task.read(v.common.lagrangian_mixture);
-  for (int axis = 0; axis < o.axes.count; ++axis) {
+  read_slip(task, v.state, o, h);
+  h.bonds = read_bonds(task, v.bonds, o);
+  h.lagrangian = task.read(v.lagrangian_mixture);
+  for (int axis = 0; axis < o.grid.axes.count; ++axis) {
     h.face_pressure[axis] =
-        task.read(v.common.face_pressure[axis], Stencil::along(o.axes.direction[axis], 0, 1));
+        task.read(v.face_pressure[axis], Stencil::along(o.grid.axes.direction[axis], 0, 1));
   }
   if (holds_velocities(o)) {
-    h.velocity = task.read(v.common.velocity);
-    h.sound = task.read(v.common.sound);
+    h.velocity = task.read(v.velocity);
+    h.sound = task.read(v.sound);
   }
-  h.velocity_L = task.write(v.slip.velocity_L);
-  h.drift = task.write(v.slip.drift);
-  h.kick = task.write(v.slip.kick);
-  h.work = task.write(v.slip.work);
-  h.friction = read_friction(task, v, o);
-  h.force_on = o.force_on;
-  if (o.force_on) h.force_work = task.write(v.slip.force_work);
-  task.kernel([=, drag = Drag(o.drag, o.multi_velocity_exchange)](const Row& row) {
-    for_each_motion(
-        row, h, [&](const Row& part) { Cells(part, h, drag, o).alone(); },
-        [&](const Row& part) { Cells(part, h, drag, o).mixed(o); });
-  });
+  h.velocity_L = task.write(v.velocity_L);
+  h.drift = task.write(v.drift);
+  h.kick = task.write(v.kick);
+  h.work = task.write(v.work);
+  h.friction = read_friction(task, v.stress, o);
+  h.force_on = o.forces.driving_on;
+  if (o.forces.driving_on) h.force_work = task.write(v.force_work);
+  task.kernel(
+      [=, drag = Drag(o.materials.drag, o.materials.multi_velocity_exchange)](const Row& row) {
+        for_each_motion(
+            row, h, [&](const Row& part) { Cells(part, h, drag, o).alone(); },
+            [&](const Row& part) { Cells(part, h, drag, o).mixed(o); });
+      });
 }
 
 }  // namespace sluice::ice::mixture

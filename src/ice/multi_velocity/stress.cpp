@@ -38,7 +38,7 @@ class Faces {
       : row_(row), h_(h), o_(o), axis_(axis), materials_(static_cast<int>(h.mass.size())) {
     double sum = 0;
     for (int t = 0; t < D; ++t) {
-      inverse_[t] = 1.0 / row.step().spacing[o.axes.direction[t]];
+      inverse_[t] = 1.0 / row.step().spacing[o.grid.axes.direction[t]];
       sum += inverse_[t] * inverse_[t];
     }
     bearable_ = max_viscous_share / (row.step().dt * sum);
@@ -50,8 +50,8 @@ class Faces {
  private:
   double at(In in, int c, int shift, int i) const { return row_(in, c, axis_, shift)[i]; }
   double viscosity(int m, int shift, int i) const {
-    const double mu =
-        h_.own_viscosity.index < 0 ? o_.viscosities[m] : at(h_.own_viscosity, m, shift, i);
+    const double mu = h_.own_viscosity.index < 0 ? o_.transport.viscosities[m]
+                                                 : at(h_.own_viscosity, m, shift, i);
     return at(h_.volume[m], 0, shift, i) * mu;
   }
   // Of a material against the mixture, in a cell of the face or `step` cells from it along t.
@@ -85,8 +85,8 @@ class Faces {
     FaceOfSurface at_face;
     for (const int side : {0, 1}) {
       const auto share = [&](int m) { return at(h_.volume[m], 0, side - 1, i); };
-      at_face.gas[side] = share(o_.multi_velocity_exchange->fluid);
-      at_face.solid[side] = share(o_.multi_velocity_exchange->solid);
+      at_face.gas[side] = share(o_.materials.multi_velocity_exchange->fluid);
+      at_face.solid[side] = share(o_.materials.multi_velocity_exchange->solid);
       at_face.transfer[side] = at(h_.surface, SurfaceParts::momentum_per_area, side - 1, i);
     }
     double touches = 0;
@@ -102,7 +102,7 @@ class Faces {
 
   void face(int i) const {
     const double mu = harmonic_mean(at(h_.viscosity, 0, -1, i), at(h_.viscosity, 0, 0, i));
-    const double left = o_.multi_velocity_exchange ? left_by_slip(mu, i) : 1.0;
+    const double left = o_.materials.multi_velocity_exchange ? left_by_slip(mu, i) : 1.0;
     for (int c = 0; c < C; ++c)
       row_(h_.total, c)[i] = row_(h_.stress, c)[i] * (c == axis_ ? 1.0 : left);
     for (int m = 0; m < materials_; ++m) {
@@ -128,34 +128,35 @@ class Faces {
 
 }  // namespace
 
-void add_slip_stress(TaskList& list, Variables& v, const SchemeOptions& o, int effect) {
-  if (!o.viscous) return;
+SlipStress add_slip_stress(TaskList& list, const SlipStressInput& v, const SchemeOptions& o,
+                           int effect) {
+  SlipStress written;
   static const char* names[] = {"stress of each material on axis 0",
                                 "stress of each material on axis 1",
                                 "stress of each material on axis 2"};
-  for (int axis = 0; axis < o.axes.count; ++axis) {
-    const int direction = o.axes.direction[axis];
+  for (int axis = 0; axis < o.grid.axes.count; ++axis) {
+    const int direction = o.grid.axes.direction[axis];
     const Stencil both = Stencil::along(direction, 1, 0);
     TaskBuilder task = list.task(names[axis], effect);
     Handles h;
-    for (std::size_t m = 0; m < v.mass.size(); ++m) {
-      h.mass.push_back(task.read(v.mass[m], both));
-      h.volume.push_back(task.read(v.volume[m], both));
+    for (std::size_t m = 0; m < v.state.mass.size(); ++m) {
+      h.mass.push_back(task.read(v.state.mass[m], both));
+      h.volume.push_back(task.read(v.state.volume[m], both));
     }
     h.pure = task.read(v.pure, both);
-    h.own = task.read(v.slip.velocity, Stencil::box(1));
-    h.velocity = task.read(v.common.velocity, Stencil::box(1));
-    h.viscosity = task.read(v.common.viscosity, both);
+    h.own = task.read(v.own_velocity, Stencil::box(1));
+    h.velocity = task.read(v.velocity, Stencil::box(1));
+    h.viscosity = task.read(v.viscosity, both);
     if (o.own_viscosity_varies()) h.own_viscosity = task.read(v.own_viscosity, both);
-    h.stress = task.read(v.common.stress[axis]);
-    if (o.multi_velocity_exchange) h.surface = task.read(v.surface, both);
-    v.common.stress[axis] =
-        list.temporary(std::string("sum of ") + names[axis], o.components, direction);
-    v.slip.stress[axis] =
-        list.temporary(names[axis], static_cast<int>(v.mass.size()) * o.components, direction);
-    h.total = task.write(v.common.stress[axis]);
-    h.each = task.write(v.slip.stress[axis]);
-    dispatch(o.axes.count, o.components, [&]<int D, int C>() {
+    h.stress = task.read(v.stress[axis]);
+    if (o.materials.multi_velocity_exchange) h.surface = task.read(v.surface, both);
+    written.total[axis] =
+        list.temporary(std::string("sum of ") + names[axis], o.grid.components, direction);
+    written.each[axis] = list.temporary(
+        names[axis], static_cast<int>(v.state.mass.size()) * o.grid.components, direction);
+    h.total = task.write(written.total[axis]);
+    h.each = task.write(written.each[axis]);
+    dispatch(o.grid.axes.count, o.grid.components, [&]<int D, int C>() {
       task.kernel([=](const Row& row) {
         for_each_face_run(runs_of(row, h.pure, axis, -1), runs_of(row, h.pure), row.count(),
                           [&](int first, int count, double pure) {
@@ -167,15 +168,17 @@ void add_slip_stress(TaskList& list, Variables& v, const SchemeOptions& o, int e
       });
     });
   }
+  return written;
 }
 
-FrictionOnSlip read_friction(TaskBuilder& task, const Variables& v, const SchemeOptions& o) {
+FrictionOnSlip read_friction(TaskBuilder& task, const std::array<VariableId, 3>& stress,
+                             const SchemeOptions& o) {
   FrictionOnSlip f;
-  f.on = o.viscous;
-  f.axes = o.axes;
-  f.components = o.components;
-  for (int axis = 0; axis < o.axes.count && o.viscous; ++axis) {
-    f.stress[axis] = task.read(v.slip.stress[axis], Stencil::along(o.axes.direction[axis], 0, 1));
+  f.on = o.transport.viscous;
+  f.axes = o.grid.axes;
+  f.components = o.grid.components;
+  for (int axis = 0; axis < o.grid.axes.count && o.transport.viscous; ++axis) {
+    f.stress[axis] = task.read(stress[axis], Stencil::along(o.grid.axes.direction[axis], 0, 1));
   }
   return f;
 }

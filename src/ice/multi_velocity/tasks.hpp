@@ -20,27 +20,109 @@
 // Drag: M_m du_m/dt = sum_n K_mn V_m V_n (u_n - u_m). Over a step: two materials by the exponential
 // itself, more by an L-stable method of second order (pair_relaxation.hpp); both limits exact.
 #pragma once
-#include "ice/mixture/variables.hpp"
+#include "ice/mixture/tasks.hpp"
 #include "ice/step/material_runs.hpp"
 
 namespace sluice::ice::mixture {
 
 void declare_relative_velocities(TaskList& list, const SchemeOptions& o, Variables& v);
 
+// What moves against the mixture.
+struct RelativeStateInput {
+  StateOfEach state;
+  std::vector<VariableId> slip;
+  VariableId presence, cut;
+
+  static RelativeStateInput of(const Variables&);
+};
+// What binds the materials of a cell.
+struct BondsInput {
+  VariableId lock, surface;
+};
+
 // Velocities of each material, and how the volume moves (1).
-void add_slip_motion(TaskList&, const Variables&, const SchemeOptions&, int effect);
+struct SlipMotionInput {
+  RelativeStateInput state;
+  BondsInput bonds;  // lock: written
+  VariableId pure, rho, inverse_rho, velocity, sound;
+  VariableId own_velocity;  // written
+  VolumeVariables moving;   // written
+
+  static SlipMotionInput of(const Variables&);
+};
+void add_slip_motion(TaskList&, const SlipMotionInput&, const SchemeOptions&, int effect);
+
 // Friction of each material on itself joins that of the mixture; where gas touches a surface it
 // slips.
-void add_slip_stress(TaskList&, Variables&, const SchemeOptions&, int effect);
+struct SlipStressInput {
+  StateOfEach state;
+  VariableId pure, own_velocity, velocity, viscosity, own_viscosity, surface;
+  std::array<VariableId, 3> stress;  // of the mixture
+
+  static SlipStressInput of(const Variables&);
+};
+struct SlipStress {
+  std::array<VariableId, 3> total, each;
+};
+// Viscous materials only.
+SlipStress add_slip_stress(TaskList&, const SlipStressInput&, const SchemeOptions&, int effect);
+
 // Drag and pressure over the Lagrangian phase (2).
-void add_slip_phase(TaskList&, const Variables&, const SchemeOptions&, int effect);
+struct SlipPhaseInput {
+  RelativeStateInput state;
+  BondsInput bonds;
+  VariableId lagrangian_mixture, velocity, sound;
+  std::array<VariableId, 3> face_pressure, stress;
+  VariableId velocity_L, drift, kick, work, force_work;  // written
+
+  static SlipPhaseInput of(const Variables&);
+};
+void add_slip_phase(TaskList&, const SlipPhaseInput&, const SchemeOptions&, int effect);
+
 // Velocity of each material at the faces, and what flows out of cells (3).
-void add_slip_faces(TaskList&, const Variables&, const SchemeOptions&, int effect);
+struct SlipFacesInput {
+  StateOfEach state;
+  VolumeVariables moving;
+  VariableId pure, cut, drift, inverse_J, velocity, courant;
+  std::array<VariableId, 3> face_velocity;
+  std::array<VariableId, 3> own_face_velocity;  // written
+  VariableId outflow;                           // written
+
+  static SlipFacesInput of(const Variables&);
+};
+void add_slip_faces(TaskList&, const SlipFacesInput&, const SchemeOptions&, int effect);
+
 // In place of the tasks of the same name without "slip" (4, 5).
-void add_slip_bases(TaskList&, const Variables&, const SchemeOptions&, int effect);
-void add_slip_fluxes(TaskList&, const Variables&, const SchemeOptions&, int effect);
-void add_slip_flux(TaskList&, const Variables&, const SchemeOptions&, int effect, int axis);
-void add_slip_update(TaskList&, const Variables&, const SchemeOptions&, int effect);
+struct SlipBasesInput {
+  VariableId pure, own_velocity, velocity, velocity_L, kick, mask;
+  std::array<VariableId, 3> mixture_base;
+  std::array<VariableId, 3> base;  // written
+
+  static SlipBasesInput of(const Variables&);
+};
+void add_slip_bases(TaskList&, const SlipBasesInput&, const SchemeOptions&, int effect);
+
+struct SlipFluxInput {
+  ice::RemapFluxInput mixture;
+  DonorsInput materials;
+  VariableId velocity, velocity_L, outflow;
+  std::array<VariableId, 3> base, face_velocity;
+  std::array<VariableId, 3> flux, material_velocity;  // written
+
+  static SlipFluxInput of(const Variables&);
+};
+void add_slip_fluxes(TaskList&, const SlipFluxInput&, const SchemeOptions&, int effect);
+void add_slip_flux(TaskList&, const SlipFluxInput&, const SchemeOptions&, int effect, int axis);
+
+struct SlipUpdateInput {
+  UpdateInput update;
+  BondsInput bonds;
+  VariableId velocity_L;
+  std::array<VariableId, 3> stress, material_velocity, face_pressure;
+
+  static SlipUpdateInput of(const Variables&);
+};
+void add_slip_update(TaskList&, const SlipUpdateInput&, const SchemeOptions&, int effect);
 
 // Where a task finds what moves against the mixture.
 struct RelativeVelocityReads {
@@ -48,7 +130,8 @@ struct RelativeVelocityReads {
   In presence, cut;
   bool has_cut_cells = false;
 };
-void read_slip(TaskBuilder&, const Variables&, const SchemeOptions&, RelativeVelocityReads&);
+void read_slip(TaskBuilder&, const RelativeStateInput&, const SchemeOptions&,
+               RelativeVelocityReads&);
 
 // Parts of a row in which materials move apart: apart(part); where one is alone, or a solid touches
 // the cells, all have one velocity: bound(part).
@@ -75,7 +158,7 @@ struct Bonds {
   bool slips = false;  // a gas along a surface
   void put(const Row& row, int i, DragCell& cell) const;
 };
-Bonds read_bonds(TaskBuilder&, const Variables&, const SchemeOptions&);
+Bonds read_bonds(TaskBuilder&, const BondsInput&, const SchemeOptions&);
 
 // What friction pushes apart: momentum by material, sum 0.
 struct FrictionOnSlip {
@@ -85,6 +168,7 @@ struct FrictionOnSlip {
   std::array<In, 3> stress;
   void add(const Row& row, const DragCell& cell, int c, int i, double* push) const;
 };
-FrictionOnSlip read_friction(TaskBuilder&, const Variables&, const SchemeOptions&);
+FrictionOnSlip read_friction(TaskBuilder&, const std::array<VariableId, 3>& stress,
+                             const SchemeOptions&);
 
 }  // namespace sluice::ice::mixture

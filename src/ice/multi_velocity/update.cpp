@@ -42,12 +42,13 @@ class Cells {
         drag_(drag),
         closure_(closure),
         materials_(static_cast<int>(h.state.size())) {
-    for (int d = 0; d < D; ++d) l_[d] = row.step().dt / row.step().spacing[o.axes.direction[d]];
-    for (int c = 0; c < C; ++c) force_[c] = row.step().dt * o.force[o.direction[c]];
+    for (int d = 0; d < D; ++d)
+      l_[d] = row.step().dt / row.step().spacing[o.grid.axes.direction[d]];
+    for (int c = 0; c < C; ++c) force_[c] = row.step().dt * o.forces.driving[o.grid.direction[c]];
   }
   void run() const {
     for (int i = 0; i < row_.count(); ++i) move(i);
-    if (o_.sources != nullptr) add_sources(row_, h_, o_);
+    if (o_.forces.sources != nullptr) add_sources(row_, h_, o_);
     relax();
   }
   // Of cells whose new state is there but for one pressure.
@@ -105,7 +106,7 @@ class Cells {
       left_over = E;
       M = V = E = 0.0;
     } else {
-      const Residue rest = settled(M, V, E, M_before, V_L, E_L);
+      const Residue rest = drained_residue(M, V, E, M_before, V_L, E_L);
       left_over = E - rest.E;
       V = rest.V;
       E = rest.E;
@@ -223,7 +224,7 @@ class Cells {
   void close(double* M, double* V, double* E, double rho, int i) const {
     const Equilibration::Result result =
         closure_.close({M, V, E}, rho, row_.step().dt, surface_of(row_, h_, o_, i));
-    tell_faults(row_, o_.axes, i, rho, row_(h_.common.inverse_J)[i], result, E);
+    tell_faults(row_, o_.grid.axes, i, rho, row_(h_.common.inverse_J)[i], result, E);
     row_(h_.end, 1)[i] = result.modulus;
     row_(h_.pressure)[i] = result.pressure;
     for (int m = 0; m < materials_; ++m) {
@@ -265,30 +266,32 @@ class Cells {
   double l_[D], force_[C];
 };
 
-Handles declare(TaskBuilder& task, const Variables& v, const SchemeOptions& o) {
+Handles declare(TaskBuilder& task, const SlipUpdateInput& v, const SchemeOptions& o) {
   Handles h;
-  declare_update(task, v, o, h);
-  declare_cut_cells(task, v, o, h.cut);
-  h.velocity_L = task.read(v.slip.velocity_L);
-  h.bonds = read_bonds(task, v, o);
-  h.friction = read_friction(task, v, o);
-  for (int axis = 0; axis < o.axes.count; ++axis) {
-    const Stencil both = Stencil::along(o.axes.direction[axis], 0, 1);
-    h.velocity[axis] = task.read(v.common.material_velocity[axis], both);
-    h.face_pressure[axis] = task.read(v.common.face_pressure[axis], both);
+  declare_update(task, v.update, o, h);
+  declare_cut_cells(task, v.update.cut_cells, o, h.cut);
+  h.velocity_L = task.read(v.velocity_L);
+  h.bonds = read_bonds(task, v.bonds, o);
+  h.friction = read_friction(task, v.stress, o);
+  for (int axis = 0; axis < o.grid.axes.count; ++axis) {
+    const Stencil both = Stencil::along(o.grid.axes.direction[axis], 0, 1);
+    h.velocity[axis] = task.read(v.material_velocity[axis], both);
+    h.face_pressure[axis] = task.read(v.face_pressure[axis], both);
   }
   return h;
 }
 
 }  // namespace
 
-void add_slip_update(TaskList& list, const Variables& v, const SchemeOptions& o, int effect) {
+void add_slip_update(TaskList& list, const SlipUpdateInput& v, const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("update", effect);
   const Handles h = declare(task, v, o);
   const std::vector<SchemeOptions> of_material = options_of_materials(o);
-  dispatch(o.axes.count, o.components, [&]<int D, int C>() {
-    task.kernel([=, closure = CellClosure(o.fluids, o.heat_exchange, o.multi_velocity_exchange),
-                 drag = Drag(o.drag, o.multi_velocity_exchange),
+  dispatch(o.grid.axes.count, o.grid.components, [&]<int D, int C>() {
+    task.kernel([=,
+                 closure = CellClosure(o.materials.fluids, o.materials.heat_exchange,
+                                       o.materials.multi_velocity_exchange),
+                 drag = Drag(o.materials.drag, o.materials.multi_velocity_exchange),
                  diffusion = DiffusionRates(o)](const Row& row) {
       const auto update = [&](int first, int count, double pure) {
         const Row part = row.part(first, count);

@@ -225,10 +225,10 @@ template <int D, bool Second, bool Gravity>
 void face_row(const Row& row, const Handles& h, int axis, const FaceConstants& k,
               const SchemeOptions& o) {
   const FaceRow<D, Second, Gravity> faces(row, h, axis, k);
-  if (!o.mixture) {
-    faces.run(0, row.whole_vectors(), law_of(o.fluid));
-    faces.walls(row, o, axis, law_of(o.fluid));
-    faces.held(row, o, h, axis, law_of(o.fluid));
+  if (!o.materials.mixture) {
+    faces.run(0, row.whole_vectors(), law_of(o.materials.fluid));
+    faces.walls(row, o, axis, law_of(o.materials.fluid));
+    faces.held(row, o, h, axis, law_of(o.materials.fluid));
     return;
   }
   const LawOfCells of_cells{{row(h.shock_slope, 0, axis, -1), row(h.shock_slope)},
@@ -241,7 +241,8 @@ void face_row(const Row& row, const Handles& h, int axis, const FaceConstants& k
                       if (pure < 0.0)
                         faces.run(first, end, of_cells);
                       else
-                        faces.run(first, end, law_of(o.fluids[static_cast<std::size_t>(pure)]));
+                        faces.run(first, end,
+                                  law_of(o.materials.fluids[static_cast<std::size_t>(pure)]));
                     });
   faces.walls(row, o, axis, of_cells);
   faces.held(row, o, h, axis, of_cells);
@@ -250,11 +251,11 @@ void face_row(const Row& row, const Handles& h, int axis, const FaceConstants& k
 template <int D>
 void face_row_of(const Row& row, const Handles& h, int axis, const FaceConstants& k,
                  const SchemeOptions& o) {
-  if (o.second_order && o.gravity_on)
+  if (o.scheme.second_order && o.forces.on)
     face_row<D, true, true>(row, h, axis, k, o);
-  else if (o.second_order)
+  else if (o.scheme.second_order)
     face_row<D, true, false>(row, h, axis, k, o);
-  else if (o.gravity_on)
+  else if (o.forces.on)
     face_row<D, false, true>(row, h, axis, k, o);
   else
     face_row<D, false, false>(row, h, axis, k, o);
@@ -262,38 +263,38 @@ void face_row_of(const Row& row, const Handles& h, int axis, const FaceConstants
 
 }  // namespace
 
-void add_faces(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
+void add_faces(TaskList& list, const FacesInput& v, const SchemeOptions& o, int effect) {
   static const char* names[] = {"faces of axis 0", "faces of axis 1", "faces of axis 2"};
-  for (int axis = 0; axis < o.axes.count; ++axis) {
-    const int direction = o.axes.direction[axis];
+  for (int axis = 0; axis < o.grid.axes.count; ++axis) {
+    const int direction = o.grid.axes.direction[axis];
     const Stencil both = Stencil::along(direction, 1, 0);
     TaskBuilder task = list.task(names[axis], effect);
     Handles h;
-    h.rho = task.read(v.rho, both);
-    h.inverse_rho = task.read(v.inverse_rho, both);
-    h.sound = task.read(v.sound, both);
-    h.velocity = task.read(v.velocity, both);
+    h.rho = task.read(v.moving.rho, both);
+    h.inverse_rho = task.read(v.moving.inverse_rho, both);
+    h.sound = task.read(v.moving.sound, both);
+    h.velocity = task.read(v.moving.velocity, both);
     h.pressure = task.read(v.pressure, both);
-    if (o.second_order) {
+    if (o.scheme.second_order) {
       h.velocity_slope = task.read(v.velocity_slope, both);
       h.pressure_slope = task.read(v.pressure_slope, both);
       h.predicted = task.read(v.predicted_pressure, both);
-      if (o.axes.count > 1) h.transverse = task.read(v.transverse_velocity, both);
+      if (o.grid.axes.count > 1) h.transverse = task.read(v.transverse_velocity, both);
     }
-    if (o.mixture) {
+    if (o.materials.mixture) {
       h.shock_slope = task.read(v.shock_slope, both);
       h.pi = task.read(v.pi, both);
       h.pure = task.read(v.pure, both);
     }
     h.face_velocity = task.write(v.face_velocity[axis]);
     h.face_pressure = task.write(v.face_pressure[axis]);
-    dispatch(o.axes.count, o.components, [&]<int D, int C>() {
+    dispatch(o.grid.axes.count, o.grid.components, [&]<int D, int C>() {
       task.kernel([=](const Row& row) {
         const double dx = row.step().spacing[direction];
         FaceConstants k;
         k.half_courant = 0.5 * row.step().dt / dx;
-        k.g_dx = o.gravity[direction] * dx;
-        k.f_dx = o.force[direction] * dx;
+        k.g_dx = o.forces.gravity[direction] * dx;
+        k.f_dx = o.forces.driving[direction] * dx;
         face_row_of<D>(row, h, axis, k, o);
       });
     });

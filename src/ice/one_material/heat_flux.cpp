@@ -41,25 +41,25 @@ double gas_on_wall(const Row& row, const Handles& h, const SchemeOptions& o, int
   gas.specific_heat = h.laws.of_one(row, axis, inside)
                           .at(i, room)
                           .heat_capacity(gas.rho, cell(h.energy, 0, inside));
-  gas.viscosity = o.molecular_varies() ? cell(h.viscosity, 0, inside) : o.viscosity;
+  gas.viscosity = o.molecular_varies() ? cell(h.viscosity, 0, inside) : o.transport.viscosity;
   gas.conductivity = conductivity;
-  gas.spacing = row.step().spacing[o.axes.direction[axis]];
+  gas.spacing = row.step().spacing[o.grid.axes.direction[axis]];
   gas.wall_temperature = wall.temperature;
   double change = 0;  // from cell to cell, squared
-  for (int c = 0; c < o.components; ++c) {
+  for (int c = 0; c < o.grid.components; ++c) {
     if (c == axis) continue;
     const double du = cell(h.velocity, c, 0) - cell(h.velocity, c, -1);
     change += du * du;
   }
   gas.shear = change / (gas.spacing * gas.spacing);
-  return slip_temperature(*o.boundary->conditions().slip, gas);
+  return slip_temperature(*o.grid.boundary->conditions().slip, gas);
 }
 
 template <bool varies>
 void flux_row(const Row& row, const Handles& h, const SchemeOptions& o, int axis) {
   const int n = row.count();
-  const double dx = row.step().spacing[o.axes.direction[axis]], inverse = 1.0 / dx;
-  const double k = o.conductivity;
+  const double dx = row.step().spacing[o.grid.axes.direction[axis]], inverse = 1.0 / dx;
+  const double k = o.transport.conductivity;
   const double* __restrict Ta = row(h.temperature, 0, axis, -1);
   const double* __restrict Tb = row(h.temperature);
   const double* __restrict ka = varies ? row(h.conductivity, 0, axis, -1) : nullptr;
@@ -72,7 +72,7 @@ void flux_row(const Row& row, const Handles& h, const SchemeOptions& o, int axis
   // Subgrid motion ends at walls.
   const auto conductivity_on_wall = [&](int i) {
     if (!varies) return k;
-    if (!o.transport.turbulence) return harmonic_mean(ka[i], kb[i]);
+    if (!o.transport.models.turbulence) return harmonic_mean(ka[i], kb[i]);
     if (h.laws.all_plain()) return k;
     const auto molecular = [&](int shift) {
       return h.laws.of_one(row, axis, shift).conductivity(i, k);
@@ -81,9 +81,9 @@ void flux_row(const Row& row, const Handles& h, const SchemeOptions& o, int axis
   };
   for_each_wall_face(row, o, axis, [&](int i, bool plus) {
     IntVec3 cell = row.cell();
-    cell[o.axes.direction[0]] += i;
-    const WallHeat& wall =
-        o.boundary->wall_heat(side_of(o.axes.direction[axis], plus), cell, o.material);
+    cell[o.grid.axes.direction[0]] += i;
+    const WallHeat& wall = o.grid.boundary->wall_heat(side_of(o.grid.axes.direction[axis], plus),
+                                                      cell, o.materials.index);
     const double inside = plus ? Ta[i] : Tb[i];
     const double k_wall = conductivity_on_wall(i);
     double outward = 0;
@@ -97,7 +97,7 @@ void flux_row(const Row& row, const Handles& h, const SchemeOptions& o, int axis
   });
 }
 
-void add_temperature(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
+void add_temperature(TaskList& list, const HeatFluxInput& v, const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("temperature", effect);
   const In rho = task.read(v.rho), energy = task.read(v.energy);
   const Out temperature = task.write(v.temperature);
@@ -109,20 +109,22 @@ void add_temperature(TaskList& list, const SchemeVariables& v, const SchemeOptio
 
 }  // namespace
 
-void add_heat_flux(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
-  if (!o.conducting) return;
+void add_heat_flux(TaskList& list, const HeatFluxInput& v, const SchemeOptions& o, int effect) {
+  if (!o.transport.conducting) return;
   add_temperature(list, v, o, effect);
-  const bool mixes = o.mixed != nullptr, turbulent = o.transport.turbulence.has_value();
-  if (mixes && !turbulent && !o.mixed->species) scalars::add_conductivity(list, v, o, effect);
+  const bool mixes = o.materials.mixed != nullptr,
+             turbulent = o.transport.models.turbulence.has_value();
+  if (mixes && !turbulent && !o.materials.mixed->species)
+    scalars::add_conductivity(list, v.conductivity, o, effect);
   static const char* names[] = {"heat flux on axis 0", "heat flux on axis 1",
                                 "heat flux on axis 2"};
-  for (int axis = 0; axis < o.axes.count; ++axis) {
+  for (int axis = 0; axis < o.grid.axes.count; ++axis) {
     TaskBuilder task = list.task(names[axis], effect);
-    const Stencil both = Stencil::along(o.axes.direction[axis], 1, 0);
+    const Stencil both = Stencil::along(o.grid.axes.direction[axis], 1, 0);
     Handles h;
     h.temperature = task.read(v.temperature, both);
-    if (o.conductivity_varies) h.conductivity = task.read(v.conductivity, both);
-    const bool slips = o.boundary != nullptr && o.boundary->has_heat_slip();
+    if (o.transport.conductivity_varies) h.conductivity = task.read(v.conductivity, both);
+    const bool slips = o.grid.boundary != nullptr && o.grid.boundary->has_heat_slip();
     if (slips) {
       h.rho = task.read(v.rho, both);
       h.energy = task.read(v.energy, both);
@@ -131,12 +133,12 @@ void add_heat_flux(TaskList& list, const SchemeVariables& v, const SchemeOptions
       if (o.molecular_varies())
         h.viscosity = task.read(turbulent ? v.molecular_viscosity : v.viscosity, both);
     }
-    if (mixes) h.spreading = scalars::read_spreading(task, list, v, o, axis);
-    h.species = read_species_flux(task, list, v, o, axis);
+    if (mixes) h.spreading = scalars::read_spreading(task, list, v.rho, o, axis);
+    h.species = read_species_flux(task, list, {v.rho, v.diffusivity}, o, axis);
     if (turbulent || slips) h.laws = LawsOfCells(task, list, o, LawsOfCells::When::old_state, both);
     h.flux = task.write(v.heat_flux[axis]);
     task.kernel([=](const Row& row) {
-      if (o.conductivity_varies)
+      if (o.transport.conductivity_varies)
         flux_row<true>(row, h, o, axis);
       else
         flux_row<false>(row, h, o, axis);

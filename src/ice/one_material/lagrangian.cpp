@@ -106,7 +106,7 @@ void heat_of_shocks(const Row& whole, const Handles& h) {
 template <int D, int C>
 void heat_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
                const SchemeOptions& o) {
-  if (!o.keeps_work() && !o.viscous && !o.conducting) return;
+  if (!o.keeps_work() && !o.transport.viscous && !o.transport.conducting) return;
   const int n = row.whole_vectors();
   double *Es = row(h.energy_star), *EL = row(h.energy_L);
   if (o.keeps_work()) {
@@ -114,12 +114,12 @@ void heat_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
     double* work = row(h.mixture, 0);
     for (int i = 0; i < n; ++i) work[i] = E[i] - Es[i];
   }
-  if (o.viscous) {
-    double* friction = o.mixture ? row(h.mixture, 1) : EL;  // E_L is written again
+  if (o.transport.viscous) {
+    double* friction = o.materials.mixture ? row(h.mixture, 1) : EL;  // E_L is written again
     friction_rows<D, C>(row, h.friction, row(h.inverse_rho), s, o.friction_tilts(), friction);
     for (int i = 0; i < n; ++i) Es[i] += friction[i];
   }
-  if (o.conducting) conduction_rows<D>(row, h.heat_flux, s, Es);
+  if (o.transport.conducting) conduction_rows<D>(row, h.heat_flux, s, Es);
   const double* iJ = row(h.inverse_J);
 #pragma GCC ivdep
   for (int i = 0; i < n; ++i) EL[i] = Es[i] * iJ[i];
@@ -127,50 +127,51 @@ void heat_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
 
 }  // namespace
 
-void add_lagrangian(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
+void add_lagrangian(TaskList& list, const LagrangianInput& v, const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("Lagrangian phase", effect);
   Handles h;
   h.forces.rho = task.read(v.rho);
   h.inverse_rho = task.read(v.inverse_rho);
-  h.velocity = task.read(v.velocity, o.viscous ? Stencil::box(1) : Stencil::point());
+  h.velocity = task.read(v.velocity, o.transport.viscous ? Stencil::box(1) : Stencil::point());
   h.energy = task.read(v.energy);
   if (holds_velocities(o)) h.sound = task.read(v.sound);
   if (o.friction_tilts()) h.friction.viscosity = task.read(v.front_viscosity, Stencil::box(1));
-  for (int axis = 0; axis < o.axes.count; ++axis) {
-    const Stencil both = Stencil::along(o.axes.direction[axis], 0, 1);
-    h.face_velocity[axis] = task.read(v.face_velocity[axis], both);
-    h.forces.face_pressure[axis] = task.read(v.face_pressure[axis], both);
-    if (o.viscous) h.forces.stress[axis] = task.read(v.stress[axis], both);
-    if (o.conducting) h.heat_flux[axis] = task.read(v.heat_flux[axis], both);
+  for (int axis = 0; axis < o.grid.axes.count; ++axis) {
+    const Stencil both = Stencil::along(o.grid.axes.direction[axis], 0, 1);
+    h.face_velocity[axis] = task.read(v.faces.velocity[axis], both);
+    h.forces.face_pressure[axis] = task.read(v.faces.pressure[axis], both);
+    if (o.transport.viscous) h.forces.stress[axis] = task.read(v.faces.stress[axis], both);
+    if (o.transport.conducting) h.heat_flux[axis] = task.read(v.faces.heat_flux[axis], both);
   }
-  h.inverse_J = task.write(v.inverse_J);
-  h.rho_L = task.write(v.rho_L);
-  h.energy_L = task.write(v.energy_L);
-  h.velocity_L = task.write(v.velocity_L);
+  h.inverse_J = task.write(v.donors.inverse_J);
+  h.rho_L = task.write(v.donors.rho_L);
+  h.energy_L = task.write(v.donors.energy_L);
+  h.velocity_L = task.write(v.donors.velocity_L);
   h.energy_star = task.write(v.energy_star);
-  h.courant = task.write(v.courant);
-  h.inverse_courant = task.write(v.inverse_courant);
-  const bool scaled = o.fluid.gamma_law() == nullptr;
-  if (scaled && !o.mixture) h.energy_scale = task.write(v.energy_scale);
+  h.courant = task.write(v.donors.courant);
+  h.inverse_courant = task.write(v.donors.inverse_courant);
+  const bool scaled = o.materials.fluid.gamma_law() == nullptr;
+  if (scaled && !o.materials.mixture) h.energy_scale = task.write(v.donors.energy_scale);
   if (o.keeps_work()) h.mixture = task.write(v.lagrangian_mixture);
   h.forces.impulse = task.write(v.impulse);
-  if (o.shears_shocks) h.shear = read_shock_shear(task, v);
+  if (o.scheme.shears_shocks) h.shear = read_shock_shear(task, v.shear);
   h.shear.impulse = h.forces.impulse;
   h.friction.velocity = h.velocity;
   h.friction.stress = h.forces.stress;
   h.friction.impulse = h.forces.impulse;
-  dispatch(o.axes.count, o.components, [&]<int D, int C>() {
+  dispatch(o.grid.axes.count, o.grid.components, [&]<int D, int C>() {
     task.kernel([=](const Row& row) {
       const ImpulseConstants s = impulse_constants(o, row.step());
-      impulse_rows<D, C>(row, h.forces, s, o.viscous);
-      const bool sheared = o.shears_shocks && is_sheared<D>(row, h.shear);
+      impulse_rows<D, C>(row, h.forces, s, o.transport.viscous);
+      const bool sheared = o.scheme.shears_shocks && is_sheared<D>(row, h.shear);
       if (sheared) take_shear<D, C>(row, h.shear);
       leave_held_ghosts(row, o, h.velocity, h.sound, h.forces.impulse);
       cell_rows<D, C>(row, h, s);
       if (sheared) heat_of_shocks<D, C>(row, h);
       heat_rows<D, C>(row, h, s, o);
-      if (scaled && !o.mixture)
-        energy_scale_row(o.fluid, row.count(), row(h.rho_L), row(h.energy_L), row(h.energy_scale));
+      if (scaled && !o.materials.mixture)
+        energy_scale_row(o.materials.fluid, row.count(), row(h.rho_L), row(h.energy_L),
+                         row(h.energy_scale));
     });
   });
 }

@@ -16,13 +16,13 @@ void velocity_rows(const Row& row, In momentum, Out velocity, const double* __re
   }
 }
 
-void add_primitives(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
+void add_primitives(TaskList& list, const PrimitivesInput& v, const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("primitives", effect);
   const In rho = task.read(v.rho), momentum = task.read(v.momentum), energy = task.read(v.energy);
   const Out velocity = task.write(v.velocity), pressure = task.write(v.pressure);
   const Out sound = task.write(v.sound), inverse = task.write(v.inverse_rho);
   const LawsOfCells laws(task, list, o);
-  const int components = o.components;
+  const int components = o.grid.components;
   task.kernel([=](const Row& row) {
     const LawRow law = laws.of_one(row);
     const int n = law.takes_any_number() ? row.whole_vectors() : row.count();

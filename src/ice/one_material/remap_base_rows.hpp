@@ -8,8 +8,8 @@
 #pragma once
 #include "ice/fluid/limiters.hpp"
 #include "ice/one_material/quantity_rows.hpp"
+#include "ice/one_material/tasks.hpp"
 #include "ice/step/remap_bounds.hpp"
-#include "ice/step/variables.hpp"
 
 namespace sluice::ice {
 
@@ -165,7 +165,7 @@ void base_rows(const Row& row, const RemapBaseHandles& h, const Axes& axes, Vec3
   velocity_base_rows<D, C, Masked>(row, h, axes, gravity);
 }
 
-inline RemapBaseHandles declare_remap_bases(TaskBuilder& task, const SchemeVariables& v,
+inline RemapBaseHandles declare_remap_bases(TaskBuilder& task, const RemapBasesInput& v,
                                             const SchemeOptions& o) {
   RemapBaseHandles h;
   h.rho = task.read(v.rho, Stencil::box(1));
@@ -175,18 +175,20 @@ inline RemapBaseHandles declare_remap_bases(TaskBuilder& task, const SchemeVaria
   h.inverse_rho = task.read(v.inverse_rho);
   h.velocity_slope = task.read(v.velocity_slope);
   h.pressure_slope = task.read(v.pressure_slope);
-  if (o.masked) h.mask = task.read(v.mask);
-  h.solved = o.implicit;
-  h.force = o.force;
+  if (o.scheme.masked) h.mask = task.read(v.mask);
+  h.solved = o.scheme.implicit;
+  h.force = o.forces.driving;
   if (h.solved)
-    for (int d = 0; d < o.axes.count; ++d) {
-      h.face_pressure[d] = task.read(v.face_pressure[d], Stencil::along(o.axes.direction[d], 0, 1));
+    for (int d = 0; d < o.grid.axes.count; ++d) {
+      h.face_pressure[d] =
+          task.read(v.face_pressure[d], Stencil::along(o.grid.axes.direction[d], 0, 1));
     }
   h.rho_L = task.read(v.rho_L);
   h.energy_L = task.read(v.energy_L);
   h.velocity_L = task.read(v.velocity_L);
-  if (o.mixture || o.fluid.gamma_law() == nullptr) h.energy_scale = task.read(v.energy_scale);
-  for (int d = 0; d < o.axes.count; ++d) h.base[d] = task.write(v.base[d]);
+  if (o.materials.mixture || o.materials.fluid.gamma_law() == nullptr)
+    h.energy_scale = task.read(v.energy_scale);
+  for (int d = 0; d < o.grid.axes.count; ++d) h.base[d] = task.write(v.base[d]);
   return h;
 }
 

@@ -4,19 +4,19 @@
 
 namespace sluice::ice {
 
-void add_remap_bases(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
-  if (!o.second_order || o.axes.count == 1) return;  // the base is the Lagrangian value
+void add_remap_bases(TaskList& list, const RemapBasesInput& v, const SchemeOptions& o, int effect) {
+  if (!o.scheme.second_order || o.grid.axes.count == 1) return;  // the base is the Lagrangian value
   TaskBuilder task = list.task("remap bases", effect);
   const RemapBaseHandles h = declare_remap_bases(task, v, o);
-  const bool scaled = o.fluid.gamma_law() == nullptr;
-  const Vec3 gravity = o.gravity_on ? o.gravity : Vec3{};
-  dispatch(o.axes.count, o.components, [&]<int D, int C>() {
+  const bool scaled = o.materials.fluid.gamma_law() == nullptr;
+  const Vec3 gravity = o.forces.on ? o.forces.gravity : Vec3{};
+  dispatch(o.grid.axes.count, o.grid.components, [&]<int D, int C>() {
     if constexpr (D > 1)
       task.kernel([=](const Row& row) {
-        if (o.masked)
-          base_rows<D, C, true>(row, h, o.axes, gravity, scaled);
+        if (o.scheme.masked)
+          base_rows<D, C, true>(row, h, o.grid.axes, gravity, scaled);
         else
-          base_rows<D, C, false>(row, h, o.axes, gravity, scaled);
+          base_rows<D, C, false>(row, h, o.grid.axes, gravity, scaled);
       });
   });
 }

@@ -13,7 +13,7 @@
 // flux, vanishes unless the jump is hypersonic in the donor.
 #pragma once
 #include "ice/fluid/limiters.hpp"
-#include "ice/step/variables.hpp"
+#include "ice/one_material/tasks.hpp"
 
 namespace sluice::ice {
 
@@ -55,28 +55,29 @@ void flux_row_of(const Row& row, const RemapFluxHandles& h, int axis, double l,
                  const SchemeOptions& o, RemapLaw law);
 
 // Everything but the flux itself.
-inline RemapFluxHandles read_remap_inputs(TaskBuilder& task, const SchemeVariables& v,
+inline RemapFluxHandles read_remap_inputs(TaskBuilder& task, const RemapFluxInput& v,
                                           const SchemeOptions& o, int axis) {
-  const int direction = o.axes.direction[axis];
+  const int direction = o.grid.axes.direction[axis];
   const Stencil both = Stencil::along(direction, 1, 0);
   const Stencil four = Stencil::along(direction, 2, 1);
   RemapFluxHandles h;
-  if (o.second_order) {
+  if (o.scheme.second_order) {
     h.rho = task.read(v.rho, four);
     h.energy = task.read(v.energy, four);
     h.velocity = task.read(v.velocity, four);
   }
-  if (o.masked) h.mask = task.read(v.mask, both);
+  if (o.scheme.masked) h.mask = task.read(v.mask, both);
   h.inverse_rho = task.read(v.inverse_rho, both);
   h.face_velocity = task.read(v.face_velocity[axis]);
-  h.inverse_J = task.read(v.inverse_J, both);
-  h.rho_L = task.read(v.rho_L, both);
-  h.energy_L = task.read(v.energy_L, both);
-  h.velocity_L = task.read(v.velocity_L, both);
-  if (o.mixture || o.fluid.gamma_law() == nullptr) h.energy_scale = task.read(v.energy_scale, both);
-  h.courant = task.read(v.courant, both);
-  h.inverse_courant = task.read(v.inverse_courant, both);
-  if (o.second_order && o.axes.count > 1) h.base = task.read(v.base[axis], both);
+  h.inverse_J = task.read(v.donors.inverse_J, both);
+  h.rho_L = task.read(v.donors.rho_L, both);
+  h.energy_L = task.read(v.donors.energy_L, both);
+  h.velocity_L = task.read(v.donors.velocity_L, both);
+  if (o.materials.mixture || o.materials.fluid.gamma_law() == nullptr)
+    h.energy_scale = task.read(v.donors.energy_scale, both);
+  h.courant = task.read(v.donors.courant, both);
+  h.inverse_courant = task.read(v.donors.inverse_courant, both);
+  if (o.scheme.second_order && o.grid.axes.count > 1) h.base = task.read(v.base[axis], both);
   return h;
 }
 

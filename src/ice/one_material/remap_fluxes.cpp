@@ -8,7 +8,7 @@ namespace {
 
 // The bound is known when the loop is compiled: a choice in it costs its vectors or its registers;
 // so would a call.
-template <int D, int C, bool Second, bool Masked, bool Scaled, DensityBound Bound>
+template <int D, int C, bool Second, bool Masked, bool Scaled, FaceDensityLimiter Bound>
 [[gnu::flatten]] void flux_row(const Row& row, const RemapFluxHandles& h, int axis, double l) {
   const int n = row.whole_vectors();
   auto a = [&](In in, int c = 0) { return row(in, c, axis, -1); };
@@ -69,7 +69,8 @@ template <int D, int C, bool Second, bool Masked, bool Scaled, DensityBound Boun
       const double iN = chosen(left, iNb[i], iNa[i]);
       const double nu = std::fabs(H) * iJ;
       const double weight = half_sign * (1.0 - nu) * iJ * m;
-      rs += weight * donor_slope(R, i, left, nu, Bound == DensityBound::sharp ? 2.0 * iN : 2.0);
+      rs +=
+          weight * donor_slope(R, i, left, nu, Bound == FaceDensityLimiter::sharp ? 2.0 * iN : 2.0);
       es += weight * donor_slope(E, i, left, nu, 2.0);
       rs = smaller(larger(rs, face_floor * rL), rL * (density_gone + density_left * N) * iN);
       if constexpr (Scaled)
@@ -98,12 +99,13 @@ template <int D, int C, bool Second, bool Masked, bool Scaled, DensityBound Boun
   }
 }
 
-template <int D, int C, bool Scaled, DensityBound Bound>
+template <int D, int C, bool Scaled, FaceDensityLimiter Bound>
 void flux_row_by_order(const Row& row, const RemapFluxHandles& h, int axis, double l,
                        const SchemeOptions& o) {
-  if (!o.second_order)
-    flux_row<D, C, false, false, Scaled, DensityBound::sharp>(row, h, axis, l);  // has no bound
-  else if (o.masked)
+  if (!o.scheme.second_order)
+    flux_row<D, C, false, false, Scaled, FaceDensityLimiter::sharp>(row, h, axis,
+                                                                    l);  // has no bound
+  else if (o.scheme.masked)
     flux_row<D, C, true, true, Scaled, Bound>(row, h, axis, l);
   else
     flux_row<D, C, true, false, Scaled, Bound>(row, h, axis, l);
@@ -116,11 +118,11 @@ void flux_row_of(const Row& row, const RemapFluxHandles& h, int axis, double l,
                  const SchemeOptions& o, RemapLaw law) {
   switch (law) {
     case RemapLaw::scaled:
-      return flux_row_by_order<D, C, true, DensityBound::sharp>(row, h, axis, l, o);
+      return flux_row_by_order<D, C, true, FaceDensityLimiter::sharp>(row, h, axis, l, o);
     case RemapLaw::ideal_by_energy:
-      return flux_row_by_order<D, C, false, DensityBound::as_energy>(row, h, axis, l, o);
+      return flux_row_by_order<D, C, false, FaceDensityLimiter::as_energy>(row, h, axis, l, o);
     case RemapLaw::ideal:
-      return flux_row_by_order<D, C, false, DensityBound::sharp>(row, h, axis, l, o);
+      return flux_row_by_order<D, C, false, FaceDensityLimiter::sharp>(row, h, axis, l, o);
   }
 }
 
@@ -137,17 +139,18 @@ template void flux_row_of<2, 3>(const Row&, const RemapFluxHandles&, int, double
 template void flux_row_of<3, 3>(const Row&, const RemapFluxHandles&, int, double,
                                 const SchemeOptions&, RemapLaw);
 
-void add_remap_flux(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect,
+void add_remap_flux(TaskList& list, const RemapFluxInput& v, const SchemeOptions& o, int effect,
                     int axis) {
   static const char* names[] = {"remap along axis 0", "remap along axis 1", "remap along axis 2"};
-  const int direction = o.axes.direction[axis];
-  const RemapLaw law = o.fluid.gamma_law() == nullptr               ? RemapLaw::scaled
-                       : o.density_bound == DensityBound::as_energy ? RemapLaw::ideal_by_energy
-                                                                    : RemapLaw::ideal;
+  const int direction = o.grid.axes.direction[axis];
+  const RemapLaw law = o.materials.fluid.gamma_law() == nullptr ? RemapLaw::scaled
+                       : o.scheme.density_bound == FaceDensityLimiter::as_energy
+                           ? RemapLaw::ideal_by_energy
+                           : RemapLaw::ideal;
   TaskBuilder task = list.task(names[axis], effect);
   RemapFluxHandles h = read_remap_inputs(task, v, o, axis);
   h.flux = task.write(v.flux[axis]);
-  dispatch(o.axes.count, o.components, [&]<int D, int C>() {
+  dispatch(o.grid.axes.count, o.grid.components, [&]<int D, int C>() {
     task.kernel([=](const Row& row) {
       const double l = row.step().dt / row.step().spacing[direction];
       flux_row_of<D, C>(row, h, axis, l, o, law);
@@ -155,9 +158,8 @@ void add_remap_flux(TaskList& list, const SchemeVariables& v, const SchemeOption
   });
 }
 
-void add_remap_fluxes(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
-                      int effect) {
-  for (int axis = 0; axis < o.axes.count; ++axis) add_remap_flux(list, v, o, effect, axis);
+void add_remap_fluxes(TaskList& list, const RemapFluxInput& v, const SchemeOptions& o, int effect) {
+  for (int axis = 0; axis < o.grid.axes.count; ++axis) add_remap_flux(list, v, o, effect, axis);
 }
 
 }  // namespace sluice::ice

@@ -116,22 +116,24 @@ void jumps_row(const Row& row, const JumpHandles& h, double gamma) {
       });
 }
 
-void add_jumps(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
+void add_jumps(TaskList& list, const ShockShearTaskInput& v, const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("where pressure jumps", effect);
   Stencil below;
-  for (int d = 0; d < o.axes.count; ++d) below.low[o.axes.direction[d]] = 1;
+  for (int d = 0; d < o.grid.axes.count; ++d) below.low[o.grid.axes.direction[d]] = 1;
   JumpHandles h;
   h.pressure = task.read(v.pressure, below);
   h.rho = task.read(v.rho, below);
   h.sound = task.read(v.sound, below);
   h.velocity = task.read(v.velocity, below);
-  if (o.has_cut_cells) h.fraction = task.read(v.walls.fraction, below);
+  if (o.grid.has_cut_cells) h.fraction = task.read(v.fraction, below);
   h.jumps = task.write(v.jumps);
   h.marks = task.write(v.jump_marks);
-  const eos::IdealGas* gas = o.mixture || o.mixed != nullptr ? nullptr : o.fluid.gamma_law();
-  task.kernel([=, gamma = gas != nullptr ? gas->gamma : 0, axes = o.axes.count](const Row& row) {
-    axes == 2 ? jumps_row<2>(row, h, gamma) : jumps_row<3>(row, h, gamma);
-  });
+  const eos::IdealGas* gas =
+      o.materials.mixture || o.materials.mixed != nullptr ? nullptr : o.materials.fluid.gamma_law();
+  task.kernel(
+      [=, gamma = gas != nullptr ? gas->gamma : 0, axes = o.grid.axes.count](const Row& row) {
+        axes == 2 ? jumps_row<2>(row, h, gamma) : jumps_row<3>(row, h, gamma);
+      });
 }
 
 // ---- k of the low faces of cells, from the faces across the other axes --------------------------
@@ -201,7 +203,7 @@ void strength_row(const Row& whole, const Handles& h, const SchemeOptions& o) {
     const int n = row.count();
     bool any = false;
     for (int d = 0; d < D; ++d) {
-      find_strength<D>(row, h, d, row.step().dt / row.step().spacing[o.axes.direction[d]]);
+      find_strength<D>(row, h, d, row.step().dt / row.step().spacing[o.grid.axes.direction[d]]);
       double* k = row(h.strength, d);
       if (h.fraction.index >= 0) clear_beside_solids(row, h, d, k);
       for_each_wall_face(row, o, d, [&](int i, bool) { k[i] = 0.0; });
@@ -213,20 +215,21 @@ void strength_row(const Row& whole, const Handles& h, const SchemeOptions& o) {
 
 }  // namespace
 
-void add_shock_shear(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
-  if (!o.shears_shocks) return;
+void add_shock_shear(TaskList& list, const ShockShearTaskInput& v, const SchemeOptions& o,
+                     int effect) {
+  if (!o.scheme.shears_shocks) return;
   add_jumps(list, v, o, effect);
   TaskBuilder task = list.task("shear along shocks", effect);
   const Stencil around = Stencil::box(1);
   Handles h;
   h.pressure = task.read(v.pressure, around);
-  if (o.has_cut_cells) h.fraction = task.read(v.walls.fraction, around);
+  if (o.grid.has_cut_cells) h.fraction = task.read(v.fraction, around);
   h.jumps = task.read(v.jumps, around);
   h.jump_marks = task.read(v.jump_marks, around);
   h.strength = task.write(v.shear);
   h.fastest = task.write(list.temporary("speeds across shocks"));
   h.marks = task.write(v.shear_marks);
-  task.kernel([=, axes = o.axes.count](const Row& row) {
+  task.kernel([=, axes = o.grid.axes.count](const Row& row) {
     axes == 2 ? strength_row<2>(row, h, o) : strength_row<3>(row, h, o);
   });
 }

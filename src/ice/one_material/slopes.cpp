@@ -34,10 +34,10 @@ struct AxisConstants {
 
   AxisConstants(const SchemeOptions& o, const StepConstants& step) {
     for (int d = 0; d < D; ++d) {
-      const double dx = step.spacing[o.axes.direction[d]];
+      const double dx = step.spacing[o.grid.axes.direction[d]];
       half_courant[d] = 0.5 * step.dt / dx;
-      g_dx[d] = o.gravity[o.axes.direction[d]] * dx;
-      f_dx[d] = o.force[o.axes.direction[d]] * dx;
+      g_dx[d] = o.forces.gravity[o.grid.axes.direction[d]] * dx;
+      f_dx[d] = o.forces.driving[o.grid.axes.direction[d]] * dx;
     }
   }
 };
@@ -124,31 +124,32 @@ void damp_rows(const Row& row, const Handles& h, const InterfaceDistance& ends) 
 
 }  // namespace
 
-void add_slopes(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
-  if (!o.second_order) return;
+void add_slopes(TaskList& list, const SlopesInput& v, const SchemeOptions& o, int effect) {
+  if (!o.scheme.second_order) return;
   TaskBuilder task = list.task("slopes", effect);
   Handles h;
-  h.rho = task.read(v.rho, o.gravity_on ? Stencil::box(1) : Stencil::point());
-  h.velocity = task.read(v.velocity, Stencil::box(1));
+  h.rho = task.read(v.moving.rho, o.forces.on ? Stencil::box(1) : Stencil::point());
+  h.velocity = task.read(v.moving.velocity, Stencil::box(1));
   h.pressure = task.read(v.pressure, Stencil::box(1));
-  h.sound = task.read(v.sound);
-  if (o.masked && !o.has_cut_cells) h.mask = task.read(v.mask);
-  if (o.has_cut_cells) h.open = task.read(v.walls.open);
-  if (o.shocks_leave) task.by_box();
+  h.sound = task.read(v.moving.sound);
+  if (o.scheme.masked && !o.grid.has_cut_cells) h.mask = task.read(v.mask);
+  if (o.grid.has_cut_cells) h.open = task.read(v.open);
+  if (o.grid.shocks_leave) task.needs_box();
   h.velocity_slope = task.write(v.velocity_slope);
   h.pressure_slope = task.write(v.pressure_slope);
   h.predicted = task.write(v.predicted_pressure);
-  if (o.axes.count > 1) h.transverse = task.write(v.transverse_velocity);
-  dispatch(o.axes.count, o.components, [&]<int D, int C>() {
+  if (o.grid.axes.count > 1) h.transverse = task.write(v.transverse_velocity);
+  dispatch(o.grid.axes.count, o.grid.components, [&]<int D, int C>() {
     task.kernel([=](const Row& row) {
       const AxisConstants<D> k(o, row.step());
-      if (o.gravity_on)
+      if (o.forces.on)
         slope_rows<D, true>(row, h, k);
       else
         slope_rows<D, false>(row, h, k);
-      if (o.masked && !o.has_cut_cells) mask_slopes(row, h.mask, slopes_of(h), D);
-      if (o.has_cut_cells) close_slopes(row, h.open, slopes_of(h), D);
-      if (o.shocks_leave && o.recorder->ends != nullptr) damp_rows<D>(row, h, *o.recorder->ends);
+      if (o.scheme.masked && !o.grid.has_cut_cells) mask_slopes(row, h.mask, slopes_of(h), D);
+      if (o.grid.has_cut_cells) close_slopes(row, h.open, slopes_of(h), D);
+      if (o.grid.shocks_leave && o.accounts.recorder->ends != nullptr)
+        damp_rows<D>(row, h, *o.accounts.recorder->ends);
       predict_row<D>(row, h, k);
     });
   });

@@ -6,8 +6,8 @@
 // kinetic flux F |U|^2/2 + F K, but no large numbers are subtracted. A cell whose net fluxes are
 // zero keeps its bits.
 #pragma once
+#include "ice/one_material/tasks.hpp"
 #include "ice/step/end_of_step.hpp"
-#include "ice/step/variables.hpp"
 
 namespace sluice::ice {
 
@@ -106,11 +106,11 @@ void update_row(const Row& row, const UpdateHandles& h) {
 inline void check_row(const Row& row, const UpdateHandles& h, const SchemeOptions& o,
                       int material) {
   const auto inverse = [](double x) { return 1.0 / x; };
-  const Axes& axes = o.axes;
+  const Axes& axes = o.grid.axes;
   const int state = fault_of_material * (material + 1);
   const double* energy = row(h.next.energy);
-  if (o.fluid.gamma_law() == nullptr) {
-    admissible_row(o.fluid, row.count(), row(h.next.rho), energy, row(h.next.closure, 2));
+  if (o.materials.fluid.gamma_law() == nullptr) {
+    admissible_row(o.materials.fluid, row.count(), row(h.next.rho), energy, row(h.next.closure, 2));
     return admissible_row<4>(row, axes,
                              {{{row(h.next.rho), fault_density},
                                {row(h.inverse_J), fault_volume, inverse},
@@ -127,44 +127,43 @@ inline void check_row(const Row& row, const UpdateHandles& h, const SchemeOption
 }
 
 // What the checks and rates of the new state read.
-inline UpdateHandles read_end_of_step(TaskBuilder& task, const SchemeVariables& v,
+inline UpdateHandles read_end_of_step(TaskBuilder& task, const EndOfStepInput& v,
                                       const SchemeOptions& o) {
   UpdateHandles h;
   h.energy_star = task.read(v.energy_star);
   h.inverse_J = task.read(v.inverse_J);
   read_transport(task, v, o, h.next);
-  if (!o.conservative_time_step) return h;
+  if (!o.scheme.conservative_time_step) return h;
   h.next.sound = task.read(v.sound, Stencil::box(1));
-  for (int axis = 0; axis < o.axes.count; ++axis) {
+  for (int axis = 0; axis < o.grid.axes.count; ++axis) {
     h.next.face_velocity[axis] =
-        task.read(v.face_velocity[axis], Stencil::along(o.axes.direction[axis], 0, 1));
+        task.read(v.face_velocity[axis], Stencil::along(o.grid.axes.direction[axis], 0, 1));
   }
   return h;
 }
 
 // All that is read; what is written belongs to the caller.
-inline UpdateHandles read_update(TaskBuilder& task, const SchemeVariables& v,
-                                 const SchemeOptions& o) {
-  UpdateHandles h = read_end_of_step(task, v, o);
+inline UpdateHandles read_update(TaskBuilder& task, const AmountsInput& v, const SchemeOptions& o) {
+  UpdateHandles h = read_end_of_step(task, v.end, o);
   h.rho = task.read(v.rho);
   h.momentum = task.read(v.momentum);
   h.impulse = task.read(v.impulse);
   h.velocity_L = task.read(v.velocity_L);
-  for (int axis = 0; axis < o.axes.count; ++axis) {
-    h.flux[axis] = task.read(v.flux[axis], Stencil::along(o.axes.direction[axis], 0, 1));
+  for (int axis = 0; axis < o.grid.axes.count; ++axis) {
+    h.flux[axis] = task.read(v.flux[axis], Stencil::along(o.grid.axes.direction[axis], 0, 1));
   }
   return h;
 }
 
-inline UpdateHandles declare_update(TaskBuilder& task, const SchemeVariables& v,
+inline UpdateHandles declare_update(TaskBuilder& task, const UpdateInput& v,
                                     const SchemeOptions& o) {
-  UpdateHandles h = read_update(task, v, o);
-  h.next.rho = task.write(v.rho_remap);
-  h.next.momentum = task.write(v.momentum_remap);
-  h.next.energy = task.write(v.energy_remap);
-  if (o.conducting && !constant_heat_capacity(o.fluid))
+  UpdateHandles h = read_update(task, v.amounts, o);
+  h.next.rho = task.write(v.rho);
+  h.next.momentum = task.write(v.momentum);
+  h.next.energy = task.write(v.energy);
+  if (o.transport.conducting && !constant_heat_capacity(o.materials.fluid))
     h.next.heat_capacity = task.write(v.heat_capacity);
-  if (o.fluid.gamma_law() != nullptr) return h;
+  if (o.materials.fluid.gamma_law() != nullptr) return h;
   h.energy_scale = task.read(v.energy_scale);
   h.next.closure = task.write(v.closure);
   return h;

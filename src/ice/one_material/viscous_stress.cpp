@@ -33,12 +33,12 @@ void stress_row(const Row& row, const Handles& h, const SchemeOptions& o, int ax
                 const TransverseRows (&rows)[3][3]) {
   const int n = row.count();
   double inverse[3] = {0, 0, 0};
-  for (int t = 0; t < D; ++t) inverse[t] = 1.0 / row.step().spacing[o.axes.direction[t]];
+  for (int t = 0; t < D; ++t) inverse[t] = 1.0 / row.step().spacing[o.grid.axes.direction[t]];
   auto across = [&](int c, int t, int i) {
     const TransverseRows& x = rows[c][t];
     return 0.25 * inverse[t] * ((x.ap[i] - x.am[i]) + (x.bp[i] - x.bm[i]));
   };
-  const double mu = o.viscosity;
+  const double mu = o.transport.viscosity;
   const double* __restrict mu_a = varies ? row(h.viscosity, 0, axis, -1) : nullptr;
   const double* __restrict mu_b = varies ? row(h.viscosity) : nullptr;
   for (int c = 0; c < C; ++c) {
@@ -67,15 +67,15 @@ void stress_row(const Row& row, const Handles& h, const SchemeOptions& o, int ax
 // The ghost holds 2 u_w - u_1.
 template <int C, bool varies>
 void stick_to_walls(const Row& row, const Handles& h, const SchemeOptions& o, int axis) {
-  const int direction = o.axes.direction[axis];
+  const int direction = o.grid.axes.direction[axis];
   const double per_dx = 1.0 / row.step().spacing[direction];
   const double* mu_a = varies ? row(h.viscosity, 0, axis, -1) : nullptr;
   const double* mu_b = varies ? row(h.viscosity) : nullptr;
   for_each_wall_face(row, o, axis, [&](int i, bool plus) {
     IntVec3 cell = row.cell();
-    cell[o.axes.direction[0]] += i;
-    if (!o.boundary->sticks(side_of(direction, plus), cell)) return;
-    const double mu = varies ? harmonic_mean(mu_a[i], mu_b[i]) : o.viscosity;
+    cell[o.grid.axes.direction[0]] += i;
+    if (!o.grid.boundary->sticks(side_of(direction, plus), cell)) return;
+    const double mu = varies ? harmonic_mean(mu_a[i], mu_b[i]) : o.transport.viscosity;
     for (int c = 0; c < C; ++c) {
       if (c == axis) continue;
       const auto u = [&](int shift) { return row(h.velocity, c, axis, shift)[i]; };
@@ -95,7 +95,8 @@ void take_eddies_from_walls(const Row& row, const Handles& h, const SchemeOption
   const double *mu_a = row(h.viscosity, 0, axis, -1), *mu_b = row(h.viscosity);
   for_each_wall_face(row, o, axis, [&](int i, bool) {
     const double total = harmonic_mean(mu_a[i], mu_b[i]);
-    const double molecular = varies ? harmonic_mean(molecular_a[i], molecular_b[i]) : o.viscosity;
+    const double molecular =
+        varies ? harmonic_mean(molecular_a[i], molecular_b[i]) : o.transport.viscosity;
     for (int c = 0; c < C; ++c) row(h.stress, c)[i] *= total > 0 ? molecular / total : 0.0;
   });
 }
@@ -104,26 +105,26 @@ void take_eddies_from_walls(const Row& row, const Handles& h, const SchemeOption
 template <int C>
 void wall_law(const Row& row, const Handles& h, const SchemeOptions& o, int axis,
               const WallShear& law) {
-  const int direction = o.axes.direction[axis];
+  const int direction = o.grid.axes.direction[axis];
   if (direction_of(law.side) != direction) return;
   const double y = 0.5 * row.step().spacing[direction];
   for_each_wall_face(row, o, axis, [&](int i, bool plus) {
     if (plus != is_plus(law.side)) return;
     IntVec3 cell = row.cell();
-    cell[o.axes.direction[0]] += i;
-    const Vec3 wall = o.boundary->wall_velocity(law.side, cell);
+    cell[o.grid.axes.direction[0]] += i;
+    const Vec3 wall = o.grid.boundary->wall_velocity(law.side, cell);
     const int inside = plus ? -1 : 0;
     const auto value = [&](In in, int c) { return row(in, c, axis, inside)[i]; };
     double relative[C] = {}, along = 0, carried = 0;
     for (int c = 0; c < C; ++c) {
       if (c == axis) continue;
-      relative[c] = value(h.velocity, c) - wall[o.direction[c]];
-      (c < o.axes.count ? along : carried) += relative[c] * relative[c];
+      relative[c] = value(h.velocity, c) - wall[o.grid.direction[c]];
+      (c < o.grid.axes.count ? along : carried) += relative[c] * relative[c];
     }
     const double speed = std::sqrt(along + carried);
     if (speed == 0) return;  // as the gradient says: no friction
     const double rho = value(h.rho, 0);
-    const double mu = o.molecular_varies() ? value(h.molecular, 0) : o.viscosity;
+    const double mu = o.molecular_varies() ? value(h.molecular, 0) : o.transport.viscosity;
     const double u_tau = friction_velocity(law, speed, y, mu / rho);
     const double pull = (plus ? -1.0 : 1.0) * rho * u_tau * u_tau / speed;
     for (int c = 0; c < C; ++c)
@@ -133,36 +134,38 @@ void wall_law(const Row& row, const Handles& h, const SchemeOptions& o, int axis
 
 template <int C>
 void wall_rows(const Row& row, const Handles& h, const SchemeOptions& o, int axis) {
-  if (o.transport.turbulence) take_eddies_from_walls<C>(row, h, o, axis);
-  for (const WallShear& law : o.transport.wall_shear) wall_law<C>(row, h, o, axis, law);
+  if (o.transport.models.turbulence) take_eddies_from_walls<C>(row, h, o, axis);
+  for (const WallShear& law : o.transport.models.wall_shear) wall_law<C>(row, h, o, axis, law);
 }
 
 // What the walls need beside the velocity.
-void read_for_walls(TaskBuilder& task, const SchemeVariables& v, const SchemeOptions& o,
+void read_for_walls(TaskBuilder& task, const ViscousStressInput& v, const SchemeOptions& o,
                     Stencil both, Handles& h) {
-  const bool laws = !o.transport.wall_shear.empty();
+  const bool laws = !o.transport.models.wall_shear.empty();
   if (laws) h.rho = task.read(v.rho, both);
-  if (o.molecular_varies() && (laws || o.transport.turbulence))
-    h.molecular = task.read(o.transport.turbulence ? v.molecular_viscosity : v.viscosity, both);
+  if (o.molecular_varies() && (laws || o.transport.models.turbulence))
+    h.molecular =
+        task.read(o.transport.models.turbulence ? v.molecular_viscosity : v.viscosity, both);
 }
 
 }  // namespace
 
-void add_viscous_stress(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+void add_viscous_stress(TaskList& list, const ViscousStressInput& v, const SchemeOptions& o,
                         int effect) {
-  if (!o.viscous) return;
+  if (!o.transport.viscous) return;
   static const char* names[] = {"stress on axis 0", "stress on axis 1", "stress on axis 2"};
-  for (int axis = 0; axis < o.axes.count; ++axis) {
+  for (int axis = 0; axis < o.grid.axes.count; ++axis) {
     TaskBuilder task = list.task(names[axis], effect);
     Handles h;
     Stencil around = Stencil::box(1);
-    if (o.implicit) around.low[o.axes.direction[axis]] = 2;  // the second cell from a wall
+    if (o.scheme.implicit)
+      around.low[o.grid.axes.direction[axis]] = 2;  // the second cell from a wall
     h.velocity = task.read(v.velocity, around);
-    const Stencil both = Stencil::along(o.axes.direction[axis], 1, 0);
-    if (o.viscosity_varies) h.viscosity = task.read(v.viscosity, both);
+    const Stencil both = Stencil::along(o.grid.axes.direction[axis], 1, 0);
+    if (o.transport.viscosity_varies) h.viscosity = task.read(v.viscosity, both);
     read_for_walls(task, v, o, both, h);
     h.stress = task.write(v.stress[axis]);
-    dispatch(o.axes.count, o.components, [&]<int D, int C>() {
+    dispatch(o.grid.axes.count, o.grid.components, [&]<int D, int C>() {
       task.kernel([=](const Row& row) {
         TransverseRows rows[3][3] = {};
         for (int c = 0; c < D; ++c)
@@ -172,14 +175,14 @@ void add_viscous_stress(TaskList& list, const SchemeVariables& v, const SchemeOp
                           row.at_corner(h.velocity, c, axis, -1, t, 1), row(h.velocity, c, t, -1),
                           row(h.velocity, c, t, 1)};
           }
-        if (o.viscosity_varies)
+        if (o.transport.viscosity_varies)
           stress_row<D, C, true>(row, h, o, axis, rows);
         else
           stress_row<D, C, false>(row, h, o, axis, rows);
-        if (o.implicit)
-          o.viscosity_varies ? stick_to_walls<C, true>(row, h, o, axis)
-                             : stick_to_walls<C, false>(row, h, o, axis);
-        if (o.transport.turbulence || !o.transport.wall_shear.empty())
+        if (o.scheme.implicit)
+          o.transport.viscosity_varies ? stick_to_walls<C, true>(row, h, o, axis)
+                                       : stick_to_walls<C, false>(row, h, o, axis);
+        if (o.transport.models.turbulence || !o.transport.models.wall_shear.empty())
           wall_rows<C>(row, h, o, axis);
       });
     });

@@ -99,7 +99,7 @@ void add_refine_flag(TaskList& list, const std::vector<DiagnosticQuantity>& quan
     thresholds.push_back({task.read(q.variable, Stencil::box(1)), q.components, c.value * c.value});
   }
   const Out out = task.write(list.output(labels().refine_flag, 0));
-  task.kernel([=, axes = options.axes](const Row& row) {
+  task.kernel([=, axes = options.grid.axes](const Row& row) {
     switch (axes.count) {
       case 1:
         return flag_row<1>(row, thresholds, axes, out);

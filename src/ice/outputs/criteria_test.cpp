@@ -150,7 +150,7 @@ TEST(WantedEstimates, AreOneForEachVariableWithTheSmallestTolerance) {
 // Decks are checked by the list in fluid/labels.hpp, which knows nothing of tasks.
 TEST(StateFunctions, AreThoseThatTasksCompute) {
   SchemeOptions one;
-  one.fluids.push_back(one.fluid);
+  one.materials.fluids.push_back(one.materials.fluid);
   TaskList list;
   std::vector<std::string> computed, listed;
   for (const DiagnosticQuantity& q : declare_quantities(list, one))

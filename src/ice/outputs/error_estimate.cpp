@@ -72,7 +72,7 @@ void add_error_estimates(TaskList& list, const std::vector<DiagnosticQuantity>& 
     TaskBuilder task = list.task("estimate the error of " + q.label.name(), effect_diagnostics);
     const In in = task.read(q.variable, Stencil::box(1));
     const Out out = task.write(list.output(e.estimate, e.material));
-    task.kernel([=, components = q.components, axes = options.axes.count](const Row& row) {
+    task.kernel([=, components = q.components, axes = options.grid.axes.count](const Row& row) {
       estimate_row(row, in, out, components, axes);
     });
   }

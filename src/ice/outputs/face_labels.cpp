@@ -47,7 +47,7 @@ void save_temperature(TaskList& list, const SchemeOptions& o, const MaterialOfSt
   });
 }
 
-void save_pressure_gradient(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int d,
+void save_pressure_gradient(TaskList& list, const OutputInput& v, const SchemeOptions& o, int d,
                             int effect) {
   const Label label = labels().face_pressure_gradient[d];
   TaskBuilder task = list.task("save " + label.name(), effect);
@@ -66,12 +66,12 @@ void save_pressure_gradient(TaskList& list, const SchemeVariables& v, const Sche
 }  // namespace
 
 int axis_along(const SchemeOptions& o, int direction) {
-  for (int a = 0; a < o.axes.count; ++a)
-    if (o.axes.direction[a] == direction) return a;
+  for (int a = 0; a < o.grid.axes.count; ++a)
+    if (o.grid.axes.direction[a] == direction) return a;
   return -1;
 }
 
-void declare_face_labels(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+void declare_face_labels(TaskList& list, const OutputInput& v, const SchemeOptions& o,
                          const MaterialsOfStep& materials, int effect) {
   for (const MaterialOfStep& m : materials.each) {
     const VariableId temperature = declare_temperature(list, o, materials, m, effect);

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "ice/closure/traces.hpp"
-#include "ice/mixture/variables.hpp"
+#include "ice/mixture/tasks.hpp"
 #include "ice/multi_velocity/tasks.hpp"
 #include "ice/sources/sources.hpp"
 #include "ice/step/laws_of_cells.hpp"
@@ -21,13 +21,14 @@ class Declarer {
         o_(q.options()),
         mixture_(mixture_options(o_)),
         v_(declare_variables(q.list(), mixture_)) {
-    if (mixture_.multi_velocity) declare_relative_velocities(q.list(), mixture_, v_);
-    add_primitives(q.list(), v_, mixture_, effect_diagnostics, true);
-    if (o_.own_viscosity_varies()) add_own_viscosities(q.list(), v_, mixture_, effect_diagnostics);
-    if (o_.transport.turbulence) declare_eddies();
-    if (!o_.multi_velocity) velocity_ = q.velocity(v_.common.rho, v_.common.momentum);
+    if (mixture_.materials.multi_velocity) declare_relative_velocities(q.list(), mixture_, v_);
+    add_primitives(q.list(), PrimitivesInput::of(v_), mixture_, effect_diagnostics, true);
+    if (o_.own_viscosity_varies())
+      add_own_viscosities(q.list(), OwnViscosityInput::of(v_), mixture_, effect_diagnostics);
+    if (o_.transport.models.turbulence) declare_eddies();
+    if (!o_.materials.multi_velocity) velocity_ = q.velocity(v_.common.rho, v_.common.momentum);
     const SchemeVariables& c = v_.common;
-    for (int m = 0; m < static_cast<int>(o_.fluids.size()); ++m) {
+    for (int m = 0; m < static_cast<int>(o_.materials.fluids.size()); ++m) {
       q.add(labels().sum_rho, m, c.rho);
       q.add(labels().pressure, m, c.pressure);
       const VariableId u = velocity_of(m);
@@ -44,8 +45,8 @@ class Declarer {
  private:
   static SchemeOptions mixture_options(const SchemeOptions& o) {
     SchemeOptions mixture = o;
-    mixture.mixture = true;
-    mixture.viscosity_varies = o.viscous;
+    mixture.materials.mixture = true;
+    mixture.transport.viscosity_varies = o.transport.viscous;
     return mixture;
   }
   // Of the common motion, for every material alike.
@@ -58,14 +59,14 @@ class Declarer {
                                q_.fresh(labels().subgrid_shear, 0)};
     add_subgrid_stress({q_.list(), mixture_, effect_diagnostics, "compute the subgrid stress"},
                        state, c.eddy_viscosity, stress);
-    for (int m = 1; m < static_cast<int>(o_.fluids.size()); ++m) {
+    for (int m = 1; m < static_cast<int>(o_.materials.fluids.size()); ++m) {
       q_.add(labels().subgrid_normal, m, stress.normal);
       q_.add(labels().subgrid_shear, m, stress.shear);
     }
   }
   // By level direction; that of the mixture where the material is absent.
   VariableId velocity_of(int m) {
-    if (!o_.multi_velocity) {
+    if (!o_.materials.multi_velocity) {
       if (m > 0) q_.add(labels().velocity, m, velocity_);
       return velocity_;
     }
@@ -74,7 +75,7 @@ class Declarer {
     const In rho = t.read(v_.common.rho), momentum = t.read(v_.common.momentum);
     const In mass = t.read(v_.mass[m]), slip = t.read(v_.slip.slip[m]);
     const Out out = t.write(to);
-    t.kernel([=, components = o_.components, direction = o_.direction](const Row& row) {
+    t.kernel([=, components = o_.grid.components, direction = o_.grid.direction](const Row& row) {
       const int n = row.count();
       const double *r = row(rho), *M = row(mass);
       for (int d = 0; d < 3; ++d) std::fill(row(out, d), row(out, d) + n, 0.0);
@@ -155,7 +156,7 @@ class Declarer {
   // Molecular and subgrid viscosity of a material and their sum, 0 where it is absent.
   void declare_viscosities(int m) {
     const Labels& l = labels();
-    const double constant = o_.viscosities[m];
+    const double constant = o_.transport.viscosities[m];
     const VariableId molecular =
         o_.own_viscosity_varies()
             ? single(v_.own_viscosity, m, l.viscosity, m)
@@ -173,7 +174,7 @@ class Declarer {
   }
   // rho_m C Delta^2 |S|.
   VariableId eddy_viscosity(int m) {
-    if (!o_.transport.turbulence)
+    if (!o_.transport.models.turbulence)
       return closure(labels().eddy_viscosity, m, [](double, double) { return 0.0; });
     const VariableId to = q_.fresh(labels().eddy_viscosity, m);
     TaskBuilder t = q_.task(labels().eddy_viscosity, m);
@@ -195,7 +196,7 @@ class Declarer {
     const In density = t.read(v_.density);
     const LawsOfCells laws(t, q_.list(), mixture_);
     const Out out = t.write(to);
-    t.kernel([=, given = o_.conductivities[m]](const Row& row) {
+    t.kernel([=, given = o_.transport.conductivities[m]](const Row& row) {
       const double* r = row(density, m);
       const LawRow law = laws.of(row, m);
       double* value = row(out);
@@ -230,7 +231,7 @@ class Declarer {
 
   // Of F behind a prescribed front.
   void declare_front() {
-    const auto front = o_.sources == nullptr ? std::nullopt : o_.sources->front();
+    const auto front = o_.forces.sources == nullptr ? std::nullopt : o_.forces.sources->front();
     if (!front) return;
     const VariableId share = q_.list().temporary("burned share of a front");
     TaskBuilder t = q_.list().task("burned share of a front", effect_diagnostics);
@@ -260,7 +261,7 @@ class Declarer {
         for (int i = 0; i < row.count(); ++i) to[i] += V[i] * k[i];
       }
     });
-    for (int m = 0; m < static_cast<int>(o_.fluids.size()); ++m) declare_share(sum, m);
+    for (int m = 0; m < static_cast<int>(o_.materials.fluids.size()); ++m) declare_share(sum, m);
   }
   void declare_share(VariableId of_all, int m) {
     const VariableId share = q_.fresh(labels().compressibility_share, m);

@@ -25,7 +25,7 @@ struct Handles {
   Out out;
 };
 
-Handles read_motion(TaskBuilder& task, const SchemeVariables& v, const SchemeOptions& o,
+Handles read_motion(TaskBuilder& task, const OutputInput& v, const SchemeOptions& o,
                     const MaterialOfStep& m) {
   Handles h;
   h.mass = task.read(m.mass);
@@ -33,9 +33,9 @@ Handles read_motion(TaskBuilder& task, const SchemeVariables& v, const SchemeOpt
   h.rho = task.read(v.rho);
   h.momentum = task.read(v.momentum);
   h.impulse = task.read(v.impulse);
-  for (int axis = 0; axis < o.axes.count; ++axis) {
+  for (int axis = 0; axis < o.grid.axes.count; ++axis) {
     h.face_pressure[axis] =
-        task.read(v.face_pressure[axis], Stencil::along(o.axes.direction[axis], 0, 1));
+        task.read(v.face_pressure[axis], Stencil::along(o.grid.axes.direction[axis], 0, 1));
   }
   h.own = m.motion.has_value();
   if (!h.own) return h;
@@ -59,9 +59,9 @@ class MotionOfRow {
         slip_(h.own ? row(h.slip, c) : nullptr),
         velocity_L_(h.own ? row(h.velocity_L, h.first + c) : nullptr),
         friction_(h.rubs ? row(h.friction, c) : nullptr) {
-    const int d = o.direction[c];
-    force_ = row.step().dt * o.force[d];
-    if (c >= o.axes.count) return;
+    const int d = o.grid.direction[c];
+    force_ = row.step().dt * o.forces.driving[d];
+    if (c >= o.grid.axes.count) return;
     const In pressure = h.face_pressure[c];
     l_ = row.step().dt / row.step().spacing[d];
     low_ = row(pressure);
@@ -103,7 +103,7 @@ void clear(const Row& row, Out out) {
   for (int d = 0; d < 3; ++d) std::fill_n(row(out, d), row.count(), 0.0);
 }
 
-void save_motion(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+void save_motion(TaskList& list, const OutputInput& v, const SchemeOptions& o,
                  const MaterialOfStep& m, Label label, Part part, int effect) {
   TaskBuilder task = list.task("save " + label.name(), effect);
   Handles h = read_motion(task, v, o, m);
@@ -112,16 +112,16 @@ void save_motion(TaskList& list, const SchemeVariables& v, const SchemeOptions& 
   task.kernel([=](const Row& row) {
     clear(row, h.out);
     const double size = amount ? cell_volume(row) : 1.0;
-    for (int c = 0; c < o.components; ++c) {
+    for (int c = 0; c < o.grid.components; ++c) {
       const MotionOfRow motion(row, h, o, c);
-      double* to = row(h.out, o.direction[c]);
+      double* to = row(h.out, o.grid.direction[c]);
       for (int i = 0; i < row.count(); ++i) to[i] = motion.of(part, i) * size;
     }
   });
 }
 
 // (u_m' - u_m)/dt.
-void save_rate(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+void save_rate(TaskList& list, const OutputInput& v, const SchemeOptions& o,
                const MaterialsOfStep& materials, const MaterialOfStep& m, int effect) {
   struct Side {
     In rho, momentum, mass, slip;
@@ -142,13 +142,13 @@ void save_rate(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
   const bool own = m.motion.has_value();
   const Side before{task.read(v.rho), task.read(v.momentum), task.read(m.mass),
                     own ? task.read(m.motion->slip) : In{}, own};
-  const Side after{task.read(materials.density_new), task.read(v.momentum_new),
+  const Side after{task.read(materials.density_new), task.read(v.after.momentum),
                    task.read(m.mass_new), own ? task.read(m.motion->slip_new) : In{}, own};
   const Out out = task.write(list.output(labels().velocity_rate, m.index));
   task.kernel([=](const Row& row) {
     clear(row, out);
-    for (int c = 0; c < o.components; ++c) {
-      double* to = row(out, o.direction[c]);
+    for (int c = 0; c < o.grid.components; ++c) {
+      double* to = row(out, o.grid.direction[c]);
       const Velocity u(row, before, c), u_new(row, after, c);
       for (int i = 0; i < row.count(); ++i)
         if (u.mass[i] > 0.0 && u_new.mass[i] > 0.0) to[i] = (u_new.at(i) - u.at(i)) / row.step().dt;
@@ -158,7 +158,7 @@ void save_rate(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
 
 }  // namespace
 
-void declare_motion_labels(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+void declare_motion_labels(TaskList& list, const OutputInput& v, const SchemeOptions& o,
                            const MaterialsOfStep& materials, int effect) {
   const Labels& l = labels();
   const std::pair<Label, Part> all[] = {{l.momentum_source, Part::source},

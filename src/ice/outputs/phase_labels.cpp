@@ -13,16 +13,17 @@ namespace sluice::ice {
 namespace {
 
 // J - 1 = sum_d l_d (u_f+ - u_f-).
-VariableId declare_dilation(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+VariableId declare_dilation(TaskList& list, const OutputInput& v, const SchemeOptions& o,
                             int effect) {
   const VariableId dilation = list.temporary("dilation");
   TaskBuilder task = list.task("dilation", effect);
   std::array<In, 3> velocity;
-  for (int axis = 0; axis < o.axes.count; ++axis) {
-    velocity[axis] = task.read(v.face_velocity[axis], Stencil::along(o.axes.direction[axis], 0, 1));
+  for (int axis = 0; axis < o.grid.axes.count; ++axis) {
+    velocity[axis] =
+        task.read(v.face_velocity[axis], Stencil::along(o.grid.axes.direction[axis], 0, 1));
   }
   const Out out = task.write(dilation);
-  task.kernel([=, axes = o.axes](const Row& row) {
+  task.kernel([=, axes = o.grid.axes](const Row& row) {
     double* to = row(out);
     std::fill_n(to, row.count(), 0.0);
     for (int axis = 0; axis < axes.count; ++axis) {
@@ -36,7 +37,7 @@ VariableId declare_dilation(TaskList& list, const SchemeVariables& v, const Sche
 }
 
 // The temperature before advection and at the end of the step, each less that of the start, by dt.
-void declare_heating(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+void declare_heating(TaskList& list, const OutputInput& v, const SchemeOptions& o,
                      const MaterialsOfStep& materials, const MaterialOfStep& m, VariableId dilation,
                      int effect) {
   const VariableId f = materials.f.value_or(m.mass), f_new = materials.f_new.value_or(m.mass_new);
@@ -69,36 +70,37 @@ double Thermometer::at(double M, double V, double E, double f) const {
 
 Thermometer thermometer_of(const MaterialOfStep& m, const SchemeOptions& o) {
   const bool composed = is_mixed(o, m.index);
-  return {m.fluid, composed ? o.mixed : nullptr};
+  return {m.fluid, composed ? o.materials.mixed : nullptr};
 }
 
-MaterialsOfStep material_alone(TaskList& list, const SchemeVariables& v, const SchemeOptions& o) {
+MaterialsOfStep material_alone(TaskList& list, const MaterialAloneInput& v,
+                               const SchemeOptions& o) {
   const VariableId all = list.temporary("share of the one material");
   TaskBuilder task = list.task("share of the one material", effect_saved_intermediates);
   static_cast<void>(task.read(v.rho));  // a task must read something
   const Out out = task.write(all);
   task.kernel([=](const Row& row) { std::fill_n(row(out), row.count(), 1.0); });
   MaterialsOfStep materials;
-  materials.each.push_back({o.material,
-                            o.fluid,
+  materials.each.push_back({o.materials.index,
+                            o.materials.fluid,
                             v.rho,
                             all,
                             v.energy,
-                            v.rho_new,
+                            v.after.rho,
                             all,
-                            v.energy_new,
+                            v.after.energy,
                             v.energy_star,
                             {},
                             {}});
-  materials.density_new = v.rho_new;
-  if (o.mixed != nullptr) {
+  materials.density_new = v.after.rho;
+  if (o.materials.mixed != nullptr) {
     materials.f = old_fraction(list, o);
     materials.f_new = new_fraction(list, o);
   }
   return materials;
 }
 
-void declare_phase_labels(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+void declare_phase_labels(TaskList& list, const OutputInput& v, const SchemeOptions& o,
                           const MaterialsOfStep& materials, int effect) {
   const Labels& l = labels();
   const VariableId dilation = declare_dilation(list, v, o, effect);

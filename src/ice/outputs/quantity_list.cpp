@@ -8,7 +8,7 @@ VariableId QuantityList::velocity(VariableId rho_id, VariableId momentum_id) {
   TaskBuilder t = task(labels().velocity, 0);
   const In rho = t.read(rho_id), momentum = t.read(momentum_id);
   const Out velocity = t.write(v);
-  t.kernel([=, components = o_.components, direction = o_.direction](const Row& row) {
+  t.kernel([=, components = o_.grid.components, direction = o_.grid.direction](const Row& row) {
     const int n = row.count();
     const double* __restrict r = row(rho);
     for (int d = 0; d < 3; ++d) {
@@ -43,7 +43,7 @@ void QuantityList::slopes(VariableId of, Label label, int material, bool vector)
   TaskBuilder t = task(label, material);
   const In in = t.read(of, Stencil::box(1));
   const Out out = t.write(v);
-  t.kernel([=, axes = o_.axes](const Row& row) {
+  t.kernel([=, axes = o_.grid.axes](const Row& row) {
     double* to = row(out);
     const double* low[3];
     const double* high[3];
@@ -70,7 +70,7 @@ void QuantityList::vorticity(VariableId velocity, int material) {
   const In u = t.read(velocity, Stencil::box(1));
   const Out out = t.write(v);
   int axis_of[3] = {-1, -1, -1};
-  for (int a = 0; a < o_.axes.count; ++a) axis_of[o_.axes.direction[a]] = a;
+  for (int a = 0; a < o_.grid.axes.count; ++a) axis_of[o_.grid.axes.direction[a]] = a;
   const int x = axis_of[0], y = axis_of[1], z = axis_of[2];
   t.kernel([=](const Row& row) {
     const Vec3 dx = row.step().spacing;

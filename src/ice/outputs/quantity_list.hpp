@@ -65,7 +65,8 @@ class QuantityList {
 
  private:
   std::string name(Label label, int material) const {
-    return o_.fluids.size() == 1 ? label.name() : label.name() + " " + std::to_string(material);
+    return o_.materials.fluids.size() == 1 ? label.name()
+                                           : label.name() + " " + std::to_string(material);
   }
 
   TaskList& list_;

@@ -62,11 +62,11 @@ void answer_of_mixture(const Row& row, const std::vector<MaterialRows>& state, I
 
 }  // namespace
 
-void declare_source_pressure(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+void declare_source_pressure(TaskList& list, const OutputInput& v, const SchemeOptions& o,
                              const MaterialsOfStep& materials, int effect) {
   TaskBuilder task = list.task("save " + labels().source_pressure.name(), effect);
   const Out out = task.write(list.output(labels().source_pressure, 0));
-  if (o.sources == nullptr) {
+  if (o.forces.sources == nullptr) {
     static_cast<void>(task.read(v.rho));  // a task must read something
     task.kernel([=](const Row& row) { std::fill_n(row(out), row.count(), 0.0); });
     return;
@@ -74,7 +74,7 @@ void declare_source_pressure(TaskList& list, const SchemeVariables& v, const Sch
   const In change = task.read(v.source_change);
   const LawsOfCells laws(task, list, o, LawsOfCells::When::new_state);
   const SourceChange layout = source_change(o);
-  if (o.mixture) {
+  if (o.materials.mixture) {
     std::vector<MaterialRows> state;
     for (const MaterialOfStep& m : materials.each)
       state.push_back({task.read(m.mass_new), task.read(m.volume_new), task.read(m.energy_new)});
@@ -82,8 +82,8 @@ void declare_source_pressure(TaskList& list, const SchemeVariables& v, const Sch
         [=](const Row& row) { answer_of_mixture(row, state, change, layout, laws, row(out)); });
     return;
   }
-  const In rho = task.read(v.rho_new), energy = task.read(v.energy_new);
-  task.kernel([=, fluid = o.fluid](const Row& row) {
+  const In rho = task.read(v.after.rho), energy = task.read(v.after.energy);
+  task.kernel([=, fluid = o.materials.fluid](const Row& row) {
     const double* dM = row(change, layout.of(0, SourceChange::mass));
     const double* dE = row(change, layout.of(0, SourceChange::energy));
     double* dp = row(out);

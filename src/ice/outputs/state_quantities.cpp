@@ -25,18 +25,18 @@ void declare_viscosities(QuantityList& q, const StateVariables& state) {
     return TransportTask{q.list(), o, effect_diagnostics, "compute " + label.name() + ": "};
   };
   VariableId molecular, eddy;
-  if (o.spreads_species) {
+  if (o.transport.spreads_species) {
     molecular = q.fresh(l.viscosity, 0);
     add_species_coefficients(
         q.task(l.viscosity, 0), q.list(), o,
         {state.rho, state.energy, molecular, q.fresh(l.thermal_conductivity, 0), std::nullopt});
-  } else if (o.transport.molecular_varies()) {
+  } else if (o.transport.models.molecular_varies()) {
     molecular = q.fresh(l.viscosity, 0);
     add_molecular_viscosity(task(l.viscosity), state, molecular);
   } else {
-    molecular = constant(l.viscosity, o.viscosity);
+    molecular = constant(l.viscosity, o.transport.viscosity);
   }
-  if (o.transport.turbulence) {
+  if (o.transport.models.turbulence) {
     eddy = q.fresh(l.eddy_viscosity, 0);
     add_eddy_viscosity(task(l.eddy_viscosity), state, eddy);
     add_subgrid_stress({q.list(), o, effect_diagnostics, "compute the subgrid stress"}, state, eddy,
@@ -87,7 +87,7 @@ void declare_of_one(QuantityList& q) {
   const SchemeOptions& o = q.options();
   const VariableId rho = q.list().old_state(l.mass, 0, 1), E = q.list().old_state(l.energy, 0, 1);
   for (const Label density : {l.rho, l.rho_micro, l.sum_rho}) q.add(density, 0, rho);
-  const VariableId u = q.velocity(rho, q.list().old_state(l.momentum, 0, o.components));
+  const VariableId u = q.velocity(rho, q.list().old_state(l.momentum, 0, o.grid.components));
   // Pressure and temperature are asked for by most criteria of refinement, at every look.
   const VariableId p = law_variable(q, rho, E, l.pressure, &LawRow::pressure);
   const VariableId T = law_variable(q, rho, E, l.temperature, &LawRow::temperature);
@@ -103,9 +103,11 @@ void declare_of_one(QuantityList& q) {
   constant(l.volume_fraction, 1.0);
   constant(l.gradient_volume_fraction, 0.0);
   declare_viscosities(q, {rho, E, u, true});
-  if (!o.spreads_species)
+  if (!o.transport.spreads_species)
     law_variable(q, rho, l.thermal_conductivity,
-                 [k = o.conductivity](const LawRow& law, int i) { return law.conductivity(i, k); });
+                 [k = o.transport.conductivity](const LawRow& law, int i) {
+                   return law.conductivity(i, k);
+                 });
   declare_heats(q, rho, E);
   q.mach(u, c, 0);
   q.slopes(rho, l.gradient_rho, 0);
@@ -135,7 +137,8 @@ void save_coefficient(TaskList& list, const models::TransportedScalar& s, const 
   TaskBuilder task = list.task("save " + s.coefficient().name(), effect_diagnostics);
   const In q = task.read(list.old_state(s.state(), s.material, 1));
   const Out out = task.write(list.output(s.coefficient(), s.material));
-  task.kernel([=, decay = s.decay, level = *o.level, along = o.axes.direction[0]](const Row& row) {
+  task.kernel([=, decay = s.decay, level = *o.grid.level,
+               along = o.grid.axes.direction[0]](const Row& row) {
     static_cast<void>(q);
     double* to = row(out);
     IntVec3 cell = row.cell();
@@ -148,12 +151,12 @@ void save_coefficient(TaskList& list, const models::TransportedScalar& s, const 
 
 std::vector<DiagnosticQuantity> declare_quantities(TaskList& list, const SchemeOptions& options) {
   QuantityList quantities(list, options);
-  if (options.fluids.size() > 1)
+  if (options.materials.fluids.size() > 1)
     mixture::declare_quantities(quantities);
   else
     declare_of_one(quantities);
   declare_amounts(quantities);
-  for (const models::TransportedScalar& s : options.scalars) {
+  for (const models::TransportedScalar& s : options.materials.scalars) {
     const VariableId q = list.old_state(s.state(), s.material, 1);
     quantities.add(s.value(), s.material, q);
     quantities.slopes(q, s.gradient(), s.material);
@@ -174,7 +177,7 @@ void declare_diagnostic_outputs(TaskList& list, const SchemeOptions& o,
                                 const std::vector<ErrorEstimate>& estimates) {
   const std::vector<DiagnosticQuantity> quantities = declare_quantities(list, o);
   for (const DiagnosticQuantity& q : quantities) save(list, q);
-  for (const models::TransportedScalar& s : o.scalars)
+  for (const models::TransportedScalar& s : o.materials.scalars)
     if (s.decay.any && !s.plain_name) save_coefficient(list, s, o);
   add_refine_flag(list, quantities, o, criteria);
   add_error_estimates(list, quantities, o, estimates);

@@ -34,23 +34,57 @@ struct MaterialsOfStep {
 };
 
 // The one material of a graph of one.
-MaterialsOfStep material_alone(TaskList&, const SchemeVariables&, const SchemeOptions&);
+struct MaterialAloneInput {
+  VariableId rho, energy, energy_star;
+  AfterVariables after;
+
+  static MaterialAloneInput of(const SchemeVariables& v) {
+    return {.rho = v.rho, .energy = v.energy, .energy_star = v.energy_star, .after = v.after};
+  }
+};
+MaterialsOfStep material_alone(TaskList&, const MaterialAloneInput&, const SchemeOptions&);
+
+// What outputs read of the mixture, or of the one material.
+struct OutputInput {
+  VariableId rho, momentum, velocity, pressure, impulse;
+  VariableId pressure_change;  // of the classic form
+  VariableId new_pressure;     // of a mixture
+  VariableId source_change;    // of any sources
+  std::array<VariableId, 3> face_velocity, face_pressure, stress, heat_flux;
+  AfterVariables after;
+
+  static OutputInput of(const SchemeVariables& v) {
+    return {.rho = v.rho,
+            .momentum = v.momentum,
+            .velocity = v.velocity,
+            .pressure = v.pressure,
+            .impulse = v.impulse,
+            .pressure_change = v.pressure_change,
+            .new_pressure = v.new_pressure,
+            .source_change = v.source_change,
+            .face_velocity = v.face_velocity,
+            .face_pressure = v.face_pressure,
+            .stress = v.stress,
+            .heat_flux = v.heat_flux,
+            .after = v.after};
+  }
+};
 
 // All of them, as tasks: what a deck saves of these is computed.
-void declare_step_outputs(TaskList&, const SchemeVariables&, const SchemeOptions&,
+void declare_step_outputs(TaskList&, const OutputInput&, const SchemeOptions&,
                           const MaterialsOfStep&);
 // Mass, volume and energy in the Lagrangian phase; how the temperature changes in it and in the
 // step.
-void declare_phase_labels(TaskList&, const SchemeVariables&, const SchemeOptions&,
+void declare_phase_labels(TaskList&, const OutputInput&, const SchemeOptions&,
                           const MaterialsOfStep&, int effect);
 // Momentum and velocity.
-void declare_motion_labels(TaskList&, const SchemeVariables&, const SchemeOptions&,
+void declare_motion_labels(TaskList&, const OutputInput&, const SchemeOptions&,
                            const MaterialsOfStep&, int effect);
 // Temperature and share of each material on faces; gradient of the pressure there.
-void declare_face_labels(TaskList&, const SchemeVariables&, const SchemeOptions&,
+void declare_face_labels(TaskList&, const OutputInput&, const SchemeOptions&,
                          const MaterialsOfStep&, int effect);
 // delP_MassX, zero without sources.
-void declare_source_pressure(TaskList&, const SchemeVariables&, const SchemeOptions&,
+void declare_source_pressure(TaskList&, const OutputInput&, const SchemeOptions&,
                              const MaterialsOfStep&, int effect);
 
 // Temperature of a material from mass, volume and energy per volume of the cell; `f`: of a gas

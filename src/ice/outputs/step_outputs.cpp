@@ -11,14 +11,14 @@ namespace sluice::ice {
 namespace {
 
 // p(new state) - p(old state).
-void pressure_change_task(TaskList& list, const SchemeVariables& v, const SchemeOptions& o) {
+void pressure_change_task(TaskList& list, const OutputInput& v, const SchemeOptions& o) {
   const Label label = labels().pressure_change;
-  if (o.mixture)
+  if (o.materials.mixture)
     return save_values(list, label, 0, effect_saved_intermediates,
                        std::array{v.pressure, v.new_pressure},
                        [](const Row&, const auto& q, int i) { return q[1][i] - q[0][i]; });
   TaskBuilder task = list.task("save " + label.name(), effect_saved_intermediates);
-  const In p = task.read(v.pressure), rho = task.read(v.rho_new), E = task.read(v.energy_new);
+  const In p = task.read(v.pressure), rho = task.read(v.after.rho), E = task.read(v.after.energy);
   const LawsOfCells laws(task, list, o, LawsOfCells::When::new_state);
   const Out out = task.write(list.output(label, 0));
   task.kernel([=](const Row& row) {
@@ -30,12 +30,12 @@ void pressure_change_task(TaskList& list, const SchemeVariables& v, const Scheme
 }
 
 // A face label along a direction that is not active: nothing flows, the pressure is the cell's.
-void inactive_face_task(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int d,
+void inactive_face_task(TaskList& list, const OutputInput& v, const SchemeOptions& o, int d,
                         Label label, bool pressure) {
   TaskBuilder task = list.task("save " + label.name(), effect_saved_intermediates);
   int carried = -1;
-  for (int c = o.axes.count; c < o.components; ++c)
-    if (o.direction[c] == d) carried = c;
+  for (int c = o.grid.axes.count; c < o.grid.components; ++c)
+    if (o.grid.direction[c] == d) carried = c;
   const In in = task.read(pressure ? v.pressure : v.velocity);
   const Out out = task.write(list.output(label, 0));
   task.kernel([=](const Row& row) {
@@ -47,14 +47,14 @@ void inactive_face_task(TaskList& list, const SchemeVariables& v, const SchemeOp
 
 }  // namespace
 
-void declare_step_outputs(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+void declare_step_outputs(TaskList& list, const OutputInput& v, const SchemeOptions& o,
                           const MaterialsOfStep& materials) {
   const Labels& l = labels();
   const auto save = [&](Label label, VariableId from) {
     save_copy(list, label, 0, effect_saved_intermediates, from);
   };
   save(l.equilibrium_pressure, v.pressure);
-  if (o.internal_energy_form)
+  if (o.scheme.internal_energy_form)
     save(l.pressure_change, v.pressure_change);
   else
     pressure_change_task(list, v, o);
@@ -63,7 +63,8 @@ void declare_step_outputs(TaskList& list, const SchemeVariables& v, const Scheme
   declare_face_labels(list, v, o, materials, effect_saved_intermediates);
   declare_transport_outputs(list, v, o);
   declare_source_pressure(list, v, o, materials, effect_saved_intermediates);
-  declare_source_labels(list, v, o, effect_saved_intermediates);
+  declare_source_labels(list, o.forces.sources != nullptr ? v.source_change : v.rho, o,
+                        effect_saved_intermediates);
   for (int d = 0; d < 3; ++d) {
     const int axis = axis_along(o, d);
     if (axis < 0) {

@@ -60,7 +60,8 @@ void declare_wave_amplitudes(QuantityList& quantities, const WaveInputs& inputs)
                        t.read(inputs.velocity, Stencil::box(1)),
                        t.read(inputs.pressure, Stencil::box(1)), t.read(inputs.sound_speed)};
     const Out out = t.write(v);
-    t.kernel([=, axes = o.axes, domain = o.domain, boundary = o.boundary](const Row& row) {
+    t.kernel([=, axes = o.grid.axes, domain = o.grid.domain,
+              boundary = o.grid.boundary](const Row& row) {
       const int n = row.count(), along = axes.direction[0];
       for (int d = 0; d < 3; ++d)
         for (int i = 0; i < n; ++i) row(out, d)[i] = 0.0;

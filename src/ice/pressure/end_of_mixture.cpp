@@ -10,8 +10,7 @@
 // when their state does, behind the sweep.
 #include <cmath>
 
-#include "ice/mixture/variables.hpp"
-#include "ice/pressure/variables.hpp"
+#include "ice/pressure/end_of_mixture.hpp"
 #include "ice/step/laws_of_cells.hpp"
 #include "ice/step/material_runs.hpp"
 
@@ -32,15 +31,15 @@ struct Handles {
   Out p, scratch;
 };
 
-Cut read_touched(TaskBuilder& task, const mixture::Variables& v, const SchemeOptions& o) {
+Cut read_touched(TaskBuilder& task, const EndOfMixtureInput& v, const SchemeOptions& o) {
   Cut t;
-  t.any = o.has_cut_cells;
+  t.any = o.grid.has_cut_cells;
   if (!t.any) return t;
   t.cells = task.read(v.cut);
-  t.fraction = task.read(v.common.walls.fraction);
+  t.fraction = task.read(v.error.fraction);
   t.volume_L = task.read(v.cut_volume);
   t.energy_L = task.read(v.cut_energy);
-  t.gives_old = task.read(v.common.walls.gives_old);
+  t.gives_old = task.read(v.error.gives_old);
   return t;
 }
 
@@ -109,15 +108,15 @@ void mixed(const Row& row, const Handles& h, std::size_t materials) {
   for (int i = 0; i < n; ++i) p[i] /= sum[i];
 }
 
-VariableId add_lagrangian_pressure(TaskList& list, const mixture::Variables& v,
+VariableId add_lagrangian_pressure(TaskList& list, const EndOfMixtureInput& v,
                                    const SchemeOptions& o, int effect) {
   const VariableId p_L = list.temporary("Lagrangian pressure");
   TaskBuilder task = list.task("Lagrangian pressure", effect);
   Handles h;
-  h.state = mixture::read_state(task, v);
+  h.state = mixture::read_state(task, v.state);
   h.pure = task.read(v.pure);
-  h.rho_L = task.read(v.common.rho_L);
-  h.energy_L = task.read(v.common.energy_L);
+  h.rho_L = task.read(v.rho_L);
+  h.energy_L = task.read(v.energy_L);
   h.specific_energy_L = task.read(v.specific_energy_L);
   h.stretch = task.read(v.stretch);
   if (mixture::relaxes_before_remap(o)) h.strain = task.read(v.strain);
@@ -125,7 +124,7 @@ VariableId add_lagrangian_pressure(TaskList& list, const mixture::Variables& v,
   h.laws = LawsOfCells(task, list, o);
   h.p = task.write(p_L);
   h.scratch = task.write(list.temporary("closure after the Lagrangian phase", 5));
-  task.kernel([=, materials = o.fluids.size()](const Row& row) {
+  task.kernel([=, materials = o.materials.fluids.size()](const Row& row) {
     for_each_run(runs_of(row, h.pure), row.count(), [&](int first, int count, double pure) {
       const Row part = row.part(first, count);
       pure >= 0.0 ? alone(part, h, static_cast<std::size_t>(pure)) : mixed(part, h, materials);
@@ -134,16 +133,16 @@ VariableId add_lagrangian_pressure(TaskList& list, const mixture::Variables& v,
   return p_L;
 }
 
-VariableId add_new_pressure(TaskList& list, const mixture::Variables& v, const SchemeOptions& o,
+VariableId add_new_pressure(TaskList& list, const EndOfMixtureInput& v, const SchemeOptions& o,
                             int effect) {
   const VariableId p_new = list.temporary("pressure of the new state");
   TaskBuilder task = list.task("pressure of the new state", effect);
   std::vector<In> mass, energy;
-  for (std::size_t m = 0; m < o.fluids.size(); ++m) {
+  for (std::size_t m = 0; m < o.materials.fluids.size(); ++m) {
     mass.push_back(task.read(v.mass_new[m]));
     energy.push_back(task.read(v.energy_new[m]));
   }
-  const In pure_in = task.read(v.pure), closed = task.read(v.common.new_pressure);
+  const In pure_in = task.read(v.pure), closed = task.read(v.new_pressure);
   const Cut cut = read_touched(task, v, o);
   const Out out = task.write(p_new);
   const LawsOfCells laws(task, list, o, LawsOfCells::When::new_state);
@@ -169,12 +168,14 @@ VariableId add_new_pressure(TaskList& list, const mixture::Variables& v, const S
 
 }  // namespace
 
-void add_end_of_mixture(TaskList& list, const mixture::Variables& v, const SchemeVariables& faces,
-                        const SchemeOptions& o, int effect) {
+void add_end_of_mixture(TaskList& list, const EndOfMixtureInput& v, const SchemeOptions& o,
+                        int effect) {
   const VariableId p_L = add_lagrangian_pressure(list, v, o, effect);
-  o.has_cut_cells ? add_cut_cell_error(list, faces, o, p_L, effect)
-                  : add_volume_error(list, faces, o, p_L, effect);
-  add_offset(list, faces, o, add_new_pressure(list, v, o, effect), effect);
+  if (o.grid.has_cut_cells)
+    add_cut_cell_error(list, v.error, o, p_L, effect);
+  else
+    add_volume_error(list, v.error.error, o, p_L, effect);
+  add_offset(list, v.error.error.solve, add_new_pressure(list, v, o, effect), effect);
 }
 
 }  // namespace sluice::ice::pressure

@@ -14,15 +14,15 @@
 
 namespace sluice::ice::pressure {
 
-void add_volume_error(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
-                      VariableId p_L, int effect) {
+void add_volume_error(TaskList& list, const ErrorInput& v, const SchemeOptions& o, VariableId p_L,
+                      int effect) {
   TaskBuilder task = list.task("volume error", effect);
   const ErrorReads in = read_error(task, v, o);
-  const In rho = task.read(v.rho), sound = task.read(v.sound), p_in = task.read(p_L);
+  const In rho = task.read(v.moving.rho), sound = task.read(v.moving.sound), p_in = task.read(p_L);
   const Out out = task.write(v.solve.error);
   task.always();
-  dispatch(o.axes.count, o.components, [&]<int D, int C>() {
-    task.kernel([=, axes = o.axes](const Row& row) {
+  dispatch(o.grid.axes.count, o.grid.components, [&]<int D, int C>() {
+    task.kernel([=, axes = o.grid.axes](const Row& row) {
       const int n = row.count();
       const double *r = row(rho), *c = row(sound), *p = row(in.pressure), *pL = row(p_in);
       double* R = row(out);
@@ -45,12 +45,11 @@ void add_volume_error(TaskList& list, const SchemeVariables& v, const SchemeOpti
   save.kernel([=](const Row& row) { std::copy_n(row(error), row.count(), row(saved)); });
 }
 
-void add_offset(TaskList& list, const SchemeVariables& v, const SchemeOptions&, VariableId p_new,
-                int effect) {
+void add_offset(TaskList& list, const PressureVariables& v, VariableId p_new, int effect) {
   TaskBuilder task = list.task("work pressure of the next step", effect);
-  const In work = task.read(v.solve.work), increment = task.read(v.solve.increment);
+  const In work = task.read(v.work), increment = task.read(v.increment);
   const In p_in = task.read(p_new);
-  const Out offset = task.write(v.solve.offset_new);
+  const Out offset = task.write(v.offset_new);
   task.kernel([=](const Row& row) {
     const double *X = row(work), *d = row(increment), *p = row(p_in);
     double* Y = row(offset);
@@ -58,7 +57,7 @@ void add_offset(TaskList& list, const SchemeVariables& v, const SchemeOptions&, 
   });
 }
 
-void add_end_of_one(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
+void add_end_of_one(TaskList& list, const EndOfOneInput& v, const SchemeOptions& o, int effect) {
   const VariableId p_L = list.temporary("Lagrangian pressure");
   {
     TaskBuilder task = list.task("Lagrangian pressure", effect);
@@ -69,18 +68,18 @@ void add_end_of_one(TaskList& list, const SchemeVariables& v, const SchemeOption
       laws.of_one(row).pressure(row.count(), row(rho), row(energy), row(out));
     });
   }
-  add_volume_error(list, v, o, p_L, effect);
+  add_volume_error(list, v.error, o, p_L, effect);
   const VariableId p_new = list.temporary("pressure of the new state");
   {
     TaskBuilder task = list.task("pressure of the new state", effect);
-    const In rho = task.read(v.rho_new), energy = task.read(v.energy_new);
+    const In rho = task.read(v.after.rho), energy = task.read(v.after.energy);
     const Out out = task.write(p_new);
     const LawsOfCells laws(task, list, o, LawsOfCells::When::new_state);
     task.kernel([=](const Row& row) {
       laws.of_one(row).pressure(row.count(), row(rho), row(energy), row(out));
     });
   }
-  add_offset(list, v, o, p_new, effect);
+  add_offset(list, v.error.solve, p_new, effect);
 }
 
 }  // namespace sluice::ice::pressure

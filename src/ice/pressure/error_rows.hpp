@@ -15,16 +15,16 @@ struct ErrorReads {
   Vec3 gravity, force;
 };
 
-inline ErrorReads read_error(TaskBuilder& task, const SchemeVariables& v, const SchemeOptions& o) {
+inline ErrorReads read_error(TaskBuilder& task, const ErrorInput& v, const SchemeOptions& o) {
   ErrorReads h;
   h.pressure = task.read(v.pressure);
   h.work = task.read(v.solve.work);
   h.increment = task.read(v.solve.increment);
-  h.velocity = task.read(v.velocity);
+  h.velocity = task.read(v.moving.velocity);
   h.pressure_slope = task.read(v.pressure_slope);
-  h.rho = task.read(v.rho);
-  h.gravity = o.gravity_on ? o.gravity : Vec3{};
-  h.force = o.force;
+  h.rho = task.read(v.moving.rho);
+  h.gravity = o.forces.on ? o.forces.gravity : Vec3{};
+  h.force = o.forces.driving;
   return h;
 }
 

@@ -32,8 +32,8 @@ struct FaceConstants {
 
 FaceConstants face_constants(const Row& row, const SchemeOptions& o, int direction) {
   const double dx = row.step().spacing[direction];
-  return {row.step().dt / dx, solve_constants(row.step()).A, o.gravity[direction] * dx,
-          o.force[direction] * dx};
+  return {row.step().dt / dx, solve_constants(row.step()).A, o.forces.gravity[direction] * dx,
+          o.forces.driving[direction] * dx};
 }
 
 void inner_faces(const Row& row, const Handles& h, int axis, const FaceConstants& k) {
@@ -104,11 +104,12 @@ void side_faces(const Row& row, const Handles& h, int axis, const FaceConstants&
 
 // What all cells lose by a rise of d, and R with dp of the faces.
 template <int D>
-void add_cell_system(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
+void add_cell_system(TaskList& list, const SolvedFacesInput& v, const SchemeOptions& o,
+                     int effect) {
   const auto modulus = [](double rho, double c) { return rho * (c * c); };
   {
     TaskBuilder task = list.task("compressibility of the system", effect);
-    const In rho = task.read(v.rho), sound = task.read(v.sound);
+    const In rho = task.read(v.cells.moving.rho), sound = task.read(v.cells.moving.sound);
     const Out out = task.write(list.output(labels().matrix_cell, 0));
     task.kernel([=](const Row& row) {
       const double al = solve_constants(row.step()).al;
@@ -118,15 +119,15 @@ void add_cell_system(TaskList& list, const SchemeVariables& v, const SchemeOptio
     });
   }
   TaskBuilder task = list.task("right-hand side of the system", effect);
-  const ErrorReads in = read_error(task, v, o);
-  const In rho = task.read(v.rho), sound = task.read(v.sound);
+  const ErrorReads in = read_error(task, v.cells, o);
+  const In rho = task.read(v.cells.moving.rho), sound = task.read(v.cells.moving.sound);
   std::array<In, 3> face_velocity;
   for (int axis = 0; axis < D; ++axis) {
     face_velocity[axis] =
-        task.read(v.face_velocity[axis], Stencil::along(o.axes.direction[axis], 0, 1));
+        task.read(v.face_velocity[axis], Stencil::along(o.grid.axes.direction[axis], 0, 1));
   }
   const Out out = task.write(list.output(labels().right_side, 0));
-  task.kernel([=, axes = o.axes](const Row& row) {
+  task.kernel([=, axes = o.grid.axes](const Row& row) {
     const int n = row.count();
     const double *r = row(rho), *c = row(sound);
     const double *low[D], *high[D];
@@ -150,15 +151,15 @@ void add_cell_system(TaskList& list, const SchemeVariables& v, const SchemeOptio
 }  // namespace
 
 // What multiplies differences of d across the face in the volume that a cell loses.
-void add_face_coefficient(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
-                          int axis, VariableId to_write, int effect) {
-  const int direction = o.axes.direction[axis];
+void add_face_coefficient(TaskList& list, const ErrorInput& v, const SchemeOptions& o, int axis,
+                          VariableId to_write, int effect) {
+  const int direction = o.grid.axes.direction[axis];
   const Stencil both = Stencil::along(direction, 1, 0);
   TaskBuilder task = list.task("coefficients of axis " + std::to_string(axis), effect);
   Handles h;
-  h.rho = task.read(v.rho, both);
-  h.sound = task.read(v.sound, both);
-  h.velocity = task.read(v.velocity, both);
+  h.rho = task.read(v.moving.rho, both);
+  h.sound = task.read(v.moving.sound, both);
+  h.velocity = task.read(v.moving.velocity, both);
   h.work = task.read(v.solve.work, both);
   const Out out = task.write(to_write);
   task.kernel([=](const Row& row) {
@@ -180,24 +181,24 @@ void add_face_coefficient(TaskList& list, const SchemeVariables& v, const Scheme
   });
 }
 
-void add_solved_face_states(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+void add_solved_face_states(TaskList& list, const SolvedFacesInput& v, const SchemeOptions& o,
                             int effect) {
   static const char* names[] = {"solved faces of axis 0", "solved faces of axis 1",
                                 "solved faces of axis 2"};
-  for (int axis = 0; axis < o.axes.count; ++axis) {
-    const int direction = o.axes.direction[axis];
+  for (int axis = 0; axis < o.grid.axes.count; ++axis) {
+    const int direction = o.grid.axes.direction[axis];
     const Stencil both = Stencil::along(direction, 1, 0);
     TaskBuilder task = list.task(names[axis], effect);
     Handles h;
-    h.rho = task.read(v.rho, both);
-    h.work = task.read(v.solve.work, both);
-    h.increment = task.read(v.solve.increment, both);
-    h.velocity = task.read(v.velocity, both);
-    h.sound = task.read(v.sound, both);
-    h.prediction = task.read(v.solve.prediction[axis]);
-    if (o.meets_finer) {
-      h.finer_velocity = task.read(v.solve.finer_velocity[axis]);
-      h.finer_pressure = task.read(v.solve.finer_pressure[axis]);
+    h.rho = task.read(v.cells.moving.rho, both);
+    h.work = task.read(v.cells.solve.work, both);
+    h.increment = task.read(v.cells.solve.increment, both);
+    h.velocity = task.read(v.cells.moving.velocity, both);
+    h.sound = task.read(v.cells.moving.sound, both);
+    h.prediction = task.read(v.cells.solve.prediction[axis]);
+    if (o.grid.meets_finer) {
+      h.finer_velocity = task.read(v.cells.solve.finer_velocity[axis]);
+      h.finer_pressure = task.read(v.cells.solve.finer_pressure[axis]);
     }
     h.face_velocity = task.write(v.face_velocity[axis]);
     h.face_pressure = task.write(v.face_pressure[axis]);
@@ -205,14 +206,14 @@ void add_solved_face_states(TaskList& list, const SchemeVariables& v, const Sche
       const FaceConstants k = face_constants(row, o, direction);
       inner_faces(row, h, axis, k);
       side_faces(row, h, axis, k, o);
-      if (o.meets_finer) finer_faces(row, h);
+      if (o.grid.meets_finer) finer_faces(row, h);
     });
-    if (!o.has_cut_cells)
-      add_face_coefficient(list, v, o, axis, list.output(labels().matrix_face[direction], 0),
+    if (!o.grid.has_cut_cells)
+      add_face_coefficient(list, v.cells, o, axis, list.output(labels().matrix_face[direction], 0),
                            effect);
   }
-  if (o.has_cut_cells) return;
-  dispatch(o.axes.count, o.components,
+  if (o.grid.has_cut_cells) return;
+  dispatch(o.grid.axes.count, o.grid.components,
            [&]<int D, int C>() { add_cell_system<D>(list, v, o, effect); });
 }
 

@@ -33,11 +33,11 @@ struct OpenFace {
 
 inline OpenFace open_face(const Row& row, const SchemeOptions& o, int axis, int i, bool plus,
                           const OpenCell& cell) {
-  const int d = o.axes.direction[axis];
+  const int d = o.grid.axes.direction[axis];
   const double dx = row.step().spacing[d], dt = row.step().dt;
   IntVec3 at = row.cell();
-  at[o.axes.direction[0]] += i;
-  const BoundaryFill::FarPressure far = o.boundary->far_pressure(side_of(d, plus), at);
+  at[o.grid.axes.direction[0]] += i;
+  const BoundaryFill::FarPressure far = o.grid.boundary->far_pressure(side_of(d, plus), at);
   const double mach = std::min(std::fabs(cell.u) / cell.c, 1.0);
   const double K = far.sigma * (1.0 - mach * mach) * cell.c * dt / far.length;
   OpenFace f{};

@@ -40,16 +40,17 @@ struct Constants {
 };
 
 Constants constants(const Row& row, const SchemeOptions& o, int axis) {
-  const int d = o.axes.direction[axis];
+  const int d = o.grid.axes.direction[axis];
   const double dx = row.step().spacing[d], dt = row.step().dt;
   Constants k{};
   k.h = 0.5 * dt / dx;
   k.dx_per_dt = dx / dt;
   k.l = dt / dx;
-  k.g_dx = o.gravity[d] * dx;
-  k.f_dx = o.force[d] * dx;
+  k.g_dx = o.forces.gravity[d] * dx;
+  k.f_dx = o.forces.driving[d] * dx;
   k.half_dt = 0.5 * dt;
-  for (int t = 0; t < o.axes.count; ++t) k.ratio[t] = dx / row.step().spacing[o.axes.direction[t]];
+  for (int t = 0; t < o.grid.axes.count; ++t)
+    k.ratio[t] = dx / row.step().spacing[o.grid.axes.direction[t]];
   return k;
 }
 
@@ -154,28 +155,29 @@ void prediction_row(const Row& row, const Handles& h, int axis, const Constants&
 template <int D, bool Viscous>
 void predict(const Row& row, const Handles& h, int axis, const SchemeOptions& o) {
   const Constants k = constants(row, o, axis);
-  if (o.mixture)
+  if (o.materials.mixture)
     prediction_row<D, Viscous>(
         row, h, axis, k, LawOfCells{Both(row, h.shock_slope, 0, axis), Both(row, h.pi, 0, axis)});
   else
-    prediction_row<D, Viscous>(row, h, axis, k,
-                               OneLaw{o.fluid.shock_slope(), -o.fluid.lowest_pressure()});
-  if (o.has_cut_cells) ease_jumps(row, h, axis);
+    prediction_row<D, Viscous>(
+        row, h, axis, k,
+        OneLaw{o.materials.fluid.shock_slope(), -o.materials.fluid.lowest_pressure()});
+  if (o.grid.has_cut_cells) ease_jumps(row, h, axis);
 }
 
 }  // namespace
 
 // Fv_d = sum_t (t_f+ - t_f-)_d/dx_t of the old state, N/m^3.
-void add_viscous_force(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+void add_viscous_force(TaskList& list, const SolvedFacesInput& v, const SchemeOptions& o,
                        int effect) {
-  if (!o.viscous) return;
+  if (!o.transport.viscous) return;
   TaskBuilder task = list.task("viscous force", effect);
   std::array<In, 3> stress;
-  for (int t = 0; t < o.axes.count; ++t) {
-    stress[t] = task.read(v.stress[t], Stencil::along(o.axes.direction[t], 0, 1));
+  for (int t = 0; t < o.grid.axes.count; ++t) {
+    stress[t] = task.read(v.stress[t], Stencil::along(o.grid.axes.direction[t], 0, 1));
   }
-  const Out force = task.write(v.solve.force);
-  task.kernel([=, axes = o.axes](const Row& row) {
+  const Out force = task.write(v.cells.solve.force);
+  task.kernel([=, axes = o.grid.axes](const Row& row) {
     const int n = row.whole_vectors();
     for (int d = 0; d < axes.count; ++d) {
       double* __restrict F = row(force, d);
@@ -194,30 +196,32 @@ void add_viscous_force(TaskList& list, const SchemeVariables& v, const SchemeOpt
   });
 }
 
-void add_predictions(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
+void add_predictions(TaskList& list, const SolvedFacesInput& v, const SchemeOptions& o,
+                     int effect) {
   static const char* names[] = {"predictions of axis 0", "predictions of axis 1",
                                 "predictions of axis 2"};
-  for (int axis = 0; axis < o.axes.count; ++axis) {
-    const Stencil both = Stencil::along(o.axes.direction[axis], 1, 0);
+  for (int axis = 0; axis < o.grid.axes.count; ++axis) {
+    const Stencil both = Stencil::along(o.grid.axes.direction[axis], 1, 0);
     TaskBuilder task = list.task(names[axis], effect);
     Handles h;
-    h.rho = task.read(v.rho, both);
-    h.sound = task.read(v.sound, both);
-    h.velocity = task.read(v.velocity, both);
-    h.pressure = task.read(v.solve.smooth, both);
+    h.rho = task.read(v.cells.moving.rho, both);
+    h.sound = task.read(v.cells.moving.sound, both);
+    h.velocity = task.read(v.cells.moving.velocity, both);
+    h.pressure = task.read(v.cells.solve.smooth, both);
     h.velocity_slope = task.read(v.velocity_slope, both);
-    h.pressure_slope = task.read(v.pressure_slope, both);
-    if (o.axes.count > 1) h.transverse = task.read(v.transverse_velocity, both);
-    if (o.has_cut_cells) h.open = task.read(v.walls.open, both);
-    if (o.viscous) h.force = task.read(v.solve.force, both);
-    if (o.mixture) {
+    h.pressure_slope = task.read(v.cells.pressure_slope, both);
+    if (o.grid.axes.count > 1) h.transverse = task.read(v.transverse_velocity, both);
+    if (o.grid.has_cut_cells) h.open = task.read(v.open, both);
+    if (o.transport.viscous) h.force = task.read(v.cells.solve.force, both);
+    if (o.materials.mixture) {
       h.shock_slope = task.read(v.shock_slope, both);
       h.pi = task.read(v.pi, both);
     }
-    h.prediction = task.write(v.solve.prediction[axis]);
-    dispatch(o.axes.count, o.components, [&]<int D, int C>() {
+    h.prediction = task.write(v.cells.solve.prediction[axis]);
+    dispatch(o.grid.axes.count, o.grid.components, [&]<int D, int C>() {
       task.kernel([=](const Row& row) {
-        o.viscous ? predict<D, true>(row, h, axis, o) : predict<D, false>(row, h, axis, o);
+        o.transport.viscous ? predict<D, true>(row, h, axis, o)
+                            : predict<D, false>(row, h, axis, o);
       });
     });
   }

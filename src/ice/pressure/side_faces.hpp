@@ -11,22 +11,22 @@ namespace sluice::ice::pressure {
 // the low side. None in periodic directions.
 template <class F>
 void for_each_side_face(const Row& row, const SchemeOptions& o, int axis, F&& f) {
-  if (o.boundary == nullptr) return;
-  const int d = o.axes.direction[axis];
-  if (o.periodic[d]) return;
+  if (o.grid.boundary == nullptr) return;
+  const int d = o.grid.axes.direction[axis];
+  if (o.grid.periodic[d]) return;
   for (const bool plus : {false, true}) {
     const Side side = side_of(d, plus);
-    const int face = plus ? o.domain.upper[d] : o.domain.lower[d];
+    const int face = plus ? o.grid.domain.upper[d] : o.grid.domain.lower[d];
     IntVec3 cell = row.cell();
     if (axis == 0) {
       const int i = face - cell[d];
-      if (i >= 0 && i < row.count()) f(i, plus, o.boundary->side_kind(side, cell));
+      if (i >= 0 && i < row.count()) f(i, plus, o.grid.boundary->side_kind(side, cell));
       continue;
     }
     if (cell[d] != face) continue;
     for (int i = 0; i < row.count(); ++i) {
-      f(i, plus, o.boundary->side_kind(side, cell));
-      ++cell[o.axes.direction[0]];
+      f(i, plus, o.grid.boundary->side_kind(side, cell));
+      ++cell[o.grid.axes.direction[0]];
     }
   }
 }

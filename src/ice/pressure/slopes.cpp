@@ -105,34 +105,35 @@ void no_slopes(const Row& row, const Handles& h, int D) {
 
 }  // namespace
 
-void add_smooth_slopes(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+void add_smooth_slopes(TaskList& list, const SolvedFacesInput& v, const SchemeOptions& o,
                        int effect) {
   TaskBuilder task = list.task("slopes", effect);
-  const Stencil around = o.second_order ? Stencil::box(2) : Stencil::point();
+  const Stencil around = o.scheme.second_order ? Stencil::box(2) : Stencil::point();
   Handles h;
-  h.rho = task.read(v.rho, o.gravity_on ? around : Stencil::point());
-  h.velocity = task.read(v.velocity, around);
-  h.pressure = task.read(v.solve.smooth, around);
-  if (o.masked && !o.has_cut_cells) h.mask = task.read(v.mask);
-  if (o.has_cut_cells) h.open = task.read(v.walls.open);
+  h.rho = task.read(v.cells.moving.rho, o.forces.on ? around : Stencil::point());
+  h.velocity = task.read(v.cells.moving.velocity, around);
+  h.pressure = task.read(v.cells.solve.smooth, around);
+  if (o.scheme.masked && !o.grid.has_cut_cells) h.mask = task.read(v.mask);
+  if (o.grid.has_cut_cells) h.open = task.read(v.open);
   h.velocity_slope = task.write(v.velocity_slope);
-  h.pressure_slope = task.write(v.pressure_slope);
-  if (o.axes.count > 1) h.transverse = task.write(v.transverse_velocity);
-  dispatch(o.axes.count, o.components, [&]<int D, int C>() {
+  h.pressure_slope = task.write(v.cells.pressure_slope);
+  if (o.grid.axes.count > 1) h.transverse = task.write(v.transverse_velocity);
+  dispatch(o.grid.axes.count, o.grid.components, [&]<int D, int C>() {
     task.kernel([=](const Row& row) {
-      if (!o.second_order) return no_slopes(row, h, D);
+      if (!o.scheme.second_order) return no_slopes(row, h, D);
       for (int d = 0; d < D; ++d) {
-        const int direction = o.axes.direction[d];
+        const int direction = o.grid.axes.direction[d];
         const double dx = row.step().spacing[direction];
         velocity_slopes(row, h, d);
-        if (o.gravity_on)
-          pressure_slopes<true>(row, h, d, o.gravity[direction] * dx, o.force[direction] * dx);
+        if (o.forces.on)
+          pressure_slopes<true>(row, h, d, o.forces.gravity[direction] * dx,
+                                o.forces.driving[direction] * dx);
         else
           pressure_slopes<false>(row, h, d, 0, 0);
       }
-      if constexpr (D > 1) transverse_rows<D>(row, h, o.axes);
-      if (o.masked && !o.has_cut_cells) mask_slopes(row, h.mask, slopes_of(h), D);
-      if (o.has_cut_cells) close_slopes(row, h.open, slopes_of(h), D);
+      if constexpr (D > 1) transverse_rows<D>(row, h, o.grid.axes);
+      if (o.scheme.masked && !o.grid.has_cut_cells) mask_slopes(row, h.mask, slopes_of(h), D);
+      if (o.grid.has_cut_cells) close_slopes(row, h.open, slopes_of(h), D);
     });
   });
 }

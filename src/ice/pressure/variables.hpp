@@ -16,10 +16,6 @@
 #pragma once
 #include "ice/step/variables.hpp"
 
-namespace sluice::ice::mixture {
-struct Variables;
-}
-
 namespace sluice::ice::pressure {
 
 // r = dt_before/dt; the first step has none. g1 damps what X- and p disagree about, s1 the waves
@@ -47,37 +43,93 @@ enum Prediction { star_velocity = 0, jump_pressure, slope_pressure, prediction_c
 // Declares what the tasks of this folder share, and the state.
 void declare_variables(TaskList&, const SchemeOptions&, SchemeVariables&);
 
+// What the error of a cell's volume follows from, and what is solved for.
+struct ErrorInput {
+  VolumeVariables moving;
+  VariableId pressure, pressure_slope;
+  PressureVariables solve;
+
+  static ErrorInput of(const SchemeVariables& v) {
+    return {.moving = v.moving,
+            .pressure = v.pressure,
+            .pressure_slope = v.pressure_slope,
+            .solve = v.solve};
+  }
+};
+
 // Tasks of the step, in order, in place of slopes and faces; each in the file of its name.
-void add_work_pressure(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
-void add_smooth_slopes(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
-void add_viscous_force(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
-void add_predictions(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
-void add_solved_face_states(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+struct SolvedFacesInput {
+  ErrorInput cells;            // pressure_slope: written
+  VariableId mask, open;       // where slopes count: of a redo, beside solids
+  VariableId shock_slope, pi;  // of a mixture
+  std::array<VariableId, 3> stress;
+  VariableId velocity_slope, transverse_velocity;          // written
+  std::array<VariableId, 3> face_velocity, face_pressure;  // written
+
+  static SolvedFacesInput of(const SchemeVariables& v) {
+    return {.cells = ErrorInput::of(v),
+            .mask = v.mask,
+            .open = v.walls.open,
+            .shock_slope = v.shock_slope,
+            .pi = v.pi,
+            .stress = v.stress,
+            .velocity_slope = v.velocity_slope,
+            .transverse_velocity = v.transverse_velocity,
+            .face_velocity = v.face_velocity,
+            .face_pressure = v.face_pressure};
+  }
+};
+void add_work_pressure(TaskList&, const ErrorInput&, const SchemeOptions&, int effect);
+void add_smooth_slopes(TaskList&, const SolvedFacesInput&, const SchemeOptions&, int effect);
+void add_viscous_force(TaskList&, const SolvedFacesInput&, const SchemeOptions&, int effect);
+void add_predictions(TaskList&, const SolvedFacesInput&, const SchemeOptions&, int effect);
+void add_solved_face_states(TaskList&, const SolvedFacesInput&, const SchemeOptions&, int effect);
 // What multiplies differences of d across the faces of an axis in the volume that a cell loses.
-void add_face_coefficient(TaskList&, const SchemeVariables&, const SchemeOptions&, int axis,
+void add_face_coefficient(TaskList&, const ErrorInput&, const SchemeOptions&, int axis,
                           VariableId to_write, int effect);
 // All of these, but for coefficients beside solids.
-void add_solved_faces(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+void add_solved_faces(TaskList&, const SolvedFacesInput&, const SchemeOptions&, int effect);
 
 // After the Lagrangian phase: R by the law, its maximum; X - p of the new state. `p_L`: pressure of
 // the state after it; `p_new`: of the new state.
-void add_volume_error(TaskList&, const SchemeVariables&, const SchemeOptions&, VariableId p_L,
+void add_volume_error(TaskList&, const ErrorInput&, const SchemeOptions&, VariableId p_L,
                       int effect);
-void add_offset(TaskList&, const SchemeVariables&, const SchemeOptions&, VariableId p_new,
-                int effect);
+void add_offset(TaskList&, const PressureVariables&, VariableId p_new, int effect);
+
 // Both, of one material, whose pressures they find.
-void add_end_of_one(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+struct EndOfOneInput {
+  ErrorInput error;
+  VariableId rho_L, energy_L;
+  AfterVariables after;
+
+  static EndOfOneInput of(const SchemeVariables& v) {
+    return {.error = ErrorInput::of(v), .rho_L = v.rho_L, .energy_L = v.energy_L, .after = v.after};
+  }
+};
+void add_end_of_one(TaskList&, const EndOfOneInput&, const SchemeOptions&, int effect);
 
 // Beside solids: the system, of faces as far as they are open and cells as far as fluid fills them;
 // the volume error; the end of the step of one material.
-void add_cut_cell_system(TaskList&, const SchemeVariables& v, const SchemeOptions&, int effect);
-void add_cut_cell_error(TaskList&, const SchemeVariables& v, const SchemeOptions&, VariableId p_L,
-                        int effect);
-void add_cut_cell_end_of_step(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+struct CutCellErrorInput {
+  ErrorInput error;
+  VariableId fraction, next, gives_old;
+  std::array<VariableId, 3> mean_covered, flow;
+  VariableId inverse_J;
 
-// The end of the step where several materials may meet, with or without solids beside them;
-// `faces`: what moves with the faces' velocity.
-void add_end_of_mixture(TaskList&, const mixture::Variables&, const SchemeVariables& faces,
-                        const SchemeOptions&, int effect);
+  static CutCellErrorInput of(const SchemeVariables& v) {
+    return {.error = ErrorInput::of(v),
+            .fraction = v.walls.fraction,
+            .next = v.walls.next,
+            .gives_old = v.walls.gives_old,
+            .mean_covered = v.walls.mean_covered,
+            .flow = v.walls.flow,
+            .inverse_J = v.inverse_J};
+  }
+};
+void add_cut_cell_system(TaskList&, const CutCellErrorInput&, const SchemeOptions&, int effect);
+void add_cut_cell_error(TaskList&, const CutCellErrorInput&, const SchemeOptions&, VariableId p_L,
+                        int effect);
+void add_cut_cell_end_of_step(TaskList&, const CutCellErrorInput&, const EndOfOneInput&,
+                              const SchemeOptions&, int effect);
 
 }  // namespace sluice::ice::pressure

@@ -27,15 +27,15 @@
 namespace sluice::ice::pressure {
 namespace {
 
-void add_open_coefficient(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+void add_open_coefficient(TaskList& list, const CutCellErrorInput& v, const SchemeOptions& o,
                           int axis, int effect) {
-  const int direction = o.axes.direction[axis];
+  const int direction = o.grid.axes.direction[axis];
   const std::string name = "coefficients of whole faces " + std::to_string(axis);
   const VariableId of_whole = list.temporary(name, 1, direction);
-  add_face_coefficient(list, v, o, axis, of_whole, effect);
+  add_face_coefficient(list, v.error, o, axis, of_whole, effect);
   TaskBuilder task = list.task("coefficients of open faces " + std::to_string(axis), effect);
-  const In whole = task.read(of_whole), covered = task.read(v.walls.mean_covered[axis]);
-  const In fraction = task.read(v.walls.fraction, Stencil::along(direction, 1, 0));
+  const In whole = task.read(of_whole), covered = task.read(v.mean_covered[axis]);
+  const In fraction = task.read(v.fraction, Stencil::along(direction, 1, 0));
   const Out out = task.write(list.output(labels().matrix_face[direction], 0));
   task.kernel([=](const Row& row) {
     const double *k = row(whole), *A = row(covered);
@@ -47,17 +47,17 @@ void add_open_coefficient(TaskList& list, const SchemeVariables& v, const Scheme
 }
 
 // The own coefficient of a cell.
-void add_cell_coefficient(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+void add_cell_coefficient(TaskList& list, const CutCellErrorInput& v, const SchemeOptions& o,
                           int effect) {
   TaskBuilder task = list.task("compressibility beside solids", effect);
-  const In rho = task.read(v.rho), sound = task.read(v.sound);
-  const In fraction = task.read(v.walls.fraction, Stencil::box(1));
-  const In after = task.read(v.walls.next);
+  const In rho = task.read(v.error.moving.rho), sound = task.read(v.error.moving.sound);
+  const In fraction = task.read(v.fraction, Stencil::box(1));
+  const In after = task.read(v.next);
   std::array<In, 3> covered;
-  for (int a = 0; a < o.axes.count; ++a)
-    covered[a] = task.read(v.walls.mean_covered[a], Stencil::along(o.axes.direction[a], 0, 1));
+  for (int a = 0; a < o.grid.axes.count; ++a)
+    covered[a] = task.read(v.mean_covered[a], Stencil::along(o.grid.axes.direction[a], 0, 1));
   const Out out = task.write(list.output(labels().matrix_cell, 0));
-  task.kernel([=, axes = o.axes](const Row& row) {
+  task.kernel([=, axes = o.grid.axes](const Row& row) {
     const double al = solve_constants(row.step()).al;
     const double *r = row(rho), *c = row(sound), *theta = row(fraction), *next = row(after);
     double* to = row(out);
@@ -79,13 +79,13 @@ struct VolumeReads {
   ErrorReads error;
 };
 
-VolumeReads read_volumes(TaskBuilder& task, const SchemeVariables& v, const SchemeOptions& o) {
+VolumeReads read_volumes(TaskBuilder& task, const CutCellErrorInput& v, const SchemeOptions& o) {
   VolumeReads h;
-  h.error = read_error(task, v, o);
-  h.fraction = task.read(v.walls.fraction);
-  h.next = task.read(v.walls.next);
-  h.rho = task.read(v.rho);
-  h.sound = task.read(v.sound);
+  h.error = read_error(task, v.error, o);
+  h.fraction = task.read(v.fraction);
+  h.next = task.read(v.next);
+  h.rho = task.read(v.error.moving.rho);
+  h.sound = task.read(v.error.moving.sound);
   return h;
 }
 
@@ -107,14 +107,15 @@ void error_row(const Row& row, const VolumeReads& h, const Axes& axes, double* t
 }
 
 template <int D>
-void add_right_side(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
+void add_right_side(TaskList& list, const CutCellErrorInput& v, const SchemeOptions& o,
+                    int effect) {
   TaskBuilder task = list.task("right-hand side beside solids", effect);
   const VolumeReads h = read_volumes(task, v, o);
   std::array<In, 3> flow;
   for (int a = 0; a < D; ++a)
-    flow[a] = task.read(v.walls.flow[a], Stencil::along(o.axes.direction[a], 0, 1));
+    flow[a] = task.read(v.flow[a], Stencil::along(o.grid.axes.direction[a], 0, 1));
   const Out out = task.write(list.output(labels().right_side, 0));
-  task.kernel([=, axes = o.axes](const Row& row) {
+  task.kernel([=, axes = o.grid.axes](const Row& row) {
     const double *theta = row(h.fraction), *after = row(h.next);
     const double *low[D], *high[D];
     double l[D];
@@ -148,15 +149,15 @@ VariableId add_pressure(TaskList& list, const SchemeOptions& o, VariableId rho, 
 }
 
 template <int D>
-void add_error(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, VariableId p_L,
+void add_error(TaskList& list, const CutCellErrorInput& v, const SchemeOptions& o, VariableId p_L,
                int effect) {
   TaskBuilder task = list.task("volume error beside solids", effect);
   const VolumeReads h = read_volumes(task, v, o);
-  const In pL_in = task.read(p_L), p_in = task.read(v.pressure);
-  const In inverse = task.read(v.inverse_J), gives_old = task.read(v.walls.gives_old);
-  const Out out = task.write(v.solve.error);
+  const In pL_in = task.read(p_L), p_in = task.read(v.error.pressure);
+  const In inverse = task.read(v.inverse_J), gives_old = task.read(v.gives_old);
+  const Out out = task.write(v.error.solve.error);
   task.always();
-  task.kernel([=, axes = o.axes](const Row& row) {
+  task.kernel([=, axes = o.grid.axes](const Row& row) {
     const double *pL = row(pL_in), *p = row(p_in), *per_V = row(inverse), *old = row(gives_old);
     double* R = row(out);
     error_row<D>(
@@ -174,37 +175,38 @@ void add_error(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
     row.reductions().maximum(StepSlots::volume_error, most);
   });
   TaskBuilder save = list.task("save " + labels().volume_error.name(), effect);
-  const In error = save.read(v.solve.error);
+  const In error = save.read(v.error.solve.error);
   const Out saved = save.write(list.output(labels().volume_error, 0));
   save.kernel([=](const Row& row) { std::copy_n(row(error), row.count(), row(saved)); });
 }
 
 }  // namespace
 
-void add_cut_cell_error(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+void add_cut_cell_error(TaskList& list, const CutCellErrorInput& v, const SchemeOptions& o,
                         VariableId p_L, int effect) {
-  dispatch(o.axes.count, o.components,
+  dispatch(o.grid.axes.count, o.grid.components,
            [&]<int D, int C>() { add_error<D>(list, v, o, p_L, effect); });
 }
 
-void add_cut_cell_system(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+void add_cut_cell_system(TaskList& list, const CutCellErrorInput& v, const SchemeOptions& o,
                          int effect) {
-  for (int axis = 0; axis < o.axes.count; ++axis) add_open_coefficient(list, v, o, axis, effect);
+  for (int axis = 0; axis < o.grid.axes.count; ++axis)
+    add_open_coefficient(list, v, o, axis, effect);
   add_cell_coefficient(list, v, o, effect);
-  dispatch(o.axes.count, o.components,
+  dispatch(o.grid.axes.count, o.grid.components,
            [&]<int D, int C>() { add_right_side<D>(list, v, o, effect); });
 }
 
 // Of cells that solids meet X - p follows when their state does, behind the sweep.
-void add_cut_cell_end_of_step(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
-                              int effect) {
+void add_cut_cell_end_of_step(TaskList& list, const CutCellErrorInput& v, const EndOfOneInput& end,
+                              const SchemeOptions& o, int effect) {
   add_cut_cell_error(list, v, o,
-                     add_pressure(list, o, v.rho_L, v.energy_L, "Lagrangian pressure",
+                     add_pressure(list, o, end.rho_L, end.energy_L, "Lagrangian pressure",
                                   LawsOfCells::When::old_state, effect),
                      effect);
-  add_offset(list, v, o,
-             add_pressure(list, o, v.walls.after_rho, v.walls.after_energy,
-                          "pressure of the new state", LawsOfCells::When::new_state, effect),
+  add_offset(list, v.error.solve,
+             add_pressure(list, o, end.after.rho, end.after.energy, "pressure of the new state",
+                          LawsOfCells::When::new_state, effect),
              effect);
 }
 

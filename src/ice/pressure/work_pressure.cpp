@@ -21,28 +21,27 @@ void declare_variables(TaskList& list, const SchemeOptions& o, SchemeVariables& 
   x.work = list.temporary("work pressure");
   x.smooth = list.temporary("smooth pressure");
   x.error = list.temporary("relative volume error");
-  if (o.viscous) x.force = list.temporary("viscous force", o.axes.count);
-  if (o.meets_coarser) x.interface = list.old_state(l.interface_pressure, 0, 1);
-  if (o.meets_finer)
-    for (int a = 0; a < o.axes.count; ++a) {
-      const int d = o.axes.direction[a];
+  if (o.transport.viscous) x.force = list.temporary("viscous force", o.grid.axes.count);
+  if (o.grid.meets_coarser) x.interface = list.old_state(l.interface_pressure, 0, 1);
+  if (o.grid.meets_finer)
+    for (int a = 0; a < o.grid.axes.count; ++a) {
+      const int d = o.grid.axes.direction[a];
       x.finer_velocity[a] = list.old_state(l.finer_face_velocity[d], 0, 1);
       x.finer_pressure[a] = list.old_state(l.finer_face_pressure[d], 0, 1);
     }
-  for (int a = 0; a < o.axes.count; ++a)
+  for (int a = 0; a < o.grid.axes.count; ++a)
     x.prediction[a] = list.temporary("prediction of axis " + std::to_string(a), prediction_count,
-                                     o.axes.direction[a]);
+                                     o.grid.axes.direction[a]);
 }
 
-void add_work_pressure(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
-                       int effect) {
+void add_work_pressure(TaskList& list, const ErrorInput& v, const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("work pressure", effect);
-  const In p_in = task.read(v.pressure), c_in = task.read(v.sound),
+  const In p_in = task.read(v.pressure), c_in = task.read(v.moving.sound),
            offset = task.read(v.solve.offset);
   In interface;
-  if (o.meets_coarser) interface = task.read(v.solve.interface);
+  if (o.grid.meets_coarser) interface = task.read(v.solve.interface);
   const Out work = task.write(v.solve.work), smooth = task.write(v.solve.smooth);
-  task.kernel([=, axes = o.axes](const Row& row) {
+  task.kernel([=, axes = o.grid.axes](const Row& row) {
     double per_dx = 0;
     for (int a = 0; a < axes.count; ++a)
       per_dx = std::max(per_dx, 1.0 / row.step().spacing[axes.direction[a]]);
@@ -81,15 +80,15 @@ void save_cells(TaskList& list, Label label, VariableId from, int effect) {
 
 }  // namespace
 
-void add_solved_faces(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+void add_solved_faces(TaskList& list, const SolvedFacesInput& v, const SchemeOptions& o,
                       int effect) {
-  add_work_pressure(list, v, o, effect);       // p, Y                    X-, ps
-  add_smooth_slopes(list, v, o, effect);       // u, ps                   su, sp, UT
-  add_viscous_force(list, v, o, effect);       // t_f                     Fv
-  add_predictions(list, v, o, effect);         // u, c, slopes, Fv        u*, j, k
-  add_solved_face_states(list, v, o, effect);  // X-, d, predictions      u_f, p_f, matrix, R
-  save_cells(list, labels().work_pressure, v.solve.work, effect);
-  save_cells(list, labels().sum_of_corrections, v.solve.increment, effect);
+  add_work_pressure(list, v.cells, o, effect);  // p, Y                    X-, ps
+  add_smooth_slopes(list, v, o, effect);        // u, ps                   su, sp, UT
+  add_viscous_force(list, v, o, effect);        // t_f                     Fv
+  add_predictions(list, v, o, effect);          // u, c, slopes, Fv        u*, j, k
+  add_solved_face_states(list, v, o, effect);   // X-, d, predictions      u_f, p_f, matrix, R
+  save_cells(list, labels().work_pressure, v.cells.solve.work, effect);
+  save_cells(list, labels().sum_of_corrections, v.cells.solve.increment, effect);
   save_cells(list, labels().last_correction, list.old_state(labels().pressure_correction, 0, 1),
              effect);
 }

@@ -157,34 +157,36 @@ void base_rows(const Row& row, const Handles& h, const Constants& x, std::size_t
 
 }  // namespace
 
-void add_bases(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
-  if (!o.second_order) return;
+void add_bases(TaskList& list, const FlowOfScalars& v, const SchemeOptions& o, int effect) {
+  if (!o.scheme.second_order) return;
   TaskBuilder task = list.task("scalar bases", effect);
   Handles h;
   std::vector<double> diffusivity;
   for (const ScalarVariables::Each& e : v.scalars.each) {
     h.q.push_back(task.read(e.old, Stencil::box(1)));
     h.mass.push_back(task.read(e.mass, Stencil::box(1)));
-    const models::TransportedScalar& scalar = o.scalars[e.index];
+    const models::TransportedScalar& scalar = o.materials.scalars[e.index];
     diffusivity.push_back(scalar.spreads_by_law ? 1.0 : scalar.diffusivity);
-    h.moves.push_back(o.mixture && o.multi_velocity ? scalar.material * o.components : 0);
+    h.moves.push_back(o.materials.mixture && o.materials.multi_velocity
+                          ? scalar.material * o.grid.components
+                          : 0);
   }
   for (const ScalarVariables::Each& e : v.scalars.each) {
-    h.by_volume.push_back(o.scalars[e.index].by_volume ? 1 : 0);
-    h.law.push_back(o.scalars[e.index].spreads_by_law ? 1 : 0);
+    h.by_volume.push_back(o.materials.scalars[e.index].by_volume ? 1 : 0);
+    h.law.push_back(o.materials.scalars[e.index].spreads_by_law ? 1 : 0);
   }
-  if (o.mixed != nullptr) {
+  if (o.materials.mixed != nullptr) {
     h.rho_L = task.read(v.rho_L);
     h.velocity_slope = task.read(v.velocity_slope);
   }
-  if (o.spreads_species) h.diffusivity = task.read(v.scalars.diffusivity);
+  if (o.transport.spreads_species) h.diffusivity = task.read(v.scalars.diffusivity);
   h.velocity = task.read(v.velocity);
-  const bool masked = o.masked || v.scalars.has_cut_cells;
-  if (masked) h.mask = task.read(v.scalars.has_cut_cells ? v.scalars.slopes : v.mask);
+  const bool masked = o.scheme.masked || v.scalars.walls.has_cut_cells;
+  if (masked) h.mask = task.read(v.scalars.walls.has_cut_cells ? v.scalars.walls.slopes : v.mask);
   h.base = task.write(v.scalars.base);
   if (v.scalars.diffusive) h.half = task.write(v.scalars.half);
-  dispatch(o.axes.count, o.components, [&]<int D, int C>() {
-    task.kernel([=, axes = o.axes](const Row& row) {
+  dispatch(o.grid.axes.count, o.grid.components, [&]<int D, int C>() {
+    task.kernel([=, axes = o.grid.axes](const Row& row) {
       for (int begin = 0; begin < row.count(); begin += max_cells) {
         const int left = row.count() - begin;
         const Row part = row.part(begin, left < max_cells ? left : max_cells);

@@ -8,14 +8,14 @@
 
 namespace sluice::ice::scalars {
 
-void add_carriers(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
-  if (!o.mixture) return;
+void add_carriers(TaskList& list, const FlowOfScalars& v, const SchemeOptions& o, int effect) {
+  if (!o.materials.mixture) return;
   static const char* names[] = {"mass with scalars of axis 0", "mass with scalars of axis 1",
                                 "mass with scalars of axis 2"};
-  for (int axis = 0; axis < o.axes.count; ++axis) {
+  for (int axis = 0; axis < o.grid.axes.count; ++axis) {
     TaskBuilder task = list.task(names[axis], effect);
     const In flux = task.read(v.flux[axis]), materials = task.read(v.material_flux[axis]);
-    const In pure = task.read(v.pure, Stencil::along(o.axes.direction[axis], 1, 0));
+    const In pure = task.read(v.pure, Stencil::along(o.grid.axes.direction[axis], 1, 0));
     const Out out = task.write(v.scalars.carrier[axis]);
     task.kernel([=, carried = v.scalars.materials](const Row& row) {
       const int n = row.count();
@@ -39,15 +39,15 @@ void add_carriers(TaskList& list, const SchemeVariables& v, const SchemeOptions&
 namespace {
 
 // Of each carrier its own where the neighbourhood is mixed, else the mixture's; axis -1: of cells.
-void add_choice(TaskList& list, const char* name, const mixture::Variables& v, int effect,
+void add_choice(TaskList& list, const char* name, const FlowOfScalars& v, int effect,
                 const SchemeOptions& o, int axis, VariableId mixture, VariableId own,
                 VariableId to) {
   TaskBuilder task = list.task(name, effect);
   const In of_all = task.read(mixture), of_each = task.read(own);
-  const Stencil around = axis < 0 ? Stencil{} : Stencil::along(o.axes.direction[axis], 1, 0);
+  const Stencil around = axis < 0 ? Stencil{} : Stencil::along(o.grid.axes.direction[axis], 1, 0);
   const In pure = task.read(v.pure, around);
   const Out out = task.write(to);
-  task.kernel([=, carried = v.common.scalars.materials](const Row& row) {
+  task.kernel([=, carried = v.scalars.materials](const Row& row) {
     const double* below = axis < 0 ? row(pure) : row(pure, 0, axis, -1);
     const double* above = row(pure);
     const double* all = row(of_all);
@@ -62,23 +62,23 @@ void add_choice(TaskList& list, const char* name, const mixture::Variables& v, i
 
 }  // namespace
 
-SchemeVariables add_own_motion(TaskList& list, const mixture::Variables& m, const SchemeOptions& o,
-                               int effect) {
-  SchemeVariables v = m.common;
+FlowOfScalars add_own_motion(TaskList& list, const FlowOfScalars& of_mixture,
+                             const OwnMotionInput& own, const SchemeOptions& o, int effect) {
+  FlowOfScalars v = of_mixture;
   if (v.scalars.each.empty()) return v;
   static const char* names[] = {"velocity with scalars of axis 0",
                                 "velocity with scalars of axis 1",
                                 "velocity with scalars of axis 2"};
   const int count = static_cast<int>(v.scalars.materials.size());
-  for (int axis = 0; axis < o.axes.count; ++axis) {
-    v.face_velocity[axis] = list.temporary(names[axis], count, o.axes.direction[axis]);
-    add_choice(list, names[axis], m, effect, o, axis, m.common.face_velocity[axis],
-               m.slip.face_velocity[axis], v.face_velocity[axis]);
+  for (int axis = 0; axis < o.grid.axes.count; ++axis) {
+    v.face_velocity[axis] = list.temporary(names[axis], count, o.grid.axes.direction[axis]);
+    add_choice(list, names[axis], of_mixture, effect, o, axis, of_mixture.face_velocity[axis],
+               own.face_velocity[axis], v.face_velocity[axis]);
   }
   v.courant = list.temporary("outflow with scalars", count);
-  add_choice(list, "outflow with scalars", m, effect, o, -1, m.common.courant, m.slip.outflow,
-             v.courant);
-  v.velocity = m.slip.velocity;
+  add_choice(list, "outflow with scalars", of_mixture, effect, o, -1, of_mixture.courant,
+             own.outflow, v.courant);
+  v.velocity = own.velocity;
   return v;
 }
 

@@ -203,42 +203,42 @@ void open_row(const Row& row, const Handles& h, const Each& e) {
   for (int i = 0; i < row.count(); ++i) to[i] *= share[i];
 }
 
-Handles declare(TaskBuilder& task, const SchemeVariables& v, const SchemeOptions& o, int axis) {
-  const int direction = o.axes.direction[axis];
+Handles declare(TaskBuilder& task, const FlowOfScalars& v, const SchemeOptions& o, int axis) {
+  const int direction = o.grid.axes.direction[axis];
   const Stencil both = Stencil::along(direction, 1, 0);
   const Stencil four = Stencil::along(direction, 2, 1);
   Handles h;
   for (const ScalarVariables::Each& e : v.scalars.each) {
     Each each;
-    each.q = task.read(e.old, o.second_order ? four : both);
-    each.mass = task.read(e.mass, o.second_order ? four : both);
-    each.density =
-        v.scalars.has_cut_cells && v.scalars.diffusive ? task.read(e.density, both) : each.mass;
-    if (o.mixture && v.scalars.diffusive) each.volume = task.read(e.volume, both);
+    each.q = task.read(e.old, o.scheme.second_order ? four : both);
+    each.mass = task.read(e.mass, o.scheme.second_order ? four : both);
+    each.density = v.scalars.walls.has_cut_cells && v.scalars.diffusive ? task.read(e.density, both)
+                                                                        : each.mass;
+    if (o.materials.mixture && v.scalars.diffusive) each.volume = task.read(e.volume, both);
     each.carrier = e.carrier;
-    each.motion = o.mixture && o.multi_velocity ? e.carrier : 0;
+    each.motion = o.materials.mixture && o.materials.multi_velocity ? e.carrier : 0;
     each.place = static_cast<int>(h.each.size());
-    each.law = o.scalars[e.index].spreads_by_law;
-    each.diffusivity = each.law ? 1.0 : o.scalars[e.index].diffusivity;
-    each.by_volume = o.scalars[e.index].by_volume;
+    each.law = o.materials.scalars[e.index].spreads_by_law;
+    each.diffusivity = each.law ? 1.0 : o.materials.scalars[e.index].diffusivity;
+    each.by_volume = o.materials.scalars[e.index].by_volume;
     h.each.push_back(each);
   }
-  if (o.spreads_species) h.diffusivity = task.read(v.scalars.diffusivity, both);
+  if (o.transport.spreads_species) h.diffusivity = task.read(v.scalars.diffusivity, both);
   h.face_velocity = task.read(v.face_velocity[axis]);
-  if (o.second_order || v.scalars.diffusive) h.courant = task.read(v.courant, both);
-  if (o.second_order) {
+  if (o.scheme.second_order || v.scalars.diffusive) h.courant = task.read(v.courant, both);
+  if (o.scheme.second_order) {
     h.carrier = task.read(v.scalars.carrier[axis]);
     h.inverse_J = task.read(v.inverse_J, both);
     h.base = task.read(v.scalars.base, both);
     if (v.scalars.diffusive) h.half = task.read(v.scalars.half, both);
-    if (v.scalars.has_cut_cells)
-      h.mask = task.read(v.scalars.axis_slopes[axis], both);
-    else if (o.masked)
+    if (v.scalars.walls.has_cut_cells)
+      h.mask = task.read(v.scalars.walls.axis_slopes[axis], both);
+    else if (o.scheme.masked)
       h.mask = task.read(v.mask, both);
   }
-  if (o.mixture && o.mixed != nullptr) h.pure = task.read(v.pure, both);
-  if (v.scalars.has_cut_cells && v.scalars.diffusive)
-    h.open = task.read(v.scalars.open_share[axis]);
+  if (o.materials.mixture && o.materials.mixed != nullptr) h.pure = task.read(v.pure, both);
+  if (v.scalars.walls.has_cut_cells && v.scalars.diffusive)
+    h.open = task.read(v.scalars.walls.open_share[axis]);
   h.face = task.write(v.scalars.face[axis]);
   if (v.scalars.diffusive) h.spread = task.write(v.scalars.spread[axis]);
   return h;
@@ -246,16 +246,16 @@ Handles declare(TaskBuilder& task, const SchemeVariables& v, const SchemeOptions
 
 }  // namespace
 
-void add_fluxes(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
+void add_fluxes(TaskList& list, const FlowOfScalars& v, const SchemeOptions& o, int effect) {
   static const char* names[] = {"scalars on faces of axis 0", "scalars on faces of axis 1",
                                 "scalars on faces of axis 2"};
-  for (int axis = 0; axis < o.axes.count; ++axis) {
+  for (int axis = 0; axis < o.grid.axes.count; ++axis) {
     TaskBuilder task = list.task(names[axis], effect);
     const Handles h = declare(task, v, o, axis);
-    const int direction = o.axes.direction[axis], axes = o.axes.count;
-    const bool second = o.second_order, has_cut_cells = v.scalars.has_cut_cells,
-               masked = o.masked || has_cut_cells, diffusive = v.scalars.diffusive,
-               mixture = o.mixture;
+    const int direction = o.grid.axes.direction[axis], axes = o.grid.axes.count;
+    const bool second = o.scheme.second_order, has_cut_cells = v.scalars.walls.has_cut_cells,
+               masked = o.scheme.masked || has_cut_cells, diffusive = v.scalars.diffusive,
+               mixture = o.materials.mixture;
     task.kernel([=](const Row& row) {
       const double dx = row.step().spacing[direction], l = row.step().dt / dx;
       for (const Each& e : h.each) {

@@ -19,26 +19,27 @@ void release_row(const Row& row, const Handles& h, const SchemeOptions& o) {
   double* __restrict now = row(h.released_new);
   double* __restrict E = row(h.release.end.next.energy);
   const HeatBudget books(row, h.release, o);
-  o.mixed->for_row(row.count(), row(h.fraction), [=](int i, const models::MixedGas::Between& at) {
-    const double Q = at(&models::MixedGas::Node::heat), heat = rho[i] * (Q - q[i]);
-    now[i] = Q;
-    E[i] += heat;
-    books.add(i, heat);
-  });
+  o.materials.mixed->for_row(
+      row.count(), row(h.fraction), [=](int i, const models::MixedGas::Between& at) {
+        const double Q = at(&models::MixedGas::Node::heat), heat = rho[i] * (Q - q[i]);
+        now[i] = Q;
+        E[i] += heat;
+        books.add(i, heat);
+      });
 }
 
 }  // namespace
 
-void add_heat_release(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+void add_heat_release(TaskList& list, const HeatReleaseInput& v, const SchemeOptions& o,
                       int effect) {
-  if (!o.releases_heat || o.mixed->species) return;
+  if (!o.materials.releases_heat || o.materials.mixed->species) return;
   TaskBuilder task = list.task("heat of mixing", effect);
   Handles h;
-  h.release = declare_release(task, v, o);
-  h.fraction = task.read(v.scalars.fraction);
-  h.released = task.read(v.scalars.released);
-  h.released_new = task.write(v.scalars.released_new);
-  dispatch(o.axes.count, o.components, [&]<int D, int C>() {
+  h.release = declare_release(task, v.release, o);
+  h.fraction = task.read(v.fraction);
+  h.released = task.read(v.released);
+  h.released_new = task.write(v.released_new);
+  dispatch(o.grid.axes.count, o.grid.components, [&]<int D, int C>() {
     task.kernel([=](const Row& row) {
       begin_release(row, h.release, o);
       release_row(row, h, o);

@@ -6,10 +6,22 @@
 // the change of sum rho' Q(f'). It counts as a source (sources/sources.hpp); other sources act
 // before it. Absent where no heat is given: then the update ends the step.
 #pragma once
-#include "ice/step/variables.hpp"
+#include "ice/scalars/release_rows.hpp"
 
 namespace sluice::ice::scalars {
 
-void add_heat_release(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+struct HeatReleaseInput {
+  ReleaseInput release;
+  VariableId fraction, released;
+  VariableId released_new;  // written
+
+  static HeatReleaseInput of(const SchemeVariables& v) {
+    return {.release = ReleaseInput::of(v),
+            .fraction = v.scalars.fraction,
+            .released = v.scalars.released,
+            .released_new = v.scalars.released_new};
+  }
+};
+void add_heat_release(TaskList&, const HeatReleaseInput&, const SchemeOptions&, int effect);
 
 }  // namespace sluice::ice::scalars

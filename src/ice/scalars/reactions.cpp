@@ -54,7 +54,8 @@ void react_row(const Row& row, const Handles& h, const SchemeOptions& o,
       try {
         done = reactor.advance(rho[i], E[i] / rho[i], Y, dt);
       } catch (const PhysicsError&) {
-        const auto heat = o.mixed->species->gas->heat([&](std::size_t k) { return Y[k]; });
+        const auto heat =
+            o.materials.mixed->species->gas->heat([&](std::size_t k) { return Y[k]; });
         done.last_step = -heat.temperature(E[i] / rho[i]);
       }
     }
@@ -63,22 +64,22 @@ void react_row(const Row& row, const Handles& h, const SchemeOptions& o,
     last_step[i] = done.last_step;
     books.add(i, done.heat);
   }
-  admissible_row<1>(row, o.axes, {{{last_step, fault_reactions, [](double x) { return -x; }}}},
-                    o.material);
+  admissible_row<1>(row, o.grid.axes, {{{last_step, fault_reactions, [](double x) { return -x; }}}},
+                    o.materials.index);
 }
 
 // The reacting species of a graph: what of their variables tasks need.
 struct Carried {
   std::vector<const ScalarVariables::Each*> each;
 
-  Carried(const SchemeVariables& v, const SchemeOptions& o) {
-    for (const ScalarVariables::Each& e : v.scalars.each)
-      if (o.scalars[e.index].of_species) each.push_back(&e);
+  Carried(const ReactionsInput& v, const SchemeOptions& o) {
+    for (const ScalarVariables::Each& e : v.each)
+      if (o.materials.scalars[e.index].of_species) each.push_back(&e);
   }
 };
 
 void save_change(TaskList& list, const ScalarVariables::Each& e, const SchemeOptions& o) {
-  const models::TransportedScalar& s = o.scalars[e.index];
+  const models::TransportedScalar& s = o.materials.scalars[e.index];
   TaskBuilder task = list.task("save " + s.source().name(), effect_saved_intermediates);
   const In before = task.read(e.now), after = task.read(e.after_reactions);
   const Out out = task.write(list.output(s.source(), s.material));
@@ -103,14 +104,15 @@ ChangeHandles read_changes(TaskBuilder& task, const Carried& carried) {
 }
 
 // -rho sum dY_k (e0_k - e0_N)/dt, N the closure.
-void save_heat_release(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+void save_heat_release(TaskList& list, VariableId rho_new, const SchemeOptions& o,
                        const Carried& carried) {
   TaskBuilder task = list.task("save " + models::reaction_labels().heat_release.name(),
                                effect_saved_intermediates);
   const ChangeHandles h = read_changes(task, carried);
-  const In rho = task.read(v.rho_new);
-  const Out out = task.write(list.output(models::reaction_labels().heat_release, o.material));
-  task.kernel([=, gas = o.mixed->species->gas](const Row& row) {
+  const In rho = task.read(rho_new);
+  const Out out =
+      task.write(list.output(models::reaction_labels().heat_release, o.materials.index));
+  task.kernel([=, gas = o.materials.mixed->species->gas](const Row& row) {
     double* to = row(out);
     const double* r = row(rho);
     for (int i = 0; i < row.count(); ++i) to[i] = 0;
@@ -129,9 +131,9 @@ void save_limiter(TaskList& list, const SchemeOptions& o, const Carried& carried
   TaskBuilder task =
       list.task("save " + models::reaction_labels().limiter.name(), effect_saved_intermediates);
   const ChangeHandles h = read_changes(task, carried);
-  const Out out = task.write(list.output(models::reaction_labels().limiter, o.material));
-  task.kernel([=, relative = o.mixed->species->relative_tolerance,
-               fraction = o.mixed->species->fraction_tolerance](const Row& row) {
+  const Out out = task.write(list.output(models::reaction_labels().limiter, o.materials.index));
+  task.kernel([=, relative = o.materials.mixed->species->relative_tolerance,
+               fraction = o.materials.mixed->species->fraction_tolerance](const Row& row) {
     double* to = row(out);
     for (int i = 0; i < row.count(); ++i) {
       double most = 0;
@@ -151,7 +153,7 @@ void save_last_step(TaskList& list, const SchemeOptions& o, VariableId last_step
   TaskBuilder task =
       list.task("save " + models::reaction_labels().last_step.name(), effect_saved_intermediates);
   const In in = task.read(last_step);
-  const Out out = task.write(list.output(models::reaction_labels().last_step, o.material));
+  const Out out = task.write(list.output(models::reaction_labels().last_step, o.materials.index));
   task.kernel([=](const Row& row) {
     const double* from = row(in);
     double* to = row(out);
@@ -161,20 +163,20 @@ void save_last_step(TaskList& list, const SchemeOptions& o, VariableId last_step
 
 }  // namespace
 
-void add_reactions(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
-  if (!o.releases_heat || !o.mixed->species) return;
+void add_reactions(TaskList& list, const ReactionsInput& v, const SchemeOptions& o, int effect) {
+  if (!o.materials.releases_heat || !o.materials.mixed->species) return;
   const Carried carried(v, o);
   const VariableId last_step = list.temporary("last step of reactions");
   TaskBuilder task = list.task("reactions", effect);
   Handles h;
-  h.release = declare_release(task, v, o);
+  h.release = declare_release(task, v.release, o);
   for (const ScalarVariables::Each* e : carried.each) {
     h.before.push_back(task.read(e->now));
     h.now.push_back(task.write(e->after_reactions));
   }
   h.last_step = task.write(last_step);
-  const std::shared_ptr<Reactors> reactors = make_reactors(*o.mixed->species);
-  dispatch(o.axes.count, o.components, [&]<int D, int C>() {
+  const std::shared_ptr<Reactors> reactors = make_reactors(*o.materials.mixed->species);
+  dispatch(o.grid.axes.count, o.grid.components, [&]<int D, int C>() {
     task.kernel([=](const Row& row) {
       begin_release(row, h.release, o);
       reactors->lend([&](kinetics::Reactor& reactor) { react_row(row, h, o, reactor); });
@@ -182,7 +184,7 @@ void add_reactions(TaskList& list, const SchemeVariables& v, const SchemeOptions
     });
   });
   for (const ScalarVariables::Each* e : carried.each) save_change(list, *e, o);
-  save_heat_release(list, v, o, carried);
+  save_heat_release(list, v.release.rho_new, o, carried);
   save_limiter(list, o, carried);
   save_last_step(list, o, last_step);
 }

@@ -7,10 +7,18 @@
 // kept to round-off. A cell whose rates are as good as nothing costs one look at its rates. Absent
 // without reactions.
 #pragma once
-#include "ice/step/variables.hpp"
+#include "ice/scalars/release_rows.hpp"
 
 namespace sluice::ice::scalars {
 
-void add_reactions(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+struct ReactionsInput {
+  ReleaseInput release;
+  std::vector<ScalarVariables::Each> each;  // now: read; after_reactions: written
+
+  static ReactionsInput of(const SchemeVariables& v) {
+    return {.release = ReleaseInput::of(v), .each = v.scalars.each};
+  }
+};
+void add_reactions(TaskList&, const ReactionsInput&, const SchemeOptions&, int effect);
 
 }  // namespace sluice::ice::scalars

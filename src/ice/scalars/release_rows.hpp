@@ -13,14 +13,31 @@ struct ReleaseHandles {
   In rho, momentum, energy;  // after the remap
 };
 
-inline ReleaseHandles declare_release(TaskBuilder& task, const SchemeVariables& v,
+struct ReleaseInput {
+  EndOfStepInput end;
+  VariableId rho_remap, momentum_remap, energy_remap;
+  VariableId rho_new, momentum_new, energy_new, source_change;  // written
+
+  static ReleaseInput of(const SchemeVariables& v) {
+    return {.end = EndOfStepInput::of(v),
+            .rho_remap = v.rho_remap,
+            .momentum_remap = v.momentum_remap,
+            .energy_remap = v.energy_remap,
+            .rho_new = v.rho_new,
+            .momentum_new = v.momentum_new,
+            .energy_new = v.energy_new,
+            .source_change = v.source_change};
+  }
+};
+
+inline ReleaseHandles declare_release(TaskBuilder& task, const ReleaseInput& v,
                                       const SchemeOptions& o) {
   ReleaseHandles h;
-  h.end = read_end_of_step(task, v, o);
+  h.end = read_end_of_step(task, v.end, o);
   h.end.next.rho = task.write(v.rho_new);
   h.end.next.momentum = task.write(v.momentum_new);
   h.end.next.energy = task.write(v.energy_new);
-  h.sources = declare_sources(task, v, o);
+  h.sources = declare_sources(task, v.source_change, o);
   h.rho = task.read(v.rho_remap);
   h.momentum = task.read(v.momentum_remap);
   h.energy = task.read(v.energy_remap);
@@ -34,7 +51,7 @@ inline void begin_release(const Row& row, const ReleaseHandles& h, const SchemeO
   };
   copy(row(h.rho), row(h.end.next.rho));
   copy(row(h.energy), row(h.end.next.energy));
-  for (int c = 0; c < o.components; ++c) copy(row(h.momentum, c), row(h.end.next.momentum, c));
+  for (int c = 0; c < o.grid.components; ++c) copy(row(h.momentum, c), row(h.end.next.momentum, c));
   add_sources_of_one(row, h.sources, o, h.end.next.rho, h.end.next.momentum, h.end.next.energy);
 }
 
@@ -53,7 +70,7 @@ struct HeatBudget {
 
 template <int D>
 void end_release(const Row& row, const ReleaseHandles& h, const SchemeOptions& o) {
-  check_row(row, h.end, o, o.material);
+  check_row(row, h.end, o, o.materials.index);
   rates_of_row<D>(row, h.end.next, o);
 }
 

@@ -197,7 +197,7 @@ void law_rates(const Row& row, const Handles& h, const SchemeOptions& o) {
 
 Each declare_each(TaskBuilder& task, const ScalarVariables::Each& e, const SchemeOptions& o,
                   int place, bool saved = false) {
-  const models::TransportedScalar& scalar = o.scalars[e.index];
+  const models::TransportedScalar& scalar = o.materials.scalars[e.index];
   Each each;
   each.q = task.read(e.old);
   each.mass = task.read(e.mass);
@@ -212,77 +212,77 @@ Each declare_each(TaskBuilder& task, const ScalarVariables::Each& e, const Schem
   each.decay = scalar.decay;
   each.own_rate = scalar.own_rate - (scalar.decay.field ? 0.0 : scalar.decay.rate(scalar.decay.c2));
   for (const models::ScalarSource& s : scalar.sources)
-    each.sources.push_back({std::make_shared<CellRuns>(*s.piece, *o.level), s.rate, s.most});
+    each.sources.push_back({std::make_shared<CellRuns>(*s.piece, *o.grid.level), s.rate, s.most});
   return each;
 }
 
 // What all scalars' updates read of faces.
-void read_faces(TaskBuilder& task, const SchemeVariables& v, const SchemeOptions& o, Handles& h) {
-  for (int axis = 0; axis < o.axes.count; ++axis) {
-    const Stencil both = Stencil::along(o.axes.direction[axis], 0, 1);
+void read_faces(TaskBuilder& task, const FlowOfScalars& v, const SchemeOptions& o, Handles& h) {
+  for (int axis = 0; axis < o.grid.axes.count; ++axis) {
+    const Stencil both = Stencil::along(o.grid.axes.direction[axis], 0, 1);
     h.carrier[axis] = task.read(v.scalars.carrier[axis], both);
     h.face[axis] = task.read(v.scalars.face[axis], both);
     if (v.scalars.diffusive) h.spread[axis] = task.read(v.scalars.spread[axis], both);
   }
-  if (o.second_order) h.base = task.read(v.scalars.base);
-  if (v.scalars.has_cut_cells) h.cut = task.read(v.scalars.cut);
-  if (o.spreads_species) h.diffusivity = task.read(v.scalars.diffusivity);
+  if (o.scheme.second_order) h.base = task.read(v.scalars.base);
+  if (v.scalars.walls.has_cut_cells) h.cut = task.read(v.scalars.walls.cut);
+  if (o.transport.spreads_species) h.diffusivity = task.read(v.scalars.diffusivity);
 }
 
 // scalar-NAME_src: the new value less that of transport alone.
-void save_source(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+void save_source(TaskList& list, const FlowOfScalars& v, const SchemeOptions& o,
                  std::size_t scalar) {
   const ScalarVariables::Each& e = v.scalars.each[scalar];
-  const models::TransportedScalar& of = o.scalars[e.index];
-  if (of.plain_name || (o.releases_heat && of.of_species)) return;  // reactions.cpp
+  const models::TransportedScalar& of = o.materials.scalars[e.index];
+  if (of.plain_name || (o.materials.releases_heat && of.of_species)) return;  // reactions.cpp
   TaskBuilder task = list.task("save " + of.source().name(), effect_saved_intermediates);
   Handles h;
   h.each.push_back(declare_each(task, e, o, static_cast<int>(scalar), true));
   read_faces(task, v, o, h);
   const Out out = task.write(list.output(of.source(), of.material));
-  dispatch(o.axes.count, o.components, [&]<int D, int C>() {
-    task.kernel(
-        [=, second = o.second_order, has_cut_cells = v.scalars.has_cut_cells](const Row& row) {
-          for (int begin = 0; begin < row.count(); begin += max_cells) {
-            const Row part = row.part(begin, std::min(row.count() - begin, max_cells));
-            const Each& q = h.each.front();
-            double carried[max_cells], amount[max_cells], left[max_cells];
-            transport_row<D>(part, h, q, second, false, carried);
-            const double* now = part(q.after);
-            double* to = part(out);
-            for (int i = 0; i < part.count(); ++i) to[i] = now[i] - carried[i];
-            if (!has_cut_cells) continue;
-            amount_row<D>(part, h, q, false, amount, left);
-            const double* cut = part(h.cut);
-            for (int i = 0; i < part.count(); ++i)
-              if (cut[i] != 0) to[i] = left[i] > 0 ? (now[i] - amount[i]) / left[i] : 0.0;
-          }
-        });
+  dispatch(o.grid.axes.count, o.grid.components, [&]<int D, int C>() {
+    task.kernel([=, second = o.scheme.second_order,
+                 has_cut_cells = v.scalars.walls.has_cut_cells](const Row& row) {
+      for (int begin = 0; begin < row.count(); begin += max_cells) {
+        const Row part = row.part(begin, std::min(row.count() - begin, max_cells));
+        const Each& q = h.each.front();
+        double carried[max_cells], amount[max_cells], left[max_cells];
+        transport_row<D>(part, h, q, second, false, carried);
+        const double* now = part(q.after);
+        double* to = part(out);
+        for (int i = 0; i < part.count(); ++i) to[i] = now[i] - carried[i];
+        if (!has_cut_cells) continue;
+        amount_row<D>(part, h, q, false, amount, left);
+        const double* cut = part(h.cut);
+        for (int i = 0; i < part.count(); ++i)
+          if (cut[i] != 0) to[i] = left[i] > 0 ? (now[i] - amount[i]) / left[i] : 0.0;
+      }
+    });
   });
 }
 
 }  // namespace
 
-void add_update(TaskList& list, const SchemeVariables& v, const SchemeOptions& o, int effect) {
+void add_update(TaskList& list, const FlowOfScalars& v, const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("scalar update", effect);
   Handles h;
   for (const ScalarVariables::Each& e : v.scalars.each)
     h.each.push_back(declare_each(task, e, o, static_cast<int>(h.each.size())));
   read_faces(task, v, o, h);
-  dispatch(o.axes.count, o.components, [&]<int D, int C>() {
+  dispatch(o.grid.axes.count, o.grid.components, [&]<int D, int C>() {
     task.kernel([=, options = o, diffusive = v.scalars.diffusive,
-                 has_cut_cells = v.scalars.has_cut_cells](const Row& row) {
+                 has_cut_cells = v.scalars.walls.has_cut_cells](const Row& row) {
       for (int begin = 0; begin < row.count(); begin += max_cells) {
         const int left = row.count() - begin;
         const Row part = row.part(begin, left < max_cells ? left : max_cells);
         for (const Each& e : h.each) {
-          transport_row<D>(part, h, e, options.second_order, diffusive, part(e.now));
+          transport_row<D>(part, h, e, options.scheme.second_order, diffusive, part(e.now));
           double before[max_cells], amount[max_cells], mass[max_cells];
           if (has_cut_cells) {
             std::copy_n(part(e.now), part.count(), before);
             amount_row<D>(part, h, e, diffusive, amount, mass);
           }
-          rates_row(part, e, *options.level, options.axes.direction[0]);
+          rates_row(part, e, *options.grid.level, options.grid.axes.direction[0]);
           regions_row(part, e);
           if (has_cut_cells) touched_row(part, h, e, amount, mass, before);
         }

@@ -41,12 +41,12 @@ struct Slots {
 };
 
 std::vector<Slots> slots_of(const SchemeOptions& options, const Warehouse& state) {
-  std::vector<Slots> slots(options.fluids.size());
+  std::vector<Slots> slots(options.materials.fluids.size());
   for (std::size_t m = 0; m < slots.size(); ++m) {
     const int place = options.place(static_cast<int>(m));
     slots[m] = {state.find(labels().mass, place), state.find(labels().volume, place),
                 state.find(labels().energy, place),
-                options.multi_velocity ? state.find(labels().slip, place) : -1};
+                options.materials.multi_velocity ? state.find(labels().slip, place) : -1};
   }
   return slots;
 }
@@ -86,16 +86,16 @@ void Start::one_material(Warehouse& state) const {
       state.view(mass, 0, b)(cell) = fill.density[n];
       state.view(energy_slot, 0, b)(cell) =
           energy(0, law(0, state.level().centre(cell), room), fill, n);
-      for (int c = 0; c < options_.components; ++c)
+      for (int c = 0; c < options_.grid.components; ++c)
         state.view(momentum, c, b)(cell) =
-            fill.density[n] * fill.velocity[options_.direction[c]][n];
+            fill.density[n] * fill.velocity[options_.grid.direction[c]][n];
       ++n;
     });
   }
 }
 
 const Fluid& Start::law(std::size_t m, Vec3 centre, Fluid& room) const {
-  if (!is_mixed(options_, m)) return options_.fluids[m];
+  if (!is_mixed(options_, m)) return options_.materials.fluids[m];
   double values[models::max_species];
   FractionRows rows;
   std::size_t k = 0;
@@ -104,7 +104,7 @@ const Fluid& Start::law(std::size_t m, Vec3 centre, Fluid& room) const {
     rows.of[k] = &values[k];
     ++k;
   }
-  return room = fluid_of(*options_.mixed, rows);
+  return room = fluid_of(*options_.materials.mixed, rows);
 }
 
 // What holds beside the density is the pressure. That of a law which differs from cell to cell
@@ -124,7 +124,7 @@ void Start::materials(Warehouse& state) const {
   const auto put = [](double& at, double value) {
     if (at != value) at = value;
   };
-  mixture::Equilibration equilibration(options_.fluids);
+  mixture::Equilibration equilibration(options_.materials.fluids);
   const WeightProfile weight =
       weight_profile(ice_, scene_->constants, scene_->grid.levels.front(), state.level());
   const std::vector<Slots> slots = slots_of(options_, state);
@@ -157,11 +157,11 @@ void Start::materials(Warehouse& state) const {
         put(state.view(slots[m].volume, 0, b)(cell), V[m]);
         put(state.view(slots[m].energy, 0, b)(cell), E[m]);
       }
-      for (int c = 0; c < options_.components; ++c)
-        state.view(momentum_slot, c, b)(cell) = momentum[options_.direction[c]];
-      for (std::size_t m = 0; m < fill.materials.size() && options_.multi_velocity; ++m)
-        for (int c = 0; c < options_.components; ++c) {
-          const int d = options_.direction[c];
+      for (int c = 0; c < options_.grid.components; ++c)
+        state.view(momentum_slot, c, b)(cell) = momentum[options_.grid.direction[c]];
+      for (std::size_t m = 0; m < fill.materials.size() && options_.materials.multi_velocity; ++m)
+        for (int c = 0; c < options_.grid.components; ++c) {
+          const int d = options_.grid.direction[c];
           const double u = fill.materials[m].velocity[d][n];
           const bool apart = M[m] > 0 && M[m] != rho;
           put(state.view(slots[m].slip, c, b)(cell), apart ? M[m] * (u - momentum[d] / rho) : 0.0);
@@ -176,7 +176,7 @@ void Start::materials(Warehouse& state) const {
 void Start::scalars(Warehouse& state) const {
   const auto at_start = [&](const models::TransportedScalar& s, Vec3 x) {
     if (!s.plain_name) return s.at_start(x);
-    return options_.mixed->heat(fraction_of(options_).at_start(x));
+    return options_.materials.mixed->heat(fraction_of(options_).at_start(x));
   };
   for (const models::TransportedScalar& s : ice_.models.scalars)
     for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
@@ -194,7 +194,7 @@ void Start::scalars(Warehouse& state) const {
 void initialise(Warehouse& state, const Scene& scene, const IceScene& ice,
                 const SchemeOptions& options) {
   const Start start(scene, ice, options);
-  if (options.fluids.size() > 1)
+  if (options.materials.fluids.size() > 1)
     start.materials(state);
   else
     start.one_material(state);

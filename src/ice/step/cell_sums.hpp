@@ -17,9 +17,10 @@ inline double cell_volume(const Row& row) {
 // cells first to end - 1.
 template <class Use>
 void for_uncovered(const Row& row, const SchemeOptions& o, int first, int end, Use&& use) {
-  if (o.coverage == nullptr || !o.coverage->any()) return use(first, end);
-  const int low = row.cell()[o.axes.direction[0]];
-  for (const LevelCoverage::Segment& s : o.coverage->uncovered_in_row(row.box(), row.cell())) {
+  if (o.accounts.coverage == nullptr || !o.accounts.coverage->any()) return use(first, end);
+  const int low = row.cell()[o.grid.axes.direction[0]];
+  for (const LevelCoverage::Segment& s :
+       o.accounts.coverage->uncovered_in_row(row.box(), row.cell())) {
     const int from = std::max(s.first - low, first), to = std::min(s.first - low + s.count, end);
     if (from < to) use(from, to);
   }
@@ -31,13 +32,13 @@ void for_uncovered(const Row& row, const SchemeOptions& o, Use&& use) {
 
 // Adds value(i) of the cells first to end - 1 to a sum of the step.
 template <class Value>
-void add_to_sum(const Row& row, int slot, int first, int end, Value value) {
+void add_to_sum(ExactSum& sum, int first, int end, Value value) {
   constexpr int chunk = 256;
   double values[chunk];
   for (int begin = first; begin < end; begin += chunk) {
     const int n = std::min(chunk, end - begin);
     for (int i = 0; i < n; ++i) values[i] = value(begin + i);
-    row.reductions().sum(slot).add(values, n);
+    sum.add(values, n);
   }
 }
 

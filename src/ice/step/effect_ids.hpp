@@ -31,7 +31,7 @@ enum EffectId {
 
 // Whose task the account of forces is.
 inline int effect_of_forces(const SchemeOptions& o) {
-  return o.force_on ? effect_driving_force : effect_gravity;
+  return o.forces.driving_on ? effect_driving_force : effect_gravity;
 }
 
 }  // namespace sluice::ice

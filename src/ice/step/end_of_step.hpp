@@ -76,14 +76,14 @@ struct RateConstants {
 
 inline RateConstants rate_constants(const SchemeOptions& o, const StepConstants& step) {
   RateConstants x;
-  x.sound_speed_factor = o.sound_speed_factor;
-  x.conservative = o.conservative_time_step;
+  x.sound_speed_factor = o.scheme.sound_speed_factor;
+  x.conservative = o.scheme.conservative_time_step;
   x.sum_share = sound_sum_share(o);
   double dx_g = 0;
-  for (int a = 0; a < o.axes.count; ++a) {
-    const double dx = step.spacing[o.axes.direction[a]];
+  for (int a = 0; a < o.grid.axes.count; ++a) {
+    const double dx = step.spacing[o.grid.axes.direction[a]];
     x.inverse_dx[a] = 1.0 / dx;
-    dx_g += dx * std::fabs(o.gravity[o.axes.direction[a]]);
+    dx_g += dx * std::fabs(o.forces.gravity[o.grid.axes.direction[a]]);
   }
   x.gravity_speed = std::sqrt(dx_g);
   return x;
@@ -175,22 +175,25 @@ inline bool constant_heat_capacity(const Fluid& fluid) {
 
 inline void viscous_rate_row(const Row& row, const RateHandles& h, const SchemeOptions& o,
                              double twice) {
-  if (o.viscosity_varies)
+  if (o.transport.viscosity_varies)
     diffusion_rate_row(row, h, [=, mu = row(h.viscosity)](int i) { return twice * mu[i]; });
   else
-    diffusion_rate_row(row, h, [rate = twice * o.viscosity](int) { return rate; });
+    diffusion_rate_row(row, h, [rate = twice * o.transport.viscosity](int) { return rate; });
 }
 
 inline void conduction_rate_row(const Row& row, const RateHandles& h, const SchemeOptions& o,
                                 double twice) {
-  const double* k = o.conductivity_varies ? row(h.conductivity) : nullptr;
-  const auto conductivity = [k, all = o.conductivity](int i) { return k != nullptr ? k[i] : all; };
-  if (constant_heat_capacity(o.fluid)) {
-    return diffusion_rate_row(
-        row, h, [=, cv = o.fluid.specific_heat](int i) { return twice * conductivity(i) / cv; });
+  const double* k = o.transport.conductivity_varies ? row(h.conductivity) : nullptr;
+  const auto conductivity = [k, all = o.transport.conductivity](int i) {
+    return k != nullptr ? k[i] : all;
+  };
+  if (constant_heat_capacity(o.materials.fluid)) {
+    return diffusion_rate_row(row, h, [=, cv = o.materials.fluid.specific_heat](int i) {
+      return twice * conductivity(i) / cv;
+    });
   }
   double* cv = row(h.heat_capacity);
-  heat_capacity_row(o.fluid, row.count(), row(h.rho), row(h.energy), cv);
+  heat_capacity_row(o.materials.fluid, row.count(), row(h.rho), row(h.energy), cv);
   diffusion_rate_row(row, h, [=](int i) { return twice * conductivity(i) / cv[i]; });
 }
 
@@ -201,29 +204,45 @@ void other_rates_of_row(const Row& row, const RateHandles& h, const SchemeOption
   if (x.conservative) outflow_rate_row<D>(row, h, x);
   double inverse_dx2 = 0;
   for (int d = 0; d < D; ++d) inverse_dx2 += x.inverse_dx[d] * x.inverse_dx[d];
-  if (o.mixture) return;  // mixture/diffusion_rates.hpp
-  if (o.viscous) viscous_rate_row(row, h, o, 2.0 * inverse_dx2);
-  if (o.conducting) conduction_rate_row(row, h, o, 2.0 * inverse_dx2);
+  if (o.materials.mixture) return;  // mixture/diffusion_rates.hpp
+  if (o.transport.viscous) viscous_rate_row(row, h, o, 2.0 * inverse_dx2);
+  if (o.transport.conducting) conduction_rate_row(row, h, o, 2.0 * inverse_dx2);
 }
 
+// What the checks and rates of a new state read.
+struct EndOfStepInput {
+  VariableId energy_star, inverse_J, sound;
+  std::array<VariableId, 3> face_velocity;
+  VariableId viscosity, conductivity;
+
+  static EndOfStepInput of(const SchemeVariables& v) {
+    return {.energy_star = v.energy_star,
+            .inverse_J = v.inverse_J,
+            .sound = v.sound,
+            .face_velocity = v.face_velocity,
+            .viscosity = v.viscosity,
+            .conductivity = v.conductivity};
+  }
+};
+
 // What varying coefficients need in the task that ends the step.
-inline void read_transport(TaskBuilder& task, const SchemeVariables& v, const SchemeOptions& o,
+inline void read_transport(TaskBuilder& task, const EndOfStepInput& v, const SchemeOptions& o,
                            RateHandles& h) {
-  if (o.viscosity_varies) h.viscosity = task.read(v.viscosity);
-  if (o.conductivity_varies) h.conductivity = task.read(v.conductivity);
+  if (o.transport.viscosity_varies) h.viscosity = task.read(v.viscosity);
+  if (o.transport.conductivity_varies) h.conductivity = task.read(v.conductivity);
 }
 
 template <int D>
 void rates_of_row(const Row& row, const RateHandles& h, const SchemeOptions& o) {
   if (!row.step().rates) return;
   const RateConstants x = rate_constants(o, row.step());
-  if (const eos::IdealGas* gas = o.fluid.gamma_law()) {
+  if (const eos::IdealGas* gas = o.materials.fluid.gamma_law()) {
     rate_row<D>(row, h, x, [gas = *gas, r = row(h.rho), E = row(h.energy)](int i) {
       return gas.gamma * gas.pressure(r[i], E[i]);
     });
   } else {
-    pressure_and_modulus_row(o.fluid, row.count(), row(h.rho), row(h.energy), row(h.closure, 0),
-                             row(h.closure, 1));
+    pressure_and_modulus_row(o.materials.fluid, row.count(), row(h.rho), row(h.energy),
+                             row(h.closure, 0), row(h.closure, 1));
     rate_row<D>(row, h, x, [K = row(h.closure, 1)](int i) { return K[i]; });
   }
   other_rates_of_row<D>(row, h, o, x);

@@ -14,7 +14,7 @@
 namespace sluice::ice {
 
 inline bool holds_velocities(const SchemeOptions& o) {
-  return o.boundary != nullptr && o.boundary->holds_velocities();
+  return o.grid.boundary != nullptr && o.grid.boundary->holds_velocities();
 }
 
 // `u`: given, along the axis; the fluid enters with the sound speed of the ghost cell.
@@ -33,10 +33,10 @@ void for_each_held_face(const Row& row, const SchemeOptions& o, int axis, In vel
   const double *ua = row(velocity, axis, axis, -1), *ub = row(velocity, axis);
   const double *ca = row(sound, 0, axis, -1), *cb = row(sound);
   for_each_side_face(
-      row, o, axis, [&](Side side) { return o.boundary->holds_velocities(side); },
+      row, o, axis, [&](Side side) { return o.grid.boundary->holds_velocities(side); },
       [&](int i, IntVec3 cell, Side side, bool plus) {
-        if (!o.boundary->holds_velocity(side, cell)) return;
-        const double u = o.boundary->held_velocity(side, cell, plus ? ub[i] : ua[i], middle);
+        if (!o.grid.boundary->holds_velocity(side, cell)) return;
+        const double u = o.grid.boundary->held_velocity(side, cell, plus ? ub[i] : ua[i], middle);
         if (is_subsonic(u, plus, plus ? ca[i] : cb[i], plus ? cb[i] : ca[i])) f(i, plus, u);
       });
 }
@@ -45,21 +45,22 @@ void for_each_held_face(const Row& row, const SchemeOptions& o, int axis, In vel
 template <class F>
 void for_each_held_ghost(const Row& row, const SchemeOptions& o, In velocity, In sound, F&& f) {
   if (!holds_velocities(o)) return;
-  for (int axis = 0; axis < o.axes.count; ++axis) {
-    const int d = o.axes.direction[axis];
+  for (int axis = 0; axis < o.grid.axes.count; ++axis) {
+    const int d = o.grid.axes.direction[axis];
     const double *u = row(velocity, axis), *c = row(sound);
     for (const bool plus : {false, true}) {
       const Side side = side_of(d, plus);
-      if (!o.boundary->holds_velocities(side)) continue;
-      const int outside = plus ? o.domain.upper[d] : o.domain.lower[d] - 1;
+      if (!o.grid.boundary->holds_velocities(side)) continue;
+      const int outside = plus ? o.grid.domain.upper[d] : o.grid.domain.lower[d] - 1;
       IntVec3 cell = row.cell();
       const int first = axis == 0 ? std::max(outside - cell[d], 0) : 0;
       const int end = axis == 0 ? std::min(outside - cell[d] + 1, row.count()) : row.count();
       if (axis != 0 && cell[d] != outside) continue;
-      cell[o.axes.direction[0]] += first;
+      cell[o.grid.axes.direction[0]] += first;
       for (int i = first; i < end; ++i) {
-        if (o.boundary->holds_velocity(side, cell) && is_subsonic(u[i], plus, c[i], c[i])) f(i);
-        ++cell[o.axes.direction[0]];
+        if (o.grid.boundary->holds_velocity(side, cell) && is_subsonic(u[i], plus, c[i], c[i]))
+          f(i);
+        ++cell[o.grid.axes.direction[0]];
       }
     }
   }
@@ -69,7 +70,7 @@ void for_each_held_ghost(const Row& row, const SchemeOptions& o, In velocity, In
 inline void leave_held_ghosts(const Row& row, const SchemeOptions& o, In velocity, In sound,
                               Out impulse) {
   for_each_held_ghost(row, o, velocity, sound, [&](int i) {
-    for (int c = 0; c < o.components; ++c) row(impulse, c)[i] = 0.0;
+    for (int c = 0; c < o.grid.components; ++c) row(impulse, c)[i] = 0.0;
   });
 }
 

@@ -23,10 +23,10 @@ struct ImpulseConstants {
 
 inline ImpulseConstants impulse_constants(const SchemeOptions& o, const StepConstants& step) {
   ImpulseConstants s;
-  for (int c = 0; c < o.components; ++c) {
-    s.l[c] = step.dt / step.spacing[o.direction[c]];
-    s.kick[c] = step.dt * o.gravity[o.direction[c]];
-    s.push[c] = step.dt * o.force[o.direction[c]];
+  for (int c = 0; c < o.grid.components; ++c) {
+    s.l[c] = step.dt / step.spacing[o.grid.direction[c]];
+    s.kick[c] = step.dt * o.forces.gravity[o.grid.direction[c]];
+    s.push[c] = step.dt * o.forces.driving[o.grid.direction[c]];
   }
   return s;
 }

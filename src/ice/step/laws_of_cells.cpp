@@ -8,9 +8,9 @@ namespace sluice::ice {
 
 LawsOfCells::LawsOfCells(TaskBuilder& task, TaskList& list, const SchemeOptions& o, When when,
                          Stencil stencil)
-    : fluids_(o.mixture ? o.fluids : std::vector{o.fluid}),
-      first_(o.mixture ? 0 : o.material),
-      gas_(o.mixed) {
+    : fluids_(o.materials.mixture ? o.materials.fluids : std::vector{o.materials.fluid}),
+      first_(o.materials.mixture ? 0 : o.materials.index),
+      gas_(o.materials.mixed) {
   if (gas_ == nullptr) return;
   for (const models::TransportedScalar* f : fractions_of(o))
     fractions_.push_back(task.read(when == When::old_state
@@ -21,8 +21,8 @@ LawsOfCells::LawsOfCells(TaskBuilder& task, TaskList& list, const SchemeOptions&
 
 std::vector<const models::TransportedScalar*> fractions_of(const SchemeOptions& o) {
   std::vector<const models::TransportedScalar*> all;
-  for (const std::string& name : o.mixed->fractions)
-    all.push_back(&*std::find_if(o.scalars.begin(), o.scalars.end(),
+  for (const std::string& name : o.materials.mixed->fractions)
+    all.push_back(&*std::find_if(o.materials.scalars.begin(), o.materials.scalars.end(),
                                  [&](const auto& s) { return s.name == name; }));
   return all;
 }

@@ -13,7 +13,7 @@ namespace sluice::ice {
 
 // Whether the law of material m differs from cell to cell.
 inline bool is_mixed(const SchemeOptions& o, std::size_t m) {
-  return is_mixed(o.mixed, m);
+  return is_mixed(o.materials.mixed, m);
 }
 
 class LawsOfCells {

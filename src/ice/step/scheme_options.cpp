@@ -2,76 +2,112 @@
 #include "ice/step/scheme_options.hpp"
 
 #include "framework/refine/face_table.hpp"
+#include "ice/deck/ice_scene.hpp"
 #include "ice/deck/transport_settings.hpp"
 #include "ice/step/laws_of_cells.hpp"
+#include "ice/step/variables.hpp"
 #include "models/scalars/transported_scalar.hpp"
 
 namespace sluice::ice {
 
 namespace {
 
-void take_directions(const Scene& scene, SchemeOptions& o) {
+GridOptions grid_options(const Scene& scene) {
   const Level& level = scene.grid.levels.front();
-  o.axes = active_axes(level);
-  o.components = 0;
-  for (int a = 0; a < o.axes.count; ++a) o.direction[o.components++] = o.axes.direction[a];
+  GridOptions g;
+  g.axes = active_axes(level);
+  g.components = 0;
+  for (int a = 0; a < g.axes.count; ++a) g.direction[g.components++] = g.axes.direction[a];
   for (int d = 0; d < 3; ++d)
-    if (scene.directions[d].velocity == VelocityComponent::carried) o.direction[o.components++] = d;
-  o.domain = level.domain;
-  o.periodic = level.periodic;
+    if (scene.directions[d].velocity == VelocityComponent::carried) g.direction[g.components++] = d;
+  g.domain = level.domain;
+  g.periodic = level.periodic;
+  return g;
 }
 
-void take_exchange(const IceScene& ice, SchemeOptions& o) {
-  o.heat_exchange = ice.exchange.heat;
-  o.multi_velocity = !ice.one_velocity();
-  o.drag = ice.exchange.momentum;
-  if (ice.materials.size() < 2) return;
-  if (ice.exchange.slip && ice.exchange.slip->use_slip_coefficients)
-    o.multi_velocity_exchange = ice.exchange.slip;
-  o.convective = ice.exchange.convective;
-}
-
-void take_forces(const Scene& scene, const IceScene& ice, SchemeOptions& o) {
-  o.gravity = scene.constants.gravity;
-  o.force = ice.driving_force.force;
-  o.force_on = ice.driving_force.on();
-  o.gravity_on = !(o.gravity == Vec3{}) || o.force_on;
-  const bool summed = o.force_on || (o.gravity_on && scene.grid.levels.size() > 1);
-  o.sums = summed ? StepSlots::sums_with_gravity : StepSlots::sums;
-}
-
-// After the exchange: what passes between materials is conducted too.
-void take_friction_and_conduction(const IceScene& ice, const Level& level, SchemeOptions& o) {
-  for (const IceMaterial& each : ice.materials) {
-    o.viscosities.push_back(each.viscosity);
-    o.conductivities.push_back(each.conductivity);
-    o.viscous = o.viscous || each.viscous();
-    o.conducting = o.conducting || each.conductivity > 0;
+MaterialOptions material_options(const IceScene& ice) {
+  MaterialOptions m;
+  m.fluid = ice.materials.front().fluid;
+  for (const IceMaterial& each : ice.materials) m.fluids.push_back(each.fluid);
+  m.scalars = ice.models.scalars;
+  m.heat_exchange = ice.exchange.heat;
+  m.multi_velocity = !ice.one_velocity();
+  m.drag = ice.exchange.momentum;
+  if (ice.materials.size() > 1) {
+    if (ice.exchange.slip && ice.exchange.slip->use_slip_coefficients)
+      m.multi_velocity_exchange = ice.exchange.slip;
+    m.convective = ice.exchange.convective;
   }
-  o.viscosity = o.viscosities.front();
-  o.conductivity = o.conductivities.front();
-  o.transports = transport_models(ice, level);
-  o.transport = o.transports.front();
-  o.viscosity_varies = o.transport.molecular_varies() || ice.turbulence;
-  o.conducting = o.conducting || ice.turbulence || o.convective;
-  o.conductivity_varies = ice.turbulence.has_value();
+  if (ice.models.mixed) {
+    const models::MixedGas& gas = *ice.models.mixed;
+    m.mixed = &gas;
+    m.releases_heat = gas.releases_heat();
+    Fluid& fluid = m.fluids[gas.material];
+    fluid = ideal_gas(gas.highest_gamma(), gas.lowest_specific_heat());
+    if (m.fluids.size() == 1) m.fluid = fluid;
+  }
+  return m;
 }
 
-// Sets what the gas changes; `o` has the scalars and coefficients of the deck.
-void take_mixed_gas(const models::MixedGas& gas, SchemeOptions& o) {
-  o.mixed = &gas;
-  o.releases_heat = gas.releases_heat();
-  o.density_bound = DensityBound::as_energy;
-  Fluid& fluid = o.fluids[gas.material];
-  fluid = ideal_gas(gas.highest_gamma(), gas.lowest_specific_heat());
-  if (o.fluids.size() == 1) o.fluid = fluid;
+MethodOptions method_options(const Scene& scene, const IceScene& ice) {
+  MethodOptions s;
+  s.internal_energy_form = ice.internal_energy_form;
+  s.implicit = ice.implicit.has_value();
+  s.second_order = ice.second_order;
+  s.shears_shocks = shears_shocks(scene, ice);
+  s.compatible_fluxes = ice.compatible_fluxes;
+  s.cfl = ice.cfl;
+  s.sound_speed_factor = ice.sound_speed_factor;
+  s.diffusion_factor = ice.diffusion_factor;
+  s.conservative_time_step = ice.conservative_time_step;
+  if (ice.models.mixed) s.density_bound = FaceDensityLimiter::as_energy;
+  return s;
+}
+
+ForceOptions force_options(const Scene& scene, const IceScene& ice) {
+  ForceOptions f;
+  f.gravity = scene.constants.gravity;
+  f.driving = ice.driving_force.force;
+  f.driving_on = ice.driving_force.on();
+  f.on = !(f.gravity == Vec3{}) || f.driving_on;
+  return f;
+}
+
+// `o` has its materials: what passes between them is conducted too.
+TransportOptions transport_options(const IceScene& ice, const Level& level,
+                                   const SchemeOptions& o) {
+  TransportOptions t;
+  for (const IceMaterial& each : ice.materials) {
+    t.viscosities.push_back(each.viscosity);
+    t.conductivities.push_back(each.conductivity);
+    t.viscous = t.viscous || each.viscous();
+    t.conducting = t.conducting || each.conductivity > 0;
+  }
+  t.viscosity = t.viscosities.front();
+  t.conductivity = t.conductivities.front();
+  t.models_of_each = transport_models(ice, level);
+  t.models = t.models_of_each.front();
+  t.viscosity_varies = t.models.molecular_varies() || ice.turbulence;
+  t.conducting = t.conducting || ice.turbulence || o.materials.convective;
+  t.conductivity_varies = ice.turbulence.has_value();
+  if (!ice.models.mixed) return t;
+  const models::MixedGas& gas = *ice.models.mixed;
   // What spreads of the fractions carries enthalpy.
-  o.spreads_species = gas.species && gas.species->diffuses;
-  if (o.spreads_species) o.viscous = o.viscosity_varies = true;
-  o.conducting = o.conducting || o.spreads_species || fraction_of(o).diffusivity > 0;
-  const bool several = o.fluids.size() > 1;
-  const bool conducts = several ? o.conductivities[gas.material] > 0 : o.conducting;
-  o.conductivity_varies = o.conductivity_varies || (gas.species ? o.spreads_species : conducts);
+  t.spreads_species = gas.species && gas.species->diffuses;
+  if (t.spreads_species) t.viscous = t.viscosity_varies = true;
+  t.conducting = t.conducting || t.spreads_species || fraction_of(o).diffusivity > 0;
+  const bool several = o.materials.fluids.size() > 1;
+  const bool conducts = several ? t.conductivities[gas.material] > 0 : t.conducting;
+  t.conductivity_varies = t.conductivity_varies || (gas.species ? t.spreads_species : conducts);
+  return t;
+}
+
+// `o` has its materials and forces, which are summed up.
+AccountOptions account_options(const Scene& scene, const SchemeOptions& o) {
+  AccountOptions a;
+  const bool summed = o.forces.driving_on || (o.forces.on && scene.grid.levels.size() > 1);
+  a.sums = summed ? StepSlots::sums_with_gravity : StepSlots::sums;
+  return a;
 }
 
 }  // namespace
@@ -94,25 +130,37 @@ bool shears_shocks(const Scene& scene, const IceScene& ice) {
 
 SchemeOptions scheme_options(const Scene& scene, const IceScene& ice) {
   SchemeOptions o;
-  take_directions(scene, o);
-  o.fluid = ice.materials.front().fluid;
-  for (const IceMaterial& each : ice.materials) o.fluids.push_back(each.fluid);
-  o.scalars = ice.models.scalars;
-  take_exchange(ice, o);
-  take_forces(scene, ice, o);
-  take_friction_and_conduction(ice, scene.grid.levels.front(), o);
-  o.first_source_sum = o.sums + static_cast<int>(o.fluids.size()) - 1;
-  o.internal_energy_form = ice.internal_energy_form;
-  o.implicit = ice.implicit.has_value();
-  o.second_order = ice.second_order;
-  o.shears_shocks = shears_shocks(scene, ice);
-  o.compatible_fluxes = ice.compatible_fluxes;
-  o.cfl = ice.cfl;
-  o.sound_speed_factor = ice.sound_speed_factor;
-  o.diffusion_factor = ice.diffusion_factor;
-  o.conservative_time_step = ice.conservative_time_step;
-  if (ice.models.mixed) take_mixed_gas(*ice.models.mixed, o);
+  o.grid = grid_options(scene);
+  o.materials = material_options(ice);
+  o.scheme = method_options(scene, ice);
+  o.forces = force_options(scene, ice);
+  o.transport = transport_options(ice, scene.grid.levels.front(), o);
+  o.accounts = account_options(scene, o);
   return o;
+}
+
+void select_material(SchemeOptions& o, const IceScene& ice, int index) {
+  MaterialOptions& m = o.materials;
+  m.index = index;
+  m.fluid = m.fluids[index];
+  TransportOptions& t = o.transport;
+  if (!is_mixed(o, index)) {
+    m.mixed = nullptr;
+    o.scheme.density_bound = FaceDensityLimiter::sharp;
+    t.conductivity_varies = ice.turbulence.has_value();
+  }
+  if (m.fluids.size() == 1) return;
+  t.models = t.models_of_each[index];
+  t.viscosity = t.viscosities[index];
+  t.viscous = ice.materials[index].viscous();
+  t.viscosity_varies = t.models.molecular_varies() || ice.turbulence;
+  t.conductivity = t.conductivities[index];
+  t.conducting = t.conductivity > 0 || ice.turbulence;
+}
+
+void select_mixture(SchemeOptions& o) {
+  o.materials.mixture = true;
+  o.transport.viscosity_varies = o.transport.viscous;
 }
 
 }  // namespace sluice::ice

@@ -68,11 +68,19 @@ struct ShockShearReads {
   Out impulse;
 };
 
-inline ShockShearReads read_shock_shear(TaskBuilder& task, const SchemeVariables& v) {
+// What the Lagrangian phase takes of it.
+struct ShockShearInput {
+  VariableId shear, marks, rho, velocity;
+
+  static ShockShearInput of(const SchemeVariables& v) {
+    return {.shear = v.shear, .marks = v.shear_marks, .rho = v.rho, .velocity = v.velocity};
+  }
+};
+inline ShockShearReads read_shock_shear(TaskBuilder& task, const ShockShearInput& v) {
   ShockShearReads h;
   const Stencil and_above{{}, IntVec3::all(1)};  // the high faces are the low ones of these
   h.strength = task.read(v.shear, and_above);
-  h.marks = task.read(v.shear_marks, and_above);
+  h.marks = task.read(v.marks, and_above);
   h.rho = task.read(v.rho, Stencil::box(1));
   h.velocity = task.read(v.velocity, Stencil::box(1));
   return h;

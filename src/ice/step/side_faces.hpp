@@ -9,11 +9,11 @@ namespace sluice::ice {
 // on a side that takes(side); plus: the cell inside is on the low side.
 template <class Takes, class F>
 void for_each_side_face(const Row& row, const SchemeOptions& o, int axis, Takes&& takes, F&& f) {
-  const int d = o.axes.direction[axis];
+  const int d = o.grid.axes.direction[axis];
   for (const bool plus : {false, true}) {
     const Side side = side_of(d, plus);
     if (!takes(side)) continue;
-    const int face = plus ? o.domain.upper[d] : o.domain.lower[d];
+    const int face = plus ? o.grid.domain.upper[d] : o.grid.domain.lower[d];
     IntVec3 cell = row.cell();
     if (axis == 0) {
       const int i = face - cell[d];
@@ -23,7 +23,7 @@ void for_each_side_face(const Row& row, const SchemeOptions& o, int axis, Takes&
     if (cell[d] != face) continue;
     for (int i = 0; i < row.count(); ++i) {
       f(i, cell, side, plus);
-      ++cell[o.axes.direction[0]];
+      ++cell[o.grid.axes.direction[0]];
     }
   }
 }

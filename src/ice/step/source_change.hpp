@@ -31,8 +31,8 @@ struct SourceChange {
 // Of a graph.
 inline SourceChange source_change(const SchemeOptions& o) {
   SourceChange layout;
-  layout.components = o.components;
-  layout.materials = o.mixture ? static_cast<int>(o.fluids.size()) : 1;
+  layout.components = o.grid.components;
+  layout.materials = o.materials.mixture ? static_cast<int>(o.materials.fluids.size()) : 1;
   return layout;
 }
 

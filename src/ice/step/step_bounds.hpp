@@ -13,7 +13,7 @@ constexpr double max_in_all = 1.0;
 
 // Share of the sum that counts as the rate of sound.
 inline double sound_sum_share(const SchemeOptions& o) {
-  return o.internal_energy_form ? 0.0 : max_in_one_direction / max_in_all;
+  return o.scheme.internal_energy_form ? 0.0 : max_in_one_direction / max_in_all;
 }
 
 }  // namespace sluice::ice

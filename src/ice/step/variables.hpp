@@ -1,122 +1,22 @@
-// The variables of one step of the conservative scheme, and the options its tasks depend on.
+// The variables of one step of the conservative scheme.
 //
 // Axes are the active directions in order; component c < axes of momentum and velocity is along
 // axis c, further components are carried passively.
 #pragma once
-#include <algorithm>
 #include <array>
-#include <optional>
-#include <span>
 #include <vector>
 
-#include "framework/grid/index_box.hpp"
 #include "framework/task/task.hpp"
-#include "ice/deck/exchange_settings.hpp"
-#include "ice/deck/transport_settings.hpp"
-#include "ice/fluid/fluid.hpp"
-
-namespace sluice::models {
-class MixedGas;
-struct TransportedScalar;
-}  // namespace sluice::models
-
-namespace sluice {
-struct Level;
-class LevelCoverage;
-class VolumeFaces;
-struct FluxRecorder;
-}  // namespace sluice
+#include "ice/step/scheme_options.hpp"
 
 namespace sluice::ice {
 
-class BoundaryFill;
-class Sources;
-
-// What bounds the density on a face: sharp keeps contacts in slow flow two to three cells wide; as
-// energy keeps what is linear in both linear, so that gases of one pressure and temperature raise
-// no waves where they mix.
-enum class DensityBound { sharp, as_energy };
-
-struct SchemeOptions {
-  IndexOffsets places;  // of this part among those of the component
-  Axes axes;
-  int components = 1;                     // of momentum, axes.count <= components <= 3
-  std::array<int, 3> direction{0, 1, 2};  // level direction of each component
-  Fluid fluid;                            // of the one material that this graph is for
-  int material = 0;                       // its index
-  bool mixture = false;                   // the graph of blocks with several materials
-  std::vector<Fluid> fluids;              // of all materials
-  PairCoefficients heat_exchange;
-  bool multi_velocity = false;  // several materials that move apart: multi_velocity/tasks.hpp
-  PairCoefficients drag;        // K, kg/(m^3 s)
-  std::optional<MultiVelocityExchange> multi_velocity_exchange;  // at the surface of one material
-  std::optional<ConvectiveExchange> convective;
-  int sums = 8;                       // exact sums before those of further materials: see StepSlots
-  bool internal_energy_form = false;  // the classic form, see internal_energy_form/
-  bool implicit = false;              // one pressure is solved for, see pressure/
-  bool has_cut_cells = false;         // the graph of blocks that solids meet: cut_cells/
-  bool solids = false;                // some blocks may meet solids
-  bool second_order = true;
-  bool shears_shocks = false;     // along strong shocks: shock_shear.hpp
-  bool compatible_fluxes = true;  // of the classic form
-  bool masked = false;            // a redo: slopes vanish where the mask says so
-  double sound_speed_factor = 1;  // weight of c in the deck's time-step rule
-  Vec3 gravity{};                 // m/s^2
-  Vec3 force{};                   // driving force, N/m^3
-  bool gravity_on = false;        // one of the two is there
-  bool force_on = false;
-  // Transport: one number for all cells, or the cell field of that name in SchemeVariables.
-  double viscosity = 0;  // dynamic, Pa s
-  bool viscous = false, viscosity_varies = false;
-  double conductivity = 0;  // W/(m K)
-  bool conducting = false, conductivity_varies = false;
-  std::vector<double> viscosities, conductivities;  // of all materials
-  TransportModels transport;                // what fills these fields, and friction on walls
-  std::vector<TransportModels> transports;  // of all materials
-  double diffusion_factor = 1;              // weight of diffusion in the deck's time-step rule
-  bool conservative_time_step = false;      // Scheme_for_delT_calc
-  double cfl = 0.4;
-  std::span<const models::TransportedScalar> scalars;  // of all materials
-  // Of the one gas, where its properties follow from a scalar: fluid/mixed_gas.hpp. `fluid` then
-  // has its highest gamma and lowest specific heat.
-  const models::MixedGas* mixed = nullptr;
-  bool releases_heat = false;    // by mixing or reactions
-  bool spreads_species = false;  // mu, k and D of each cell from its species
-  DensityBound density_bound = DensityBound::sharp;
-  const Level* level = nullptr;  // that this graph is for
-  IndexBox domain;               // cells of the physical domain
-  std::array<bool, 3> periodic{};
-  const BoundaryFill* boundary = nullptr;  // knows the walls
-  // With several levels: which cells count in sums, where fluxes are recorded.
-  const LevelCoverage* coverage = nullptr;
-  const FluxRecorder* recorder = nullptr;
-  bool meets_coarser = false;  // ghosts of the work pressure may be given by a coarser level
-  bool meets_finer = false;    // faces may be given by a finer level: pressure/finer_faces.hpp
-  bool shocks_leave = false;   // a level that shocks leave where it ends: recorder->ends
-  const VolumeFaces* volumes = nullptr;  // control volumes of analyses; null: none
-  int first_volume_sum = 0;              // of their sums among those of the step
-  const Sources* sources = nullptr;      // of the level; null: nothing adds to the state
-  int first_source_sum = 0;              // likewise
-
-  // The scene's number of one of the materials.
-  int place(int m) const { return places.material_of(m); }
-  // Whether a material of a mixture conducts heat, in itself or into another.
-  bool conducts(int m) const {
-    return conductivity_varies || conductivities[m] > 0 ||
-           (convective && (convective->fluid == m || convective->solid == m));
-  }
-  // Whether the molecular viscosity is a cell field: of a mixture it always is.
-  bool molecular_varies() const { return mixture || transport.molecular_varies(); }
-  // Whether that of a material of a mixture is one.
-  bool own_viscosity_varies() const {
-    return std::any_of(transports.begin(), transports.end(),
-                       [](const TransportModels& t) { return t.molecular_varies(); });
-  }
-  // Whether friction works on the velocity of a sharp front between two viscosities
-  // (face_mean.hpp); within one gas on the mean of two cells, which on a wall is the wall's.
-  bool friction_tilts() const { return mixture && viscosity_varies; }
-  // Is the work of pressures on a mixture a field of its own: elsewhere it is E - E*.
-  bool keeps_work() const { return mixture && (viscous || conducting || multi_velocity); }
+// Where solids cut cells (cut_cells/scalars.cpp): 1 in those; weight of slopes there, of all axes
+// and of each; the open share of faces.
+struct ScalarWalls {
+  bool has_cut_cells = false;
+  VariableId cut, slopes;
+  std::array<VariableId, 3> axis_slopes, open_share;
 };
 
 // Scalars that a graph carries; see scalars/variables.hpp.
@@ -138,11 +38,7 @@ struct ScalarVariables {
   VariableId base, half;
   // By axis: mass that passes; value of each scalar on the face, and what of it spreads.
   std::array<VariableId, 3> carrier, face, spread;
-  // Where solids cut cells (cut_cells/scalars.cpp): 1 in those; weight of slopes there, of all axes
-  // and of each; the open share of faces.
-  bool has_cut_cells = false;
-  VariableId cut, slopes;
-  std::array<VariableId, 3> axis_slopes, open_share;
+  ScalarWalls walls;
 };
 
 // Of a semi-implicit step: pressure/variables.hpp.
@@ -155,6 +51,11 @@ struct PressureVariables {
   VariableId interface;                                      // X- in ghosts beside a coarser level
   VariableId error;                                          // R
   std::array<VariableId, 3> finer_velocity, finer_pressure;  // by axis: finer_faces.hpp
+};
+
+// The new state as outputs see it: of the fluid itself, where solids cut cells.
+struct AfterVariables {
+  VariableId rho, momentum, energy;
 };
 
 // Where solids stand in the fluid: cut_cells/variables.hpp.
@@ -173,7 +74,13 @@ struct WallVariables {
   VariableId mass, momentum, inverse_mass, donor_velocity, base_mask;
   std::array<VariableId, 3> remap_mask;
   VariableId gives_old;  // 1 where donors give their old state: step/walled_donors.hpp
-  VariableId after_rho, after_momentum, after_energy;
+  AfterVariables after;  // of one material
+};
+
+// How the volume of cells moves: as the mixture does, unless each material has its own velocity
+// (multi_velocity/tasks.hpp). Faces and their pressures follow from it.
+struct VolumeVariables {
+  VariableId rho, inverse_rho, velocity, sound;
 };
 
 struct SchemeVariables {
@@ -184,6 +91,8 @@ struct SchemeVariables {
   VariableId rho_remap, momentum_remap, energy_remap;
   // Primitives of the old state.
   VariableId velocity, pressure, sound, inverse_rho;
+  VolumeVariables moving;
+  AfterVariables after;
   // Slopes along each axis of the normal velocity and the pressure; predicted pressure; transverse
   // advection of the normal velocity.
   VariableId velocity_slope, pressure_slope, predicted_pressure, transverse_velocity;
@@ -216,6 +125,21 @@ struct SchemeVariables {
   ScalarVariables scalars;
   PressureVariables solve;
   WallVariables walls;
+};
+
+// What the remap takes of the donor cells: all of it from the Lagrangian phase.
+struct DonorVariables {
+  VariableId inverse_J, rho_L, energy_L, velocity_L, courant, inverse_courant, energy_scale;
+
+  static DonorVariables of(const SchemeVariables& v) {
+    return {.inverse_J = v.inverse_J,
+            .rho_L = v.rho_L,
+            .energy_L = v.energy_L,
+            .velocity_L = v.velocity_L,
+            .courant = v.courant,
+            .inverse_courant = v.inverse_courant,
+            .energy_scale = v.energy_scale};
+  }
 };
 
 // The state and what both schemes compute of it: primitives, faces, stress, fluxes, impulse, E*.

@@ -8,11 +8,11 @@ namespace sluice::ice {
 // cell inside is on the low side.
 template <class F>
 void for_each_wall_face(const Row& row, const SchemeOptions& o, int axis, F&& f) {
-  if (o.boundary == nullptr) return;
+  if (o.grid.boundary == nullptr) return;
   for_each_side_face(
-      row, o, axis, [&](Side side) { return o.boundary->has_walls(side); },
+      row, o, axis, [&](Side side) { return o.grid.boundary->has_walls(side); },
       [&](int i, IntVec3 cell, Side side, bool plus) {
-        if (o.boundary->is_wall(side, cell)) f(i, plus);
+        if (o.grid.boundary->is_wall(side, cell)) f(i, plus);
       });
 }
 

@@ -45,7 +45,7 @@ void product_row(const Row& row, In rho, In velocity, Out out, const SchemeOptio
   using P = Products<C>;
   const VelocityRows<D, C> u(row, velocity, o, by_direction);
   const double* here[C];
-  for (int c = 0; c < C; ++c) here[c] = row(velocity, by_direction ? o.direction[c] : c);
+  for (int c = 0; c < C; ++c) here[c] = row(velocity, by_direction ? o.grid.direction[c] : c);
   const double* r = row(rho);
   double* q[P::count];
   for (int k = 0; k < P::count; ++k) q[k] = row(out, k);
@@ -75,7 +75,7 @@ void identity_row(const Row& row, In in, Out out, const SchemeOptions& o) {
   const double* q[P::count];
   for (int k = 0; k < P::count; ++k) q[k] = row(in, k);
   const double width = filter_width(o, row.step().spacing);
-  const double alpha = o.transport.turbulence->test_filter_width;
+  const double alpha = o.transport.models.turbulence->test_filter_width;
   double *LM = row(out, 0), *MM = row(out, 1);
   for (int i = 0; i < row.count(); ++i) {
     const auto S = [&](int a, int b) { return q[P::strain + P::pair(a, b)][i]; };
@@ -114,7 +114,7 @@ void eddy_row(const Row& row, In rho, In velocity, In identity, Out eddy, const 
 
 void add_dynamic_eddy_viscosity(const TransportTask& t, const StateVariables& state,
                                 VariableId eddy) {
-  dispatch(t.options.axes.count, t.options.components, [&]<int D, int C>() {
+  dispatch(t.options.grid.axes.count, t.options.grid.components, [&]<int D, int C>() {
     const SchemeOptions o = t.options;
     const bool by_direction = state.by_direction;
     constexpr int count = Products<C>::count;

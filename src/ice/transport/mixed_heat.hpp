@@ -9,13 +9,13 @@
 
 namespace sluice::ice::scalars {
 
-// k of each cell, into v.conductivity.
-void add_conductivity(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+// k of each cell.
+void add_conductivity(TaskList&, VariableId conductivity, const SchemeOptions&, int effect);
 
 struct SpreadingHandles {
   In fraction, mass;
 };
-SpreadingHandles read_spreading(TaskBuilder& task, TaskList& list, const SchemeVariables& v,
+SpreadingHandles read_spreading(TaskBuilder& task, TaskList& list, VariableId rho,
                                 const SchemeOptions& o, int axis);
 void add_carried_enthalpy(const Row& row, const SpreadingHandles& h, In temperature,
                           const SchemeOptions& o, int axis, double* q);

@@ -11,14 +11,16 @@
 namespace sluice::ice {
 
 void add_eddy_viscosity(const TransportTask& t, const StateVariables& state, VariableId eddy) {
-  if (t.options.transport.turbulence->dynamic) return add_dynamic_eddy_viscosity(t, state, eddy);
+  if (t.options.transport.models.turbulence->dynamic)
+    return add_dynamic_eddy_viscosity(t, state, eddy);
   TaskBuilder task = t.list.task(t.name + "eddy viscosity", t.effect);
   const In rho = task.read(state.rho), velocity = task.read(state.velocity, Stencil::box(1));
   const Out out = task.write(eddy);
-  dispatch(t.options.axes.count, t.options.components, [&]<int D, int C>() {
+  dispatch(t.options.grid.axes.count, t.options.grid.components, [&]<int D, int C>() {
     task.kernel([=, o = t.options, by_direction = state.by_direction](const Row& row) {
       const VelocityRows<D, C> u(row, velocity, o, by_direction);
-      const double length = o.transport.turbulence->constant * filter_width(o, row.step().spacing);
+      const double length =
+          o.transport.models.turbulence->constant * filter_width(o, row.step().spacing);
       const double square = length * length;
       const double* __restrict r = row(rho);
       double* __restrict mu = row(out);

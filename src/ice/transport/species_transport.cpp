@@ -42,11 +42,11 @@ void transport_row(const Row& row, const Handles& h, const SpeciesGas& gas, Tran
   }
 }
 
-void save_diffusivities(TaskList& list, const SchemeVariables& v, const SchemeOptions& o) {
+void save_diffusivities(TaskList& list, VariableId diffusivity, const SchemeOptions& o) {
   int place = 0;
   for (const models::TransportedScalar* s : fractions_of(o)) {
     TaskBuilder task = list.task("save " + s->diffusion().name(), effect_saved_intermediates);
-    const In in = task.read(v.scalars.diffusivity);
+    const In in = task.read(diffusivity);
     const Out out = task.write(list.output(s->diffusion(), s->material));
     task.kernel([=](const Row& row) {
       const double* from = row(in, place);
@@ -69,7 +69,7 @@ void add_species_coefficients(TaskBuilder task, TaskList& list, const SchemeOpti
   h.viscosity = task.write(v.viscosity);
   h.conductivity = task.write(v.conductivity);
   if (v.diffusivity.has_value()) h.diffusivity = task.write(*v.diffusivity);
-  const std::shared_ptr<const SpeciesGas> gas = o.mixed->species->gas;
+  const std::shared_ptr<const SpeciesGas> gas = o.materials.mixed->species->gas;
   const auto pool =
       std::make_shared<LendingPool<Transport>>([gas] { return std::make_unique<Transport>(*gas); });
   task.kernel([=](const Row& row) {
@@ -77,12 +77,12 @@ void add_species_coefficients(TaskBuilder task, TaskList& list, const SchemeOpti
   });
 }
 
-void add_species_transport(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+void add_species_transport(TaskList& list, const TransportInput& v, const SchemeOptions& o,
                            int effect) {
-  if (!o.spreads_species) return;
+  if (!o.transport.spreads_species) return;
   add_species_coefficients(list.task("transport of species", effect), list, o,
-                           {v.rho, v.energy, v.viscosity, v.conductivity, v.scalars.diffusivity});
-  save_diffusivities(list, v, o);
+                           {v.rho, v.energy, v.viscosity, v.conductivity, v.diffusivity});
+  save_diffusivities(list, v.diffusivity, o);
 }
 
 double species_coefficient(const SpeciesGas& gas, Transport& transport, double rho, double rho_e,
@@ -99,23 +99,23 @@ double species_coefficient(const SpeciesGas& gas, Transport& transport, double r
   return most;
 }
 
-SpeciesFluxHandles read_species_flux(TaskBuilder& task, TaskList& list, const SchemeVariables& v,
+SpeciesFluxHandles read_species_flux(TaskBuilder& task, TaskList& list, const SpeciesFluxInput& v,
                                      const SchemeOptions& o, int axis) {
   SpeciesFluxHandles h;
-  if (!o.spreads_species) return h;
-  const Stencil both = Stencil::along(o.axes.direction[axis], 1, 0);
+  if (!o.transport.spreads_species) return h;
+  const Stencil both = Stencil::along(o.grid.axes.direction[axis], 1, 0);
   for (const models::TransportedScalar* f : fractions_of(o))
     h.fractions.push_back(task.read(list.old_state(f->state(), f->material, 1), both));
   h.mass = task.read(v.rho, both);
-  h.diffusivity = task.read(v.scalars.diffusivity, both);
+  h.diffusivity = task.read(v.diffusivity, both);
   return h;
 }
 
 void add_species_enthalpy(const Row& row, const SpeciesFluxHandles& h, In temperature,
                           const SchemeOptions& o, int axis, double* __restrict q) {
   if (h.fractions.empty()) return;
-  const SpeciesGas& gas = *o.mixed->species->gas;
-  const double inverse = 1.0 / row.step().spacing[o.axes.direction[axis]];
+  const SpeciesGas& gas = *o.materials.mixed->species->gas;
+  const double inverse = 1.0 / row.step().spacing[o.grid.axes.direction[axis]];
   const double *Ta = row(temperature, 0, axis, -1), *Tb = row(temperature);
   const double *Ma = row(h.mass, 0, axis, -1), *Mb = row(h.mass);
   for (std::size_t k = 0; k < h.fractions.size(); ++k) {

@@ -26,8 +26,26 @@ struct SpeciesCoefficients {
 // A task that fills them.
 void add_species_coefficients(TaskBuilder task, TaskList& list, const SchemeOptions& o,
                               const SpeciesCoefficients& v);
-// Those of a step: into v.viscosity, v.conductivity and v.scalars.diffusivity.
-void add_species_transport(TaskList&, const SchemeVariables&, const SchemeOptions&, int effect);
+
+// The coefficients of a step, and the state from which they follow.
+struct TransportInput {
+  VariableId rho, energy, velocity;
+  VariableId viscosity, conductivity;              // written
+  VariableId molecular_viscosity, eddy_viscosity;  // written, with turbulence
+  VariableId diffusivity;                          // written, of species that spread
+
+  static TransportInput of(const SchemeVariables& v) {
+    return {.rho = v.rho,
+            .energy = v.energy,
+            .velocity = v.velocity,
+            .viscosity = v.viscosity,
+            .conductivity = v.conductivity,
+            .molecular_viscosity = v.molecular_viscosity,
+            .eddy_viscosity = v.eddy_viscosity,
+            .diffusivity = v.scalars.diffusivity};
+  }
+};
+void add_species_transport(TaskList&, const TransportInput&, const SchemeOptions&, int effect);
 
 // The largest of mu, lambda/cv and rho D_k of one state, Pa s: what bounds the first step.
 double species_coefficient(const kinetics::SpeciesGas& gas, kinetics::Transport& transport,
@@ -37,7 +55,10 @@ struct SpeciesFluxHandles {
   std::vector<In> fractions;
   In mass, diffusivity;
 };
-SpeciesFluxHandles read_species_flux(TaskBuilder& task, TaskList& list, const SchemeVariables& v,
+struct SpeciesFluxInput {
+  VariableId rho, diffusivity;
+};
+SpeciesFluxHandles read_species_flux(TaskBuilder& task, TaskList& list, const SpeciesFluxInput& v,
                                      const SchemeOptions& o, int axis);
 // Adds to q, W/m^2.
 void add_species_enthalpy(const Row& row, const SpeciesFluxHandles& h, In temperature,

@@ -9,9 +9,9 @@ class VelocityRows {
  public:
   // by_direction: components are those of the level, else those of the scheme.
   VelocityRows(const Row& row, In velocity, const SchemeOptions& o, bool by_direction) {
-    for (int t = 0; t < D; ++t) half_[t] = 0.5 / row.step().spacing[o.axes.direction[t]];
+    for (int t = 0; t < D; ++t) half_[t] = 0.5 / row.step().spacing[o.grid.axes.direction[t]];
     for (int c = 0; c < C; ++c) {
-      const int component = by_direction ? o.direction[c] : c;
+      const int component = by_direction ? o.grid.direction[c] : c;
       for (int t = 0; t < D; ++t) {
         minus_[c][t] = row(velocity, component, t, -1);
         plus_[c][t] = row(velocity, component, t, 1);

@@ -20,7 +20,7 @@ void stress_row(const Row& row, const VelocityRows<D, C>& u, const SchemeOptions
                 In eddy, Out normal, Out shear) {
   const int n = row.count();
   const double *r = row(rho), *mu_t = row(eddy);
-  const auto direction = [&](int c) { return o.direction[c]; };
+  const auto direction = [&](int c) { return o.grid.direction[c]; };
   for (int d = 0; d < 3; ++d) {
     double* R = row(normal, d);
     std::fill_n(row(shear, d), n, 0.0);
@@ -48,7 +48,7 @@ void add_subgrid_stress(const TransportTask& t, const StateVariables& state, Var
   const In rho = task.read(state.rho), mu_t = task.read(eddy);
   const In velocity = task.read(state.velocity, Stencil::box(1));
   const Out normal = task.write(stress.normal), shear = task.write(stress.shear);
-  dispatch(t.options.axes.count, t.options.components, [&]<int D, int C>() {
+  dispatch(t.options.grid.axes.count, t.options.grid.components, [&]<int D, int C>() {
     task.kernel([=, o = t.options, by_direction = state.by_direction](const Row& row) {
       const VelocityRows<D, C> u(row, velocity, o, by_direction);
       stress_row(row, u, o, rho, mu_t, normal, shear);

@@ -7,7 +7,7 @@ namespace {
 void add_along(const TransportTask& t, VariableId from, VariableId to, int components, int axis,
                const std::string& name) {
   TaskBuilder task = t.list.task(t.name + "filter " + name, t.effect);
-  const In in = task.read(from, Stencil::along(t.options.axes.direction[axis], 1, 1));
+  const In in = task.read(from, Stencil::along(t.options.grid.axes.direction[axis], 1, 1));
   const Out out = task.write(to);
   task.kernel([=](const Row& row) {
     const int n = row.count();
@@ -24,8 +24,8 @@ void add_along(const TransportTask& t, VariableId from, VariableId to, int compo
 void add_in_plane(const TransportTask& t, VariableId from, VariableId to, int components,
                   const std::string& name) {
   TaskBuilder task = t.list.task(t.name + "filter " + name, t.effect);
-  Stencil around = Stencil::along(t.options.axes.direction[0], 1, 1);
-  around.low[t.options.axes.direction[1]] = around.high[t.options.axes.direction[1]] = 1;
+  Stencil around = Stencil::along(t.options.grid.axes.direction[0], 1, 1);
+  around.low[t.options.grid.axes.direction[1]] = around.high[t.options.grid.axes.direction[1]] = 1;
   const In in = task.read(from, around);
   const Out out = task.write(to);
   task.kernel([=](const Row& row) {
@@ -51,7 +51,7 @@ void add_in_plane(const TransportTask& t, VariableId from, VariableId to, int co
 VariableId add_test_filter(const TransportTask& t, VariableId variable, int components,
                            const std::string& name) {
   const VariableId filtered = t.list.temporary(t.name + "filtered " + name, components);
-  const int axes = t.options.axes.count;
+  const int axes = t.options.grid.axes.count;
   if (axes == 1) {
     add_along(t, variable, filtered, components, 0, name);
     return filtered;

@@ -22,7 +22,7 @@ void sponge_row(const Row& row, int direction, const TransportModels::Sponge& sp
 }
 
 // The total viscosity, and k + cp mu_t/Pr_t.
-void add_totals(const TransportTask& t, const SchemeVariables& v) {
+void add_totals(const TransportTask& t, const TransportInput& v) {
   TaskBuilder task = t.list.task(t.name + "total viscosity", t.effect);
   const In eddy = task.read(v.eddy_viscosity), rho = task.read(v.rho), E = task.read(v.energy);
   const bool varies = t.options.molecular_varies();
@@ -34,9 +34,10 @@ void add_totals(const TransportTask& t, const SchemeVariables& v) {
     const double* __restrict mu_t = row(eddy);
     const double* __restrict mu = varies ? row(molecular) : nullptr;
     double* __restrict total = row(viscosity);
-    for (int i = 0; i < n; ++i) total[i] = (varies ? mu[i] : o.viscosity) + mu_t[i];
-    laws.of_one(row).conductivity_with_eddies(n, o.conductivity, o.transport.turbulence->prandtl,
-                                              row(rho), row(E), mu_t, row(conductivity));
+    for (int i = 0; i < n; ++i) total[i] = (varies ? mu[i] : o.transport.viscosity) + mu_t[i];
+    laws.of_one(row).conductivity_with_eddies(n, o.transport.conductivity,
+                                              o.transport.models.turbulence->prandtl, row(rho),
+                                              row(E), mu_t, row(conductivity));
   });
 }
 
@@ -44,11 +45,11 @@ void add_totals(const TransportTask& t, const SchemeVariables& v) {
 
 double filter_width(const SchemeOptions& o, Vec3 spacing) {
   double volume = 1;
-  for (int a = 0; a < o.axes.count; ++a) volume *= spacing[o.axes.direction[a]];
-  const double cell = o.axes.count == 1   ? volume
-                      : o.axes.count == 2 ? std::sqrt(volume)
-                                          : std::cbrt(volume);
-  return o.transport.turbulence->filter_width * cell;
+  for (int a = 0; a < o.grid.axes.count; ++a) volume *= spacing[o.grid.axes.direction[a]];
+  const double cell = o.grid.axes.count == 1   ? volume
+                      : o.grid.axes.count == 2 ? std::sqrt(volume)
+                                               : std::cbrt(volume);
+  return o.transport.models.turbulence->filter_width * cell;
 }
 
 void MolecularViscosity::operator()(const Row& row, const LawRow& law, const double* rho,
@@ -69,15 +70,16 @@ void add_molecular_viscosity(const TransportTask& t, const StateVariables& state
   const In rho = task.read(state.rho), E = task.read(state.energy);
   const Out out = task.write(viscosity);
   const SchemeOptions& o = t.options;
-  const MolecularViscosity viscous{o.transport, o.viscosity, o.axes.direction[0]};
+  const MolecularViscosity viscous{o.transport.models, o.transport.viscosity,
+                                   o.grid.axes.direction[0]};
   const LawsOfCells laws(task, t.list, o);
   task.kernel([=](const Row& row) { viscous(row, laws.of_one(row), row(rho), row(E), row(out)); });
 }
 
-void add_transport(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+void add_transport(TaskList& list, const TransportInput& v, const SchemeOptions& o,
                    int viscosity_effect, int turbulence_effect) {
-  if (o.spreads_species) return add_species_transport(list, v, o, viscosity_effect);
-  const bool turbulent = o.transport.turbulence.has_value();
+  if (o.transport.spreads_species) return add_species_transport(list, v, o, viscosity_effect);
+  const bool turbulent = o.transport.models.turbulence.has_value();
   const StateVariables state{v.rho, v.energy, v.velocity};
   if (o.molecular_varies())
     add_molecular_viscosity({list, o, viscosity_effect, ""}, state,

@@ -6,6 +6,7 @@
 
 #include "ice/fluid/law_row.hpp"
 #include "ice/step/variables.hpp"
+#include "ice/transport/species_transport.hpp"
 
 namespace sluice::ice {
 
@@ -43,8 +44,8 @@ void add_eddy_viscosity(const TransportTask& task, const StateVariables& state, 
 void add_dynamic_eddy_viscosity(const TransportTask& task, const StateVariables& state,
                                 VariableId eddy);
 
-// All fields that the step of the scheme needs: v.viscosity, v.conductivity, what they are made of.
-void add_transport(TaskList& list, const SchemeVariables& v, const SchemeOptions& o,
+// All fields that the step of the scheme needs: viscosity, conductivity, what they are made of.
+void add_transport(TaskList& list, const TransportInput& v, const SchemeOptions& o,
                    int viscosity_effect, int turbulence_effect);
 
 // Delta, m.

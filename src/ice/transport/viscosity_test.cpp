@@ -14,9 +14,9 @@ namespace {
 
 SchemeOptions cube() {
   SchemeOptions o;
-  o.axes = {3, {0, 1, 2}};
-  o.components = 3;
-  o.fluid = ideal_gas(1.4, 1.0);
+  o.grid.axes = {3, {0, 1, 2}};
+  o.grid.components = 3;
+  o.materials.fluid = ideal_gas(1.4, 1.0);
   return o;
 }
 
@@ -24,9 +24,9 @@ SchemeOptions cube() {
 std::string tasks(const SchemeOptions& o) {
   TaskList list;
   const SchemeVariables v = declare_conservative_variables(list, o);
-  add_transport(list, v, o, effect_viscosity, effect_turbulence);
-  add_viscous_stress(list, v, o, effect_viscosity);
-  add_heat_flux(list, v, o, effect_conduction);
+  add_transport(list, TransportInput::of(v), o, effect_viscosity, effect_turbulence);
+  add_viscous_stress(list, ViscousStressInput::of(v), o, effect_viscosity);
+  add_heat_flux(list, HeatFluxInput::of(v), o, effect_conduction);
   std::string names;
   for (const Task& task : list.tasks()) names += task.name + "; ";
   return names;
@@ -44,8 +44,8 @@ TEST(Transport, WhatIsOffAddsNothing) {
 
 TEST(Transport, ConstantsNeedNoFields) {
   SchemeOptions o = cube();
-  o.viscous = o.conducting = true;
-  o.viscosity = o.conductivity = 1;
+  o.transport.viscous = o.transport.conducting = true;
+  o.transport.viscosity = o.transport.conductivity = 1;
   EXPECT_EQ(tasks(o),
             "stress on axis 0; stress on axis 1; stress on axis 2; temperature; heat flux on axis "
             "0; heat flux on axis 1; heat flux on axis 2; ");
@@ -55,23 +55,23 @@ TEST(Transport, ConstantsNeedNoFields) {
 
 TEST(Transport, LawsAndEddiesFillTheirFields) {
   SchemeOptions o = cube();
-  o.viscous = o.viscosity_varies = true;
-  o.transport.sutherland = Sutherland{1, 1};
+  o.transport.viscous = o.transport.viscosity_varies = true;
+  o.transport.models.sutherland = Sutherland{1, 1};
   EXPECT_EQ(tasks(o),
             "molecular viscosity; stress on axis 0; stress on axis 1; stress on axis 2; ");
-  o.conducting = o.conductivity_varies = true;
-  o.transport.turbulence.emplace();
+  o.transport.conducting = o.transport.conductivity_varies = true;
+  o.transport.models.turbulence.emplace();
   EXPECT_EQ(tasks(o).substr(0, 54), "molecular viscosity; eddy viscosity; total viscosity; ");
 }
 
 TEST(Transport, FilterWidthIsTheMeanOfActiveSpacings) {
   SchemeOptions o = cube();
-  o.transport.turbulence.emplace();
-  o.transport.turbulence->filter_width = 2;
+  o.transport.models.turbulence.emplace();
+  o.transport.models.turbulence->filter_width = 2;
   EXPECT_DOUBLE_EQ(filter_width(o, {1, 2, 4}), 4);
-  o.axes = {2, {0, 2, 1}};
+  o.grid.axes = {2, {0, 2, 1}};
   EXPECT_DOUBLE_EQ(filter_width(o, {1, 7, 4}), 4);
-  o.axes = {1, {1, 0, 0}};
+  o.grid.axes = {1, {1, 0, 0}};
   EXPECT_DOUBLE_EQ(filter_width(o, {1, 3, 4}), 6);
 }
 

@@ -17,8 +17,8 @@ struct BurnReductions {
 class BurnedSums {
  public:
   // Behind the masses that materials gain, solids first.
-  enum BesideMasses { energy, burned, heat, beside_masses };
-  static int count(int materials) { return materials + beside_masses; }
+  enum CommonSum { energy, burned, heat, common_sum_count };
+  static int count(int materials) { return materials + common_sum_count; }
 
   void begin(int materials) { sums_.assign(count(materials), {}); }
   // `new_energy`: what the books did not hold before: the heat of solids, and the work of the
@@ -26,7 +26,7 @@ class BurnedSums {
   void add(int from, int to, double mass, double heat_of_reaction, double new_energy) {
     sums_[from].add(-mass);
     sums_[to].add(mass);
-    const std::size_t beside = sums_.size() - beside_masses;
+    const std::size_t beside = sums_.size() - common_sum_count;
     sums_[beside + energy].add(new_energy);
     sums_[beside + burned].add(mass);
     sums_[beside + heat].add(heat_of_reaction);

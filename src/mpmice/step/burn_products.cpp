@@ -67,7 +67,7 @@ bool LevelCoupling<D>::give_to_cells(const StageScope& scope, int product,
       sums.lane(energy)[i] += to_sum(share * (g.energy / most_energy));
       sums.lane(kinetic)[i] += to_sum(share * (g.kinetic / most_kinetic));
       for (int k = 0; k < components; ++k) {
-        const int d = fluid_->options().direction[static_cast<std::size_t>(k)];
+        const int d = fluid_->options().grid.direction[static_cast<std::size_t>(k)];
         sums.lane(momentum + k)[i] += to_sum(share * (g.velocity[d] / most_speed));
       }
     });

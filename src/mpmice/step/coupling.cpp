@@ -70,7 +70,7 @@ LevelCoupling<D>::LevelCoupling(const Level& level, const ice::FluidPart& fluid,
       fluid_(&fluid),
       solids_(&solids),
       step_(std::move(step)),
-      shock_slope_(fluid.options().fluids.front().shock_slope()),
+      shock_slope_(fluid.options().materials.fluids.front().shock_slope()),
       burns_(std::move(burns)),
       places_(places) {
   for (std::size_t a = 0; a < D; ++a) axes_[a] = mpm::axis_of(level, frame_.direction[a]);

@@ -35,7 +35,7 @@ void LevelCoupling<D>::exchange(const StageScope& scope) {
 // Temperature and M c_v of the fluids of a cell: what they have together.
 template <int D>
 typename LevelCoupling<D>::FluidHeat LevelCoupling<D>::heat_of(std::size_t i) const {
-  const std::vector<ice::Fluid>& fluids = fluid_->options().fluids;
+  const std::vector<ice::Fluid>& fluids = fluid_->options().materials.fluids;
   const double all = amounts_.mass_of_all(i), rest = amounts_.kinetic[i] - amounts_.moving(i);
   FluidHeat heat;
   for (std::size_t m = 0; m < fluids.size(); ++m) {
@@ -113,7 +113,7 @@ void LevelCoupling<D>::exchange_with(const StageScope& scope, int kind, double K
   double work = 0;                  // likewise, and heat; alike on every rank
   std::array<int, 3> component{-1, -1, -1};
   for (std::size_t k = 0; k < amounts_.momentum.size(); ++k)
-    component[static_cast<std::size_t>(fluid_->options().direction[k])] = static_cast<int>(k);
+    component[static_cast<std::size_t>(fluid_->options().grid.direction[k])] = static_cast<int>(k);
   for_each_cell_near([&](const Cell<D>&, std::size_t i) {
     const double V = amounts_.volume[i], theta = fields_.theta_next[i];
     if (!(V > 0 && V < 1) || !(solid.mass[i] > 0) || amounts_.near[i] == 0) return;

@@ -86,7 +86,7 @@ void LevelCoupling<D>::gather(const StageScope& scope) {
 template <int D>
 bool LevelCoupling<D>::settle(const StageScope& scope) {
   settled_ = amounts_;
-  const std::vector<ice::Fluid>& fluids = fluid_->options().fluids;
+  const std::vector<ice::Fluid>& fluids = fluid_->options().materials.fluids;
   const ice::mixture::Equilibration laws(fluids);
   const std::size_t count = fluids.size();
   bool good = true;
@@ -129,7 +129,7 @@ bool LevelCoupling<D>::settle(const StageScope& scope) {
 // q = A/M: there is no scalar where nothing carries it.
 template <int D>
 void LevelCoupling<D>::settle_scalars(std::size_t i) {
-  const auto& scalars = fluid_->options().scalars;
+  const auto& scalars = fluid_->options().materials.scalars;
   for (std::size_t s = 0; s < scalars.size(); ++s) {
     const auto m = static_cast<std::size_t>(scalars[s].material);
     settled_.scalar[s][i] =
@@ -142,7 +142,7 @@ template <int D>
 bool LevelCoupling<D>::settle_cell(std::size_t i, const ice::mixture::Equilibration& laws,
                                    double* M, double* V, double* E) const {
   constexpr double trace = 1e-13;  // of the cell's mass and of its volume: round-off
-  const std::vector<ice::Fluid>& fluids = fluid_->options().fluids;
+  const std::vector<ice::Fluid>& fluids = fluid_->options().materials.fluids;
   const std::size_t count = fluids.size();
   const double left = amounts_.volume[i], all = amounts_.mass_of_all(i);
   const double rest = amounts_.kinetic[i] - amounts_.moving(i);
@@ -297,23 +297,23 @@ Verdict LevelCoupling<D>::finish_cells(const StageScope& scope) {
 template <int D>
 Verdict LevelCoupling<D>::limit_step(const StageScope& scope) {
   const ice::SchemeOptions& o = fluid_->options();
-  const ice::mixture::Equilibration laws(o.fluids);
+  const ice::mixture::Equilibration laws(o.materials.fluids);
   double deck = 0, flow = 0, sound = 0;
   for_each_cell_near([&](const Cell<D>&, std::size_t i) {
     if (amounts_.touched[i] == 0 || !(amounts_.volume[i] > 0)) return;
     double M[ice::max_materials], V[ice::max_materials], E[ice::max_materials], rho = 0;
-    for (std::size_t m = 0; m < o.fluids.size(); ++m) {
+    for (std::size_t m = 0; m < o.materials.fluids.size(); ++m) {
       M[m] = settled_.mass[m][i];
-      V[m] = o.fluids.size() == 1 ? 1.0 : settled_.filled[m][i];
+      V[m] = o.materials.fluids.size() == 1 ? 1.0 : settled_.filled[m][i];
       E[m] = settled_.energy[m][i];
       rho += M[m];
     }
     const double c = std::sqrt(laws.look({M, V, E}).modulus / rho);
     double sum = 0, all = 0;
     for (std::size_t a = 0; a < D; ++a) {
-      const double inverse = 1 / frame_.spacing[o.axes.direction[a]];
+      const double inverse = 1 / frame_.spacing[o.grid.axes.direction[a]];
       const double u = std::fabs(settled_.momentum[a][i] / rho);
-      deck = std::max(deck, (u + o.sound_speed_factor * c) * inverse);
+      deck = std::max(deck, (u + o.scheme.sound_speed_factor * c) * inverse);
       sound = std::max(sound, (u + c) * inverse);
       sum += (u + c) * inverse;
       all += u * inverse;
@@ -321,7 +321,7 @@ Verdict LevelCoupling<D>::limit_step(const StageScope& scope) {
     if (D > 1) sound = std::max(sound, ice::sound_sum_share(o) * sum);
     flow = std::max(flow, all);
   });
-  const std::span<double> maxima = o.places.maxima.of(scope.maxima->front());
+  const std::span<double> maxima = o.accounts.places.maxima.of(scope.maxima->front());
   const auto include = [&](int slot, double rate) {
     double& own = maxima[static_cast<std::size_t>(slot)];
     own = std::max(own, rate);

@@ -7,29 +7,29 @@
 namespace sluice::mpmice {
 
 FluidCells::FluidCells(const ice::FluidPart& of, const Warehouse& in)
-    : part(&of), state(&in), laws(of.options().fluids) {
+    : part(&of), state(&in), laws(of.options().materials.fluids) {
   const ice::SchemeOptions& o = of.options();
   const ice::Labels& l = ice::labels();
   for (int m = 0; m < of.material_count(); ++m) {
     mass.push_back(in.find(l.mass, o.place(m)));
     energy.push_back(in.find(l.energy, o.place(m)));
     if (of.material_count() > 1) volume.push_back(in.find(l.volume, o.place(m)));
-    if (o.multi_velocity) slip.push_back(in.find(l.slip, o.place(m)));
+    if (o.materials.multi_velocity) slip.push_back(in.find(l.slip, o.place(m)));
   }
-  for (const models::TransportedScalar& s : o.scalars) {
+  for (const models::TransportedScalar& s : o.materials.scalars) {
     scalar.push_back(in.find(s.state(), o.place(s.material)));
     carrier.push_back(static_cast<std::size_t>(s.material));
   }
   momentum = in.find(l.momentum, o.place(0));
   fraction = in.find(l.solid_fraction, o.place(0));
-  direction = o.direction;
-  components = o.components;
+  direction = o.grid.direction;
+  components = o.grid.components;
 }
 
 WorkPressure::WorkPressure(const ice::FluidPart& part, const Warehouse& state, bool solved)
     : state_(&state) {
   const ice::SchemeOptions& o = part.options();
-  if (!o.implicit) return;
+  if (!o.scheme.implicit) return;
   offset_ = state.find(ice::labels().pressure_offset, o.place(0));
   if (solved) increment_ = state.find(ice::labels().pressure_increment, o.place(0));
 }
@@ -94,15 +94,18 @@ double FluidBox::viscosity(IntVec3 c) const {
     const auto k = static_cast<std::size_t>(m);
     const double V = cells_->volume.empty() ? 1.0 : volume(m, c);
     if (!(V > 0)) continue;
-    const auto& law = (cells_->materials() == 1 ? o.transport : o.transports[k]).sutherland;
-    sum += V * (law ? law->viscosity(o.fluids[k].temperature(mass(m, c) / V, energy(m, c) / V))
-                    : o.viscosities[k]);
+    const auto& law =
+        (cells_->materials() == 1 ? o.transport.models : o.transport.models_of_each[k]).sutherland;
+    sum +=
+        V *
+        (law ? law->viscosity(o.materials.fluids[k].temperature(mass(m, c) / V, energy(m, c) / V))
+             : o.transport.viscosities[k]);
   }
   return sum;
 }
 
 FluidState FluidBox::of_one(IntVec3 cell) const {
-  const ice::Fluid& law = cells_->part->options().fluids.front();
+  const ice::Fluid& law = cells_->part->options().materials.fluids.front();
   FluidState s;
   s.rho = mass(0, cell);
   s.pressure = law.pressure(s.rho, energy(0, cell));

@@ -12,7 +12,7 @@ namespace sluice::mpmice {
 // fluid. Solids are free of stress at the reference pressure of the deck.
 template <int D>
 std::vector<mpm::CornerForce> LevelCoupling<D>::forces_on(const SolidSet<D>& s) const {
-  const bool rubs = fluid_->options().viscous;
+  const bool rubs = fluid_->options().transport.viscous;
   std::array<double, D> per_largest;  // face area over the largest, in which areas are counted
   for (std::size_t d = 0; d < D; ++d)
     per_largest[d] = frame_.face_area(static_cast<int>(d)) / frame_.largest_face();
@@ -140,7 +140,7 @@ void LevelCoupling<D>::find_overlaps() {
 // rigid bodies.
 template <int D>
 void LevelCoupling<D>::book_outside(const StageScope& scope) {
-  const bool rubs = fluid_->options().viscous;
+  const bool rubs = fluid_->options().transport.viscous;
   // From outside, on the fluid or on bodies that a side cuts; of the fluid on rigid bodies, less
   // that of the reference pressure; of its friction in that.
   std::array<ExactSum, D> outside, on_rigid, friction;

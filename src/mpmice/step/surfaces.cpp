@@ -208,7 +208,7 @@ void LevelCoupling<D>::mean_over_surfaces(const StageScope& scope) {
   const Scales scale{at_least_something(all.maximum(v)), at_least_something(all.maximum(p_slot)),
                      at_least_something(all.maximum(y)), at_least_something(all.maximum(sparse))};
   constexpr int area = 0, pressure = 1, soft = 2, light = 3, velocity = 4, place = velocity + D;
-  const bool rubs = fluid_->options().viscous;
+  const bool rubs = fluid_->options().transport.viscous;
   const int lanes = rubs ? place + D : place;
   CellSums<D> sums;
   sums.begin(frame_.box, lanes);

@@ -85,7 +85,7 @@ Verdict LevelCoupling<D>::find_swept_volumes(const StageScope& scope) {
 // friction is booked with its force).
 template <int D>
 void LevelCoupling<D>::book_surface_work(const StageScope& scope, const Column& moved) {
-  const bool rigid = all_rigid(), rubs = fluid_->options().viscous;
+  const bool rigid = all_rigid(), rubs = fluid_->options().transport.viscous;
   double work = 0, friction = 0;  // alike on every rank
   for_each_cell_near([&](const Cell<D>&, std::size_t i) {
     const bool waits = fields_.theta[i] >= 1 && fields_.theta_next[i] >= 1;

@@ -69,10 +69,10 @@ void LevelCoupling<D>::rub_on_walls(const Column& rho, const Column& viscosity,
 // What the fluid of these cells gives to surfaces.
 template <int D>
 void LevelCoupling<D>::take_friction(const StageScope& scope) {
-  if (!fluid_->options().viscous) return;
+  if (!fluid_->options().transport.viscous) return;
   std::array<int, 3> component{-1, -1, -1};
   for (std::size_t k = 0; k < amounts_.momentum.size(); ++k)
-    component[static_cast<std::size_t>(fluid_->options().direction[k])] = static_cast<int>(k);
+    component[static_cast<std::size_t>(fluid_->options().grid.direction[k])] = static_cast<int>(k);
   const double to_impulse = scope.step.dt * frame_.largest_face() / frame_.cell_volume;
   for_each_cell_near([&](const Cell<D>&, std::size_t i) {
     for (std::size_t d = 0; d < D; ++d) {

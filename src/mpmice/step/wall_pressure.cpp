@@ -23,7 +23,7 @@ constexpr double least_share = 0.1;  // of the fluid's pressure that is left on 
 template <int D>
 void LevelCoupling<D>::find_pressures(const StageScope& scope, bool solved) {
   constexpr int density = 0, pressure = 1, speed = 2, velocity = 3, viscous = velocity + D;
-  const bool rubs = fluid_->options().viscous && !solved;
+  const bool rubs = fluid_->options().transport.viscous && !solved;
   known_.begin(frame_.box, rubs ? viscous + 1 : viscous);
   const LevelSolver& level = *scope.levels.front();
   const FluidCells fluid(*fluid_, level.state());
@@ -100,7 +100,7 @@ void LevelCoupling<D>::press_on_walls(const Column& rho, const Column& sound,
     if (!(size > 0) || !(whole > 0)) return;
     for (std::size_t d = 0; d < D; ++d)
       du += (fields_.surface_velocity[d][i] - u[d][i]) * (fields_.smooth[d][i] / size);
-    if (fluid_->options().implicit) du = approach_at_surface(c, i, size, u, du);
+    if (fluid_->options().scheme.implicit) du = approach_at_surface(c, i, size, u, du);
     const double p = pressure_beside_wall(c, i, size);
     const double z = std::min(rho[i] * (sound[i] + shock_slope_ * std::max(0.0, du)),
                               most_impedance(i, size, rho[i], dt));
@@ -124,7 +124,7 @@ void LevelCoupling<D>::press_on_walls(const Column& rho, const Column& sound,
 // (ice/pressure/predictions.cpp, j).
 template <int D>
 double LevelCoupling<D>::most_impedance(std::size_t i, double size, double rho, double dt) const {
-  if (!fluid_->options().implicit) return 1e300;
+  if (!fluid_->options().scheme.implicit) return 1e300;
   return 0.5 * std::max(0.5, 1 - fields_.theta[i]) * rho / (dt * cells_along_normal(i, size));
 }
 
@@ -166,7 +166,7 @@ double LevelCoupling<D>::approach_at_surface(const Cell<D>& c, std::size_t i, do
 template <int D>
 double LevelCoupling<D>::pressure_beside_wall(const Cell<D>& c, std::size_t i, double size) const {
   const double X = fields_.pressure[i];
-  if (!fluid_->options().implicit) return X;
+  if (!fluid_->options().scheme.implicit) return X;
   double change = 0;
   for (std::size_t d = 0; d < D; ++d) {
     const double n = fields_.smooth[d][i] / size;

@@ -116,7 +116,8 @@ std::vector<int> AnalysisRecorder::materials_of(Label label) const {
 AnalysedQuantity AnalysisRecorder::find_quantity(const AnalysedVariable& v) const {
   const LevelSolver& solver = hierarchy_->level(0);  // labels are the same on all levels
   const std::optional<Label> label = find_label(v.label);
-  if (label && (solver.graphs().is_step_label(*label) || solver.graphs().is_diagnostic_label(*label))) {
+  if (label &&
+      (solver.graphs().is_step_label(*label) || solver.graphs().is_diagnostic_label(*label))) {
     const std::vector<int> materials = materials_of(*label);
     if (std::find(materials.begin(), materials.end(), v.material) != materials.end())
       return {*label, v.material, component_count(label->info().type)};
@@ -128,7 +129,8 @@ AnalysedQuantity AnalysisRecorder::find_quantity(const AnalysedVariable& v) cons
   }
   std::vector<std::string> names;
   for (Label l : all_labels())
-    if (solver.graphs().is_step_label(l) || solver.graphs().is_diagnostic_label(l)) names.push_back(l.name());
+    if (solver.graphs().is_step_label(l) || solver.graphs().is_diagnostic_label(l))
+      names.push_back(l.name());
   refuse_label(v.where, LabelUse::analyse, v.label, names);
 }
 

@@ -25,7 +25,7 @@ std::size_t first_column(const ParticleKind& kind, const ParticleAttribute& want
 
 }  // namespace
 
-std::string differing_kinds(const ParticleMethod& from, const ParticleMethod& to) {
+std::string succession_obstacle(const ParticleMethod& from, const ParticleMethod& to) {
   if (from.kinds().size() != to.kinds().size())
     return fmt::format("{} materials, but {} before", to.kinds().size(), from.kinds().size());
   for (std::size_t k = 0; k < to.kinds().size(); ++k)

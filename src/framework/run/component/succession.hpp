@@ -31,7 +31,7 @@ struct PassedOn {
 };
 
 // By kind; why the one cannot follow the other with particles at all; empty: it can.
-std::string differing_kinds(const ParticleMethod& from, const ParticleMethod& to);
+std::string succession_obstacle(const ParticleMethod& from, const ParticleMethod& to);
 std::vector<PassedOn> passed_on(const ParticleMethod& from, const ParticleMethod& to);
 
 // Columns of ParticleSet that both kinds have: of the one, of the other.

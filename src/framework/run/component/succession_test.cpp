@@ -63,8 +63,8 @@ TEST(Succession, TakesNoTensorForASymmetricOne) {
 
 TEST(Succession, ComparesMaterials) {
   const Method one(Kinds{Kind{speed}}), two(Kinds{Kind{speed}, Kind{speed}});
-  EXPECT_EQ(differing_kinds(one, one), "");
-  EXPECT_EQ(differing_kinds(one, two), "2 materials, but 1 before");
+  EXPECT_EQ(succession_obstacle(one, one), "");
+  EXPECT_EQ(succession_obstacle(one, two), "2 materials, but 1 before");
 }
 
 }  // namespace
