@@ -37,7 +37,7 @@ TEST(HardStart, WithoutACommonPressureNamesCellMaterialsAndStates) {
                             solid + "geom_object/volumeFraction=0.5"}),
               AllOf(HasSubstr("cell [0, 0, 0] of level 0 have no common pressure"),
                     HasSubstr("material 0 ('products'): volume fraction 0.5, density 1e+06"),
-                    HasSubstr("pressure 1e+14 Pa (its law allows more than 0)"),
+                    HasSubstr("pressure 1e+14 Pa (its equation of state allows more than 0)"),
                     HasSubstr("material 1 ('solid'): volume fraction 0.5, density 1160")));
 }
 

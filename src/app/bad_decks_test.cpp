@@ -234,7 +234,7 @@ TEST(BadDeckChecks, BombsAreRefusedAtOnce) {
       {"deep", deep, "nested deeper than"},
       {"wide", wide + "</Uintah_specification>", "too many elements"},
       {"long", long_value, "needs <SimulationComponent>"},
-      {"huge", std::string((16u << 20) + 1, ' '), "more than is read"},
+      {"huge", std::string((16u << 20) + 1, ' '), "more than the limit of"},
       {"chain", chain, "too many includes"},
       {"doubling", doubling, "repeats pieces endlessly"},
       {"empty", "", "the file is empty"},

@@ -98,7 +98,7 @@ TEST_F(RestartRuns, AMissingParentIsNamed) {
   const Outcome first =
       run_sluice({"extract", moved.string(), "--var", "press_CC", "--time", "first"});
   EXPECT_EQ(first.status, 2);
-  EXPECT_THAT(first.text, HasSubstr("lies in the archive " + missing));
+  EXPECT_THAT(first.text, HasSubstr("is in the archive " + missing));
   EXPECT_THAT(first.text, HasSubstr("--copy"));
   EXPECT_EQ(run_sluice({"extract", moved.string(), "--var", "press_CC", "--time", "last"}).status,
             0);

@@ -113,7 +113,7 @@ std::string FluidStep::describe_fault(int kind) const {
     const std::size_t m = kind / fault_of_material - 1;
     return fmt::format(
         "energy of material {} ('{}', J/m^3 of the cell; with its mass and volume it must be a "
-        "state of its law: pressure above {:g} Pa, sound speed squared above 0)",
+        "state of its equation of state: pressure above {:g} Pa, sound speed squared above 0)",
         m, part_->scene().materials[m].name, part_->scene().materials[m].fluid.lowest_pressure());
   }
   switch (kind) {

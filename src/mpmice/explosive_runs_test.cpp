@@ -191,7 +191,8 @@ TEST(ExplosiveDecks, NameWhatIsWrong) {
               HasSubstr("'2' is out of range"));
   const std::string jwl = "<ThresholdPressureJWL>5e9</ThresholdPressureJWL>";
   EXPECT_THAT(message_of(disk(jwl + "<useCrackModel>true</useCrackModel>")),
-              AllOf(HasSubstr("coupled.ups:"), HasSubstr("the law of 'solid' has no cracks")));
+              AllOf(HasSubstr("coupled.ups:"),
+                    HasSubstr("the constitutive model of 'solid' has no cracks")));
   EXPECT_THAT(message_of(disk(jwl + "<useInductionTime>true</useInductionTime>")),
               HasSubstr("<DDT1> with <useInductionTime> needs <IgnitionConst>"));
   EXPECT_THAT(message_of(disk(jwl + "<burnMaterial>solid</burnMaterial>")),

@@ -22,7 +22,7 @@ void check_cracks(const std::vector<models::SolidBurn>& burns, const MpmIce& com
         mpm::column_of(component.solids().carried()[solid], "p.crackRad") >= 0)
       continue;
     add_error(faults, burn.where,
-              fmt::format("<useCrackModel> of <DDT1>: the law of '{}' has no cracks",
+              fmt::format("<useCrackModel> of <DDT1>: the constitutive model of '{}' has no cracks",
                           component.solids().scene().materials[solid].name),
               "use <constitutive_model type=\"visco_scram\">, or useCrackModel false");
   }

@@ -75,7 +75,7 @@ std::string levels_text(const PlannedHierarchy& p) {
   std::string text = level_table(p);
   if (p.known && p.uniform_updates() > 0)
     text += fmt::format(
-        "  {}a coarse step has {} updates: {} of the {} of a grid that is fine everywhere\n",
+        "  {}a coarse step has {} updates: {} of the {} that a uniform fine grid needs\n",
         p.adaptive ? "at the start " : "", human_count(static_cast<std::int64_t>(p.updates())),
         percent(p.updates() / p.uniform_updates()),
         human_count(static_cast<std::int64_t>(p.uniform_updates())));

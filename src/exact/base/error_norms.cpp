@@ -27,8 +27,8 @@ ErrorNorms error_norms(const std::vector<double>& computed, const std::vector<do
   if (computed.size() != exact.size() || computed.empty() ||
       (weighted && volumes.size() != exact.size())) {
     throw InputError(
-        fmt::format("error norms: {} computed values, {} exact ones and {} volumes; "
-                    "expected as many of each, at least one",
+        fmt::format("error norms: {} computed values, {} exact ones and {} volumes; their numbers "
+                    "must be equal and at least 1",
                     computed.size(), exact.size(), volumes.size()));
   }
   ErrorNorms norms;

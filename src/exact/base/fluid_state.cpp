@@ -11,10 +11,10 @@ namespace sluice::exact {
 namespace {
 
 [[noreturn]] void refuse(const eos::EquationOfState& law, const std::string& what) {
-  throw InputError(fmt::format(
-      "equation of state {}: there is no admissible state with {}; allowed are the states inside "
-      "the law's range",
-      eos::name_of(law), what));
+  throw InputError(
+      fmt::format("equation of state {}: there is no admissible state with {}; allowed are the "
+                  "states inside its range of validity",
+                  eos::name_of(law), what));
 }
 
 }  // namespace

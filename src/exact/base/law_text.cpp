@@ -43,7 +43,8 @@ double number(const std::string& word, const std::string& text) {
   const auto [next, fault] = std::from_chars(text.data(), end, value);
   if (fault != std::errc{} || next != end || !std::isfinite(value)) {
     throw InputError(fmt::format(
-        "equation of state: '{}' holds no number; expected NAME=NUMBER such as gamma=1.4", word));
+        "equation of state: '{}' contains no number; expected NAME=NUMBER such as gamma=1.4",
+        word));
   }
   return value;
 }

@@ -164,7 +164,8 @@ class Isentrope {
         from = to;
         h = x - from.x;
       } else if (std::abs(h) <= smallest_step) {
-        throw PhysicsError("isentrope: no state between two that exist; is the law continuous?");
+        throw PhysicsError(
+            "isentrope: no state between two that exist; is the equation of state continuous?");
       } else {
         h = -std::max(0.5 * std::abs(h), smallest_step);
       }

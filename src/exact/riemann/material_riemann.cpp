@@ -63,10 +63,10 @@ void MaterialRiemann::solve(WaveCurve& left, WaveCurve& right) {
     high = std::min(high, low);
     low = std::max(0.25 * low, low - 1.01 * f.value / f.slope);
     if (low < 1e-60 * highest) {
-      throw InputError(fmt::format(
-          "Riemann problem of two materials: they part at {} and a void opens between them (no "
-          "pressure above {} stops it); allowed are slower states",
-          gap, floor));
+      throw InputError(
+          fmt::format("Riemann problem of two materials: they separate at {} and a void opens "
+                      "between them (no pressure above {} stops it); allowed are slower states",
+                      gap, floor));
     }
   }
   start = std::clamp(start, low, high);

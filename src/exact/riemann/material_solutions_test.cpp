@@ -58,7 +58,7 @@ TEST(LawText, SaysWhatIsWrong) {
   EXPECT_THAT(said("idealgas"), HasSubstr("known are: ideal_gas, StiffenedGas"));
   EXPECT_THAT(said(""), HasSubstr("known are"));
   EXPECT_THAT(said("ideal_gas gama=1.4"), HasSubstr("it knows: gamma, specific_heat"));
-  EXPECT_THAT(said("ideal_gas gamma=x"), HasSubstr("holds no number"));
+  EXPECT_THAT(said("ideal_gas gamma=x"), HasSubstr("contains no number"));
   EXPECT_THAT(said("ideal_gas gamma 1.4"), HasSubstr("is not NAME=NUMBER"));
 }
 

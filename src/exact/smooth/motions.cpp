@@ -7,7 +7,7 @@
 
 namespace sluice::exact {
 State Motion::at(Vec3, double) const {
-  throw InputError("the exact solution is a motion: it knows p.x alone");
+  throw InputError("the exact solution is a motion: it gives only p.x");
 }
 
 Vec3 VortexRing::place(Vec3 X, double t) const {

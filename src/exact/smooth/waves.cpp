@@ -68,8 +68,8 @@ SimpleWave::Foot SimpleWave::foot(double phase) const {
 
 State SimpleWave::at(Vec3 x, double t) const {
   if (t >= breaking_time_) {
-    throw InputError(
-        fmt::format("simple wave: asked at t = {}, but it breaks at t = {}", t, breaking_time_));
+    throw InputError(fmt::format("simple wave: requested at t = {}, but it breaks at t = {}", t,
+                                 breaking_time_));
   }
   const double g = mean_.gamma, c0 = sound_speed(mean_);
   const double s = dot(direction_, x - origin_ - mean_.velocity * t);

@@ -59,7 +59,7 @@ Archive Archive::open(const fs::path& path) {
     throw InputError(fmt::format("cannot open archive {}: {}", path.string(), error.message()));
   const fs::path index = archive.folder_ / "index.xml";
   if (!fs::exists(index, error))
-    throw InputError(fmt::format("{} is no archive: it has no index.xml", path.string()));
+    throw InputError(fmt::format("{} is not an archive: it has no index.xml", path.string()));
   refuse_raw_layout(index, path);
   archive.index_ = parse_index(read_sealed(index), index.string());
   const fs::path checkpoints = archive.folder_ / "checkpoints" / "index.xml";

@@ -45,7 +45,7 @@ ArchiveIndex read_index(const fs::path& folder) {
     throw InputError(fmt::format("{} does not exist: {}", path.string(),
                                  folder.filename() == "checkpoints"
                                      ? "the archive has no checkpoint to restart from"
-                                     : "this is no archive"));
+                                     : "this is not an archive"));
   return parse_index(read_sealed(path), path.string());
 }
 

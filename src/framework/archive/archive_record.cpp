@@ -62,8 +62,8 @@ void require_parent(const StepEntry& step, const std::filesystem::path& archive)
   const fs::path parent = (archive / step.href).parent_path().parent_path().lexically_normal();
   if (parent == archive.lexically_normal() || fs::exists(parent / "index.xml", error)) return;
   throw InputError(fmt::format(
-      "{}: step {} lies in the archive {}, from which this run goes on and which is missing\n"
-      "  bring it back to that place; a restart with --copy makes archives that need no other",
+      "{}: step {} is in the archive {}, which this run continues and which is missing\n  restore "
+      "it there; a restart with --copy makes archives that need no other",
       archive.string(), step.step, parent.string()));
 }
 

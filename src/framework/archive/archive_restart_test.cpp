@@ -82,7 +82,7 @@ TEST(ArchiveRestart, AStepOfAnArchiveThatIsMissingNamesIt) {
     require_parent(step, archive);
     ADD_FAILURE() << "nothing is thrown";
   } catch (const InputError& e) {
-    EXPECT_THAT(e.what(), ::testing::HasSubstr("step 4 lies in the archive " +
+    EXPECT_THAT(e.what(), ::testing::HasSubstr("step 4 is in the archive " +
                                                (folder.path() / "box.uda.000").string()));
   }
   fs::create_directory(folder.path() / "box.uda.000");

@@ -100,7 +100,7 @@ NormsResult difference_norms(const Archive& a, const Archive& b, const NormsOpti
     }
   }
   if (result.rows.empty())
-    throw InputError(fmt::format("{} and {} have no label in common that was asked for",
+    throw InputError(fmt::format("{} and {} have none of the requested labels in common",
                                  a.folder().string(), b.folder().string()));
   return result;
 }

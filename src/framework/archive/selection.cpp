@@ -69,7 +69,7 @@ std::vector<FieldInfo> select_fields(const ArchiveStep& step, const std::string&
   if (materials.empty() && !step.damage().empty()) throw DamageError(step.damage().front());
   if (materials.empty())
     throw InputError(fmt::format("{} has no label {}; it has {}", where, name, listed(names)));
-  throw InputError(fmt::format("{} has no such {}: it is there for materials {} and levels {}",
+  throw InputError(fmt::format("{} has no such {}: it is stored for materials {} and levels {}",
                                where, name, listed(materials), listed(levels)));
 }
 

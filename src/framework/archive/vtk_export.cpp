@@ -347,7 +347,7 @@ fs::path export_vtk(const Archive& archive, const fs::path& folder, const Export
     const StepExport of_cells(step, options);
     if (of_cells.empty()) {
       if (particles) continue;
-      throw InputError(step.folder().string() + " holds no label that was asked for");
+      throw InputError(step.folder().string() + " contains none of the requested labels");
     }
     const std::string file = of_cells.write(folder, base);
     if (step.grid().levels.size() > 1 && fits_vtk_amr(step.grid()))

@@ -133,7 +133,7 @@ XmlElement parse_xml(std::string_view text, const std::string& context) {
     throw DamageError(fmt::format("{}: not readable as XML: {}", context, why));
   }
   // No archive has a DTD; entities are only good for bombs.
-  if (document->intSubset) throw DamageError(context + ": a document type does not belong here");
+  if (document->intSubset) throw DamageError(context + ": a document type is not allowed here");
   return convert(root, 0, context);
 }
 

@@ -130,7 +130,7 @@ std::string Json::dump(int indent) const {
 }
 
 void Json::refuse(const char* wanted) const {
-  throw JsonError(fmt::format("{} stands where {} is expected", name_of(kind_), wanted));
+  throw JsonError(fmt::format("found {} where {} is expected", name_of(kind_), wanted));
 }
 
 std::size_t Json::size() const {

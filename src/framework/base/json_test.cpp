@@ -77,9 +77,9 @@ TEST(Json, faults_are_told) {
   EXPECT_EQ(problem_of("{\"a\": []}"), "none");
   EXPECT_THAT(problem_of("{\"a\": "), HasSubstr("line 1, column"));
   EXPECT_EQ(problem_of("{}"), "the entry \"a\" is missing");
-  EXPECT_EQ(problem_of("[1]"), "a list stands where an object is expected");
-  EXPECT_EQ(problem_of("{\"a\": {}}"), "an object stands where a list is expected");
-  EXPECT_EQ(problem_of("{\"a\": [\"x\"]}"), "a text stands where a number is expected");
+  EXPECT_EQ(problem_of("[1]"), "found a list where an object is expected");
+  EXPECT_EQ(problem_of("{\"a\": {}}"), "found an object where a list is expected");
+  EXPECT_EQ(problem_of("{\"a\": [\"x\"]}"), "found a text where a number is expected");
   EXPECT_THROW(Json::parse("[1] // one"), JsonError);
   EXPECT_EQ(Json::parse("[1] // one", Json::Comments::skipped).size(), 1U);
   EXPECT_TRUE(Json::parse_or_null("[1").is_null());

@@ -208,10 +208,10 @@ XmlTree unreadable(const std::string& shown_name, std::string message, std::stri
 
 XmlTree read_xml_text(std::string_view xml, const std::string& shown_name, ReadBudget& budget) {
   if (xml.size() > largest_deck_file || xml.size() > budget.bytes) {
-    return unreadable(
-        shown_name,
-        fmt::format("the file has {} bytes, more than is read ({})", xml.size(), largest_deck_file),
-        "");
+    return unreadable(shown_name,
+                      fmt::format("the file has {} bytes, more than the limit of {}", xml.size(),
+                                  largest_deck_file),
+                      "");
   }
   budget.bytes -= xml.size();
   if (xml.find_first_not_of(" \t\r\n") == std::string_view::npos) {
@@ -253,7 +253,8 @@ XmlTree read_xml_file(const std::string& path, const std::string& shown_name, Re
   if (!problem && size > largest_deck_file) {
     return unreadable(
         shown_name,
-        fmt::format("the file has {} bytes, more than is read ({})", size, largest_deck_file), "");
+        fmt::format("the file has {} bytes, more than the limit of {}", size, largest_deck_file),
+        "");
   }
   std::ifstream stream(path, std::ios::binary);
   std::string xml;

@@ -98,7 +98,7 @@ PolyhedronPiece::PolyhedronPiece(Vec3 center, std::vector<HalfSpace> faces)
   for (const HalfSpace& f : faces_)
     if (!(dot(f.normal, f.normal) > 0))
       throw InputError(
-          "polyhedron: a half space has no direction; give a normal (or offset) that "
+          "polyhedron: the normal of a half space is a zero vector; give a normal (or offset) that "
           "is not zero");
   if (!inside(center))
     throw InputError(

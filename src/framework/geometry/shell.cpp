@@ -66,7 +66,7 @@ class CylinderShellPiece final : public GeometryPiece {
 
 PiecePtr make_plane_shell(Vec3 center, Vec3 normal, double radius, double thickness) {
   const double length = std::sqrt(dot(normal, normal));
-  if (!(length > 0)) throw InputError("plane_shell: the normal has no direction");
+  if (!(length > 0)) throw InputError("plane_shell: the normal is a zero vector");
   if (!(thickness > 0))
     throw InputError(
         fmt::format("plane_shell: thickness is {}; it must be greater than 0", thickness));

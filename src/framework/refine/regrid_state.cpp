@@ -27,7 +27,8 @@ RegridState regrid_state_from_json_text(const std::string& text) {
         set.tiles.push_back({t.at(0).get<int>(), t.at(1).get<int>(), t.at(2).get<int>()});
       state.idle.push_back(level.at("idle").get<std::vector<int>>());
       if (state.idle.back().size() != set.tiles.size())
-        throw InputError("the checkpoint's regrid state counts other tiles than it holds");
+        throw InputError(
+            "the number of tiles in the checkpoint's regrid state differs from its list of tiles");
     }
   } catch (const JsonError& e) {
     throw InputError(std::string("the checkpoint's regrid state cannot be read: ") + e.what());

@@ -133,7 +133,7 @@ void check_material(const DeckNode& face, const DeckNode& condition, int materia
     const auto index = parse_integer(*id);
     if (!index) {
       add_error(faults, condition.where,
-                fmt::format("id {} on {} is neither a material index nor all", in_quotes(*id),
+                fmt::format("id {} on {} is neither a material index nor 'all'", in_quotes(*id),
                             face_name(face)));
       return;
     }

@@ -158,7 +158,7 @@ void check_fixed_values(const IceScene& s, std::vector<Fault>& faults) {
                           "speed squared must be above 0",
                           m.name, f.density, f.temperature, m.fluid.pressure(f.density, rho_e),
                           m.fluid.lowest_pressure()),
-              "see the range of the law in docs/theory_eos.md");
+              "see the range of the equation of state in docs/theory_eos.md");
   }
 }
 

@@ -78,7 +78,7 @@ void check_mixed_gas(const DeckNode& root, const DeckNode& model,
     for (const DeckNode* viscosity : viscosities->all("Model"))
       if (viscosity->attribute("name") == "Sutherland")
         add_error(faults, viscosity->where,
-                  fmt::format("two laws of viscosity: that of <{}> and Sutherland's", name),
+                  fmt::format("two viscosity models: <{}> and Sutherland's law", name),
                   "remove one of the two");
   // Whose temperature and energy would be those of another fraction than the cell has.
   for (const DeckNode* other : root.child("Models")->all("Model"))

@@ -164,10 +164,10 @@ void add_heat(const DeckNode& node, const std::string& type, Fluid& fluid,
     fluid.heat = heat;
   } else {
     add_error(faults, node.where,
-              fmt::format("<SpecificHeatModel> cannot be used with {}: the specific heat is part "
-                          "of that law's pressure",
+              fmt::format("<SpecificHeatModel> cannot be used with {}: its pressure depends on its "
+                          "own specific heat",
                           type),
-              "laws that take any specific heat: " + laws_that_take_any_heat());
+              "equations of state that take any specific heat: " + laws_that_take_any_heat());
   }
 }
 

@@ -160,7 +160,7 @@ void check_start(const ice::Fluid& fluid, const DeckNode& object, std::vector<Fa
       fmt::format("density {:g} and temperature {:g} are inadmissible for the equation of state: "
                   "pressure {:g} (must be above {:g}), sound speed squared must be above 0",
                   *density, *temperature, fluid.pressure(*density, rho_e), fluid.lowest_pressure()),
-      "see the range of the law in docs/theory_eos.md");
+      "see the range of the equation of state in docs/theory_eos.md");
 }
 
 // A linear solver is for implicit steps.
@@ -243,7 +243,7 @@ void check_ice_materials(const DeckNode& root, std::vector<Fault>& faults) {
   if (materials.size() > most)
     add_error(faults, materials[most]->where,
               fmt::format("{} materials are more than the {} of one deck", materials.size(), most),
-              "combine materials of the same law");
+              "combine materials with the same equation of state");
   for (const DeckNode* material : materials) {
     const DeckNode* work = material->child("includeFlowWork");
     if (work != nullptr && work->text == "false") {

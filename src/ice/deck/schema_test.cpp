@@ -302,8 +302,9 @@ TEST(IceSchema, ReadsHowCoefficientsVary) {
 TEST(IceSchema, TellsOfWeightThatNothingCarries) {
   Sample sample;
   sample.gravity = "[0,-9.8,0]";
-  EXPECT_THAT(messages(sample.load()),
-              HasSubstr("<gravity> acts along y, which is periodic: nothing carries the weight"));
+  EXPECT_THAT(
+      messages(sample.load()),
+      HasSubstr("<gravity> acts along y, which is periodic: no boundary supports the weight"));
   sample.gravity = "[0,0,0]";
   EXPECT_EQ(messages(sample.load()), "");
 }

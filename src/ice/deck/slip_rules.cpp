@@ -135,11 +135,12 @@ class SlipRules {
                   "write Neumann with 0, or give the material a <thermal_conductivity>");
     }
     if (face.any_velocity != nullptr && !is_wall(face, *face.any_velocity))
-      add_error(faults_, condition.where,
-                fmt::format("slip of Temperature on side {} that is no wall: its Velocity is {}",
-                            face.side, face.any_velocity->attribute("var").value_or("missing")),
-                "set Velocity to slip, creep, or a Dirichlet value without a component normal to "
-                "the side");
+      add_error(
+          faults_, condition.where,
+          fmt::format("slip of Temperature on side {}, which is not a wall: its Velocity is {}",
+                      face.side, face.any_velocity->attribute("var").value_or("missing")),
+          "set Velocity to slip, creep, or a Dirichlet value without a component normal to "
+          "the side");
   }
 
   static bool is_wall(const SlipFace& face, const DeckNode& condition) {

@@ -141,15 +141,16 @@ void check_weight(const DeckNode& root, std::vector<Fault>& faults) {
   for (std::size_t d = 0; d < 3; ++d) {
     const int direction = static_cast<int>(d);
     if (periodic[d] && (*gravity)[direction] != 0 && !(cells && (*cells)[direction] == 1))
-      add_warning(faults, node->where,
-                  fmt::format("<gravity> acts along {}, which is periodic: nothing carries the "
-                              "weight there, so that everything falls for ever, and no pressure "
-                              "of the start balances it",
-                              direction_names[d]),
-                  fmt::format("write 0 for {}, give its sides conditions, or, where the weight "
-                              "shall drive the flow, <applyHydrostaticPressure>false"
-                              "</applyHydrostaticPressure>",
-                              direction_names[d]));
+      add_warning(
+          faults, node->where,
+          fmt::format(
+              "<gravity> acts along {}, which is periodic: no boundary supports the weight, so "
+              "that everything accelerates without limit, and no initial pressure balances it",
+              direction_names[d]),
+          fmt::format("write 0 for {}, give its sides conditions, or, where the weight "
+                      "shall drive the flow, <applyHydrostaticPressure>false"
+                      "</applyHydrostaticPressure>",
+                      direction_names[d]));
   }
 }
 

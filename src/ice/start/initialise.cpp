@@ -22,7 +22,7 @@ namespace {
     const Fluid& fluid = scene.materials[m].fluid;
     states += fmt::format(
         "\n  material {} ('{}'): volume fraction {:g}, density {:g} kg/m^3, temperature {:g} K, "
-        "pressure {:g} Pa (its law allows more than {:g})",
+        "pressure {:g} Pa (its equation of state allows more than {:g})",
         m, scene.materials[m].name, f.volume_fraction[n], f.density[n], f.temperature[n],
         f.pressure[n], fluid.lowest_pressure() + 0.0);  // no "-0"
   }
@@ -30,7 +30,7 @@ namespace {
   throw DeckError(
       material.where,
       fmt::format("initial state: the materials of cell [{}, {}, {}] of level {} have no common "
-                  "pressure; material {} ('{}') finds no state:{}\n  ",
+                  "pressure; material {} ('{}') has no admissible state:{}\n  ",
                   cell.x, cell.y, cell.z, level, failed, material.name, states),
       "give materials that share a cell densities and temperatures of about the same pressure");
 }

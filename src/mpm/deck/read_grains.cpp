@@ -126,7 +126,8 @@ void read_grains(const DeckNode& root, MpmScene& s, std::vector<Fault>& faults) 
   if (s.grains.empty())
     add_warning(faults, flags->need("DoGranularMPM").where,
                 "<DoGranularMPM> has no effect: no two materials can exchange particles",
-                "add materials of the same law without <geom_object>, one for each cluster");
+                "add materials with the same constitutive model, without <geom_object>, one for "
+                "each cluster");
 }
 
 }  // namespace sluice::mpm

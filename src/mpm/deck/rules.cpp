@@ -82,7 +82,8 @@ void check_files(const DeckNode& flags, std::vector<Fault>& faults) {
               "<InsertParticles> needs <InsertParticlesFile>");
   if (is_true(&flags, "InsertParticles") && !is_true(&flags, "withColor"))
     add_error(faults, flags.child("InsertParticles")->where,
-              "<InsertParticles> moves particles of a colour, and they have no colour",
+              "<InsertParticles> moves particles of a colour, but the particles of this deck have "
+              "no colour",
               "write <withColor>true</withColor>");
 }
 

@@ -306,7 +306,8 @@ TEST(PrescribedMotion, FilesAreReadToTheEndOfEachRow) {
   EXPECT_EQ(refusal("1" + F + "90 0 0\n").substr(0, 41),
             "m.inp:2:27: number 14 of 14 (axis z) is m");
   EXPECT_EQ(refusal("0" + F + "0 0 0 1\n"), "m.inp:2:1: time 0 is not after the one before, 0");
-  EXPECT_EQ(refusal("1" + F + "90 0 0 0\n"), "m.inp:2:24: the axis of this rotation has no length");
+  EXPECT_EQ(refusal("1" + F + "90 0 0 0\n"),
+            "m.inp:2:24: the axis of this rotation is a zero vector");
 }
 
 TEST(PrescribedMotion, StepsMeetTheRowsExactly) {

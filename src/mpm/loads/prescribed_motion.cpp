@@ -59,7 +59,7 @@ PrescribedMotion::PrescribedMotion(std::vector<Row> rows) : rows_(std::move(rows
           fmt::format("time {:g} is not after the one before, {:g}", row.time, rows_[n - 1].time));
     if (row.angle != 0 && std::hypot(row.axis[0], row.axis[1], row.axis[2]) == 0)
       throw std::invalid_argument(
-          fmt::format("the axis of the row at {:g} has no length", row.time));
+          fmt::format("the axis of the row at {:g} is a zero vector", row.time));
     turned_.push_back(product(rotation(row.axis, row.angle), turned_.back()));
   }
 }
@@ -79,7 +79,7 @@ PrescribedMotion PrescribedMotion::read(const std::string& file) {
       v.refuse(0, fmt::format("time {:g} is not after the one before, {:g}", row.time,
                               rows.back().time));
     if (row.angle != 0 && std::hypot(row.axis[0], row.axis[1], row.axis[2]) == 0)
-      v.refuse(11, "the axis of this rotation has no length");
+      v.refuse(11, "the axis of this rotation is a zero vector");
     rows.push_back(row);
   });
   try {

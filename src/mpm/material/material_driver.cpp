@@ -80,7 +80,7 @@ PathPiece read_piece(const DeckNode& node, std::vector<Fault>& faults) {
   const Vec3 axis = vector_or(node, "rotation", {0, 0, 1});
   piece.axis = {axis[0], axis[1], axis[2]};
   if (axis[0] == 0 && axis[1] == 0 && axis[2] == 0)
-    add_error(faults, node.child("rotation")->where, "<rotation>: the axis has no length");
+    add_error(faults, node.child("rotation")->where, "<rotation>: the axis is a zero vector");
   piece.angle = real_or(node, "angle", 0) * 3.14159265358979323846 / 180;
   return piece;
 }

@@ -136,8 +136,9 @@ void follow(MaterialSample& sample, const Motion& motion, double end, int steps,
   for (int n = 1; n <= steps; ++n) {
     const auto fault = sample.step(motion(start + n * dt), dt);
     if (fault)
-      throw PhysicsError(fmt::format("the law refuses the step to t = {:.6g} s: {} ({:.6g})",
-                                     start + n * dt, fault->reason, fault->value));
+      throw PhysicsError(
+          fmt::format("the constitutive model refuses the step to t = {:.6g} s: {} ({:.6g})",
+                      start + n * dt, fault->reason, fault->value));
     if (see) see(sample);
   }
 }

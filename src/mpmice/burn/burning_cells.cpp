@@ -20,7 +20,8 @@ BurningField field_of(const models::BurningOutput& output) {
         ice::Labels::AtSurfaces{l.burned_share, l.kept_burned_share},
         ice::Labels::AtSurfaces{l.burned_in_step, l.kept_burned_in_step}})
     if (pair.saved.name() == output.label) return {output.value, pair.saved, pair.kept};
-  throw std::logic_error(fmt::format("no work slot holds the output {} of a law", output.label));
+  throw std::logic_error(
+      fmt::format("no work field holds the output {} of a burn model", output.label));
 }
 
 }  // namespace

@@ -116,7 +116,8 @@ bool LevelCoupling<D>::settle(const StageScope& scope) {
     good = false;
     const IntVec3 at = frame_.index(c);
     *scope.reason = fmt::format(
-        "the fluid left beside a solid in cell [{}, {}, {}] has no state: volume fraction {:g}",
+        "the fluid left next to a solid in cell [{}, {}, {}] is in an inadmissible state: volume "
+        "fraction {:g}",
         at.x, at.y, at.z, amounts_.volume[i]);
     for (std::size_t m = 0; m < count; ++m)
       *scope.reason += fmt::format(
@@ -270,7 +271,7 @@ Verdict LevelCoupling<D>::share_small_cells(const StageScope& scope) {
   if (redistribute<D>(frame_, fields_, amounts_, stuck)) return Verdict::good;
   const IntVec3 at = frame_.index(stuck);
   *scope.reason = fmt::format(
-      "solids close cell [{}, {}, {}], and no cell beside it can take the fluid that it holds",
+      "solids close cell [{}, {}, {}], and no adjacent cell can take the fluid that it contains",
       at.x, at.y, at.z);
   return Verdict::reject;
 }

@@ -55,7 +55,7 @@ bool check_component(const Deck& deck, const DeckNode& part, std::vector<Fault>&
   if (type == "switcher") {
     add_error(faults, own->where,
               fmt::format("a switcher inside the switcher of {}", to_string(part.where)),
-              "name the decks of its components there");
+              "name the decks of its components in the outer switcher");
     return false;
   }
   if (type != "mpm" && type != "impm") {

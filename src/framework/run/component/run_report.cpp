@@ -118,7 +118,7 @@ std::string levels_text(const RunReport& r) {
   }
   const double uniform = r.uniform_updates();
   if (uniform > 0)
-    text += fmt::format("{} updates: {} of the {} of a grid that is fine everywhere\n",
+    text += fmt::format("{} updates: {} of the {} that a uniform fine grid needs\n",
                         human_count(r.cell_updates),
                         human_percent(static_cast<double>(r.cell_updates) / uniform),
                         human_count(static_cast<std::int64_t>(uniform)));
@@ -136,7 +136,7 @@ std::string account_text(const RunReport& r) {
   for (const auto& [name, value] : r.budget)
     parts.push_back(
         fmt::format("{} {:.1e}", name, r.energy_scale > 0 ? value / r.energy_scale : 0.0));
-  return fmt::format("energy budget: {} of the scale\n", join(parts, ", "));
+  return fmt::format("energy budget, as fractions of the energy scale: {}\n", join(parts, ", "));
 }
 
 // How much there was, and what it cost.
@@ -168,7 +168,8 @@ std::string summary(const RunReport& r) {
     text += fmt::format("skipped blocks: {:.0f} % of all\n",
                         100.0 * static_cast<double>(r.blocks_skipped) /
                             static_cast<double>(r.blocks_skipped + r.blocks_run));
-  text += fmt::format("conservation: worst drift {:.1e} of the scale\n", r.worst_drift);
+  text +=
+      fmt::format("conservation: worst drift {:.1e} of the scale of its quantity\n", r.worst_drift);
   if (!r.budget.empty()) text += account_text(r);
   text += r.solids_text;
   if (r.archive) text += fmt::format("archive: {}\n", *r.archive);

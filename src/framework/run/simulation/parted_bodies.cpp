@@ -27,10 +27,10 @@ std::string SeparatedBodies::summary() const {
   std::string text;
   for (const Parting& p : all_)
     text += fmt::format(
-        "warning: solid '{}' separates without failure of its law (numerical fracture): since step "
-        "{} (t = {:g}) particles are stretched so far that neighbours hardly share a node, at most "
-        "{:.2g} % of them, at t = {:g}. Use <interpolator> cpdi, <total_lagrangian> or more "
-        "particles per cell\n",
+        "warning: solid '{}' separates although its material model has not failed (numerical "
+        "fracture): since step {} (t = {:g}) particles are stretched so far that neighbours hardly "
+        "share a node, at most {:.2g} % of them, at t = {:g}. Use <interpolator> cpdi, "
+        "<total_lagrangian> or more particles per cell\n",
         p.name, p.since, p.since_time, 100 * p.largest, p.largest_time);
   return text;
 }

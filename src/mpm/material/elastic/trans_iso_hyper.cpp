@@ -249,7 +249,7 @@ std::shared_ptr<const Material> make(const Parameters& p, bool relaxes) {
   const Vec3 a = p.vector("direction_of_symm");
   const double size = std::hypot(a[0], a[1], a[2]);
   if (!(size > 0) || c.c1 + c.c2 <= 0) {
-    if (!(size > 0)) p.error("direction_of_symm", "the direction of the fibres has no length");
+    if (!(size > 0)) p.error("direction_of_symm", "the direction of the fibres is a zero vector");
     if (c.c1 + c.c2 <= 0) p.error("c1", "<c1> and <c2> are both 0: the matrix sustains no shear");
     return nullptr;
   }

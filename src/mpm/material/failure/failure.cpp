@@ -282,9 +282,10 @@ void read_brittle(const Parameters& p, const Material& law, DamageConstants& d) 
   const double K = law.bulk_modulus(), G = law.shear_modulus();
   d.young = 9 * K * G / (3 * K + G);
   if (!law.stress_of_state())
-    add_error(p.faults(), p.node().where,
-              "Brittle damage needs a law whose stress depends only on the deformation",
-              "comp_neo_hook, cnh_mms or comp_mooney_rivlin");
+    add_error(
+        p.faults(), p.node().where,
+        "Brittle damage needs a constitutive model whose stress depends only on the deformation",
+        "comp_neo_hook, cnh_mms or comp_mooney_rivlin");
 }
 
 void read_damage(const Parameters& around, const Material& law, FailureConstants& c) {

@@ -166,7 +166,7 @@ TEST(Failure, BrittleDamage) {
   std::vector<Fault> faults;
   EXPECT_EQ(law_of_text("hypo_elastic", "<G>1</G><K>1</K>", steel_constants(), faults, damage),
             nullptr);
-  EXPECT_NE(told(faults).find("Brittle damage needs a law"), std::string::npos);
+  EXPECT_NE(told(faults).find("Brittle damage needs a constitutive model"), std::string::npos);
 }
 
 TEST(Failure, MeltedMetalFailsWhereItErodes) {

@@ -126,8 +126,8 @@ std::shared_ptr<const Material> make_linear(const Parameters& p) {
   }
   if (c->rock.fluid > 0 && p.real("p4_fluid_effect") != 0)
     add_warning(p.faults(), p.block("p4_fluid_effect")->where,
-                "Arenisca: <p4_fluid_effect> has no effect: pores and fluid close together as in "
-                "Arenisca3",
+                "Arenisca: <p4_fluid_effect> has no effect: pores and fluid are compressed "
+                "together, as in Arenisca3",
                 "remove it");
   if (!(c->rock.fluid < c->rock.B0)) {
     p.error("fluid_B0", "<fluid_B0> must be less than the modulus <B0> of the matrix");
