@@ -63,7 +63,7 @@ std::string label_reference() {
                 "nodes of the domain are stored too.",
                 [](Label l) { return l.info().centring == Centring::node; });
   page += table("Histories",
-                "One number (or vector) per step, written to a `.dat` file beside the index.",
+                "One number (or vector) per step, written to a `.dat` file in the archive.",
                 [](Label l) { return l.info().centring == Centring::reduction; });
   page += table("Particles",
                 "Values of particles, in no particular order; positions and numbers are saved with "

@@ -3,17 +3,17 @@
 
 namespace sluice::ice::mixture {
 
-// threshold: volume of a material, of that of the cell, that enters a cell without it at least;
-//   unit: 1; test: CompactSupport.FragmentsStayTogether
+// threshold: smallest volume of a material, as a fraction of the cell's, that enters a cell without
+//   it; unit: 1; test: CompactSupport.FragmentsStayTogether
 constexpr double min_entry = 1e-16;
-// threshold: share of the volume of a material that may stay behind in a cell that it leaves by
-//   its only outlet; less leaves too; unit: 1; test: CompactSupport.FragmentsStayTogether
+// threshold: fraction of a material in a cell below which a remainder leaves too, if the cell has
+//   only one face with an outflow of it; unit: 1; test: CompactSupport.FragmentsStayTogether
 constexpr double min_rest = 1e-10;
-// threshold: volume fraction below which a material leaves a cell by the main outlet alone; unit:
-//   1; test: CompactSupport.NothingStaysBehindInObliqueFlow
+// threshold: volume fraction below which a material leaves a cell only through the face with
+//   its largest outflow; unit: 1; test: CompactSupport.NothingStaysBehindInObliqueFlow
 constexpr double tiny = 1e-14;
-// threshold: share of the volume fraction behind it to which a cell is filled before the front of
-//   a material moves on; unit: 1; test: CompactSupport.FragmentsStayTogether
+// threshold: volume fraction of a material in the donor cell, divided by that in the next cell
+//   upstream, below which its front does not enter an empty cell; unit: 1; test: CompactSupport.FragmentsStayTogether
 constexpr double min_fill = 0.5;
 // threshold: volume fraction in a cell and in both of its neighbours below which its density and
 //   energy have no slope; unit: 1; test: none

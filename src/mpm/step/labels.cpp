@@ -30,8 +30,9 @@ SolidLabels declare_all() {
       declare("p.concentration", real, "1", "Concentration in a particle, of what diffuses.");
   l.affine = declare("p.affineVelocity", tensor, "1/s",
                      "Velocity gradient that an affine transfer carries.");
-  l.spin = declare("p.spin", vector, "1/s",
-                   "Angular velocity of a particle, which it gives to nodes beside its velocity.");
+  l.spin = declare(
+      "p.spin", vector, "1/s",
+      "Angular velocity of a particle, which it transfers to nodes in addition to its velocity.");
   l.half = declare("p.halfWidths", vector, "1", "Half widths of a particle, in cells.");
   l.size = declare("p.size", tensor, "1",
                    "Edges of a particle in the reference state, in cells (columns).");
