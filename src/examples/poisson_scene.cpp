@@ -27,7 +27,7 @@ double side_value(const Scene& scene, Side side, std::vector<Fault>& faults) {
   }
   if (phi->kind != ConditionKind::dirichlet || !phi->has_value || phi->is_vector ||
       !phi->text.empty())
-    add_error(faults, phi->where, "Phi is given by its value on the side",
+    add_error(faults, phi->where, "the condition for Phi must be its value on the side",
               "write var=\"Dirichlet\" and a number as <value>");
   return phi->value;
 }

@@ -144,7 +144,8 @@ TEST(Poisson, DecksThatSayTooLittleOrTooMuch) {
               HasSubstr("a poisson1 deck needs the block <Poisson>"));
   d = deck({4, 4, 4}, 1);
   d.sides.replace(d.sides.find("Dirichlet"), 9, "Neumann");
-  EXPECT_THAT(faults_of(poisson1, d.text()), HasSubstr("Phi is given by its value on the side"));
+  EXPECT_THAT(faults_of(poisson1, d.text()),
+              HasSubstr("the condition for Phi must be its value on the side"));
 }
 
 }  // namespace

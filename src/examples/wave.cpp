@@ -303,7 +303,8 @@ std::unique_ptr<Component> make_wave(const Deck& deck, const Scene& scene,
     for (const BoundaryRegion& region : side.regions)
       for (const Condition& c : region.conditions)
         if (!c.zero_gradient() && c.kind != ConditionKind::symmetry)
-          add_error(faults, c.where, "sides of wave are mirrors", "remove this condition");
+          add_error(faults, c.where, "all sides of the component wave are symmetry planes",
+                    "remove this condition");
   if (any_error(faults)) return nullptr;
   WaveScene settings;
   settings.radius = block->real("radius");

@@ -190,7 +190,7 @@ std::string tune_text(const TuneReport& r) {
   text += table_of(r);
   text += fmt::format(
       "  * the deck's own solver. Processor time of set-up and all solves of a system, median over "
-      "{} system{}; {} of {} spent\n\n",
+      "{} system{}; {} of the budget of {} spent\n\n",
       r.ranked_by, r.ranked_by == 1 ? "" : "s", human_duration(r.seconds),
       human_duration(r.budget));
   text += verdict(r);

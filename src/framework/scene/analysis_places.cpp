@@ -14,7 +14,7 @@ std::string file_name(const DeckNode& node, const char* attribute) {
   const std::string name = node.attribute(attribute).value_or("");
   if (name.empty())
     throw InputError(
-        fmt::format("<{}>: no {}, after which its files are named", node.name, attribute));
+        fmt::format("<{}>: no {}; it gives its files their name", node.name, attribute));
   if (name.find('/') != std::string::npos || name.front() == '.')
     throw InputError(fmt::format("<{}>: '{}' cannot be a folder's name", node.name, name));
   return name;

@@ -100,7 +100,7 @@ void check_mixed_gas(const DeckNode& root, const DeckNode& model,
   const DeckNode* ice = root.find("CFD/ICE");
   if (materials.size() > 1 && ice != nullptr)
     refuse(ice->child("customInitialization"), "<customInitialization> of several materials",
-           "start from the geometry objects");
+           "give the initial state with <geom_object>");
   const DeckNode* start = root.find("CFD/ICE/customInitialization");
   const DeckNode* balanced = ice == nullptr ? nullptr : ice->child("applyHydrostaticPressure");
   const bool hydrostatic =

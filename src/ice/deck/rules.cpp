@@ -115,7 +115,7 @@ void check_saved_levels(const DeckNode& root, std::vector<Fault>& faults) {
           faults, save->where,
           fmt::format("<save levels>: there is no level {}: the deck has {}, counted from 0",
                       missing, count),
-          "remove levels to save on all");
+          "remove the attribute levels to save on all levels");
     }
   }
 }

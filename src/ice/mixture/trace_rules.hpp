@@ -13,7 +13,8 @@ constexpr double min_rest = 1e-10;
 //   its largest outflow; unit: 1; test: CompactSupport.NothingStaysBehindInObliqueFlow
 constexpr double tiny = 1e-14;
 // threshold: volume fraction of a material in the donor cell, divided by that in the next cell
-//   upstream, below which its front does not enter an empty cell; unit: 1; test: CompactSupport.FragmentsStayTogether
+//   upstream, below which its front does not enter an empty cell; unit: 1; test:
+//   CompactSupport.FragmentsStayTogether
 constexpr double min_fill = 0.5;
 // threshold: volume fraction in a cell and in both of its neighbours below which its density and
 //   energy have no slope; unit: 1; test: none
