@@ -195,7 +195,8 @@ TEST_F(SwitcherFaults, OfStates) {
             replaced(replaced(text, "comp_neo_hook", "comp_neo_hook_plastic"), "</shear_modulus>",
                      "</shear_modulus><yield_stress>1</yield_stress>"
                      "<hardening_modulus>0</hardening_modulus>"));
-  expect_refused(deck_of(part(bar, 5) + part(plastic, 0)), "which the other does not carry");
+  expect_refused(deck_of(part(bar, 5) + part(plastic, 0)),
+                 "which the particles of the earlier component do not have");
   const auto from = text.find("<material name"), to = text.find("</material>");
   const std::string two = write(
       "two.ups",

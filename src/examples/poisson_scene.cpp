@@ -21,7 +21,7 @@ double side_value(const Scene& scene, Side side, std::vector<Fault>& faults) {
   const Condition* phi = whole.find("Phi", 0);
   if (phi == nullptr) {
     add_warning(faults, whole.where.line > 0 ? whole.where : scene.grid_settings.where,
-                fmt::format("side {} has no condition for Phi: 0 is taken", name_of(side)),
+                fmt::format("side {} has no condition for Phi: 0 is used", name_of(side)),
                 "write <BCType id=\"0\" label=\"Phi\" var=\"Dirichlet\"><value>0</value></BCType>");
     return 0;
   }

@@ -137,7 +137,7 @@ TEST(Poisson, DecksThatSayTooLittleOrTooMuch) {
   ExampleDeck d = deck({4, 4, 4}, 1);
   d.sides = side("x-", 1);
   EXPECT_THAT(faults_of(poisson1, d.text()),
-              HasSubstr("warning: side z+ has no condition for Phi: 0 is taken"));
+              HasSubstr("warning: side z+ has no condition for Phi: 0 is used"));
   d = deck({4, 4, 4}, 1);
   d.blocks = "";
   EXPECT_THAT(faults_of(poisson1, d.text()),

@@ -133,7 +133,7 @@ void check_models(const DeckNode& root, const MaterialNames& materials,
               of_all_particles.end() &&
           !labels.insert(label).second)
         return add_error(faults, parameters.where,
-                         fmt::format("two models bring a variable {}", label),
+                         fmt::format("two models define the variable {}", label),
                          "give each scalar a different name");
   });
   const std::vector<std::string> scalars = scalar_variables(root);

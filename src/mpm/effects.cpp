@@ -83,8 +83,9 @@ static Effect lost_energy_of(const MpmScene& s) {
   std::string reason;
   if (count > 0)
     reason = fmt::format(
-        "the energy lost in transfer, integration and contact heats {} of {} materials: a specific "
-        "heat, and a shock equation of state, artificial_viscosity or <lost_energy> heat",
+        "the energy lost in transfer, integration and contact heats {} of {} materials, which have "
+        "a specific heat and also a shock equation of state, artificial_viscosity or <lost_energy> "
+        "heat",
         count, s.materials.size());
   else if (!hindrance.empty())
     reason = "not supported with " + hindrance;

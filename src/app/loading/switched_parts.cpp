@@ -29,7 +29,7 @@ void check_follows(const Scene& scene_before, const Component& before, const Sub
                    const Scene& scene, const Component& after, const SubDeck& part,
                    std::vector<Fault>& faults) {
   const std::string follows =
-      fmt::format("this component follows that of {}: ", part_before.deck.file);
+      fmt::format("this component continues the run of {}: ", part_before.deck.file);
   if (const std::string differs = succession_obstacle(*before.particles(), *after.particles());
       !differs.empty()) {
     add_error(faults, place_of(part), follows + differs,
@@ -43,8 +43,9 @@ void check_follows(const Scene& scene_before, const Component& before, const Sub
   for (const PassedOn& p : passed_on(*before.particles(), *after.particles()))
     if (!p.lacking.empty())
       add_error(faults, place_of(part),
-                fmt::format("{}particles of '{}' need {}, which the other does not carry", follows,
-                            p.kind, fmt::join(p.lacking, ", ")),
+                fmt::format("{}particles of '{}' need {}, which the particles of the earlier "
+                            "component do not have",
+                            follows, p.kind, fmt::join(p.lacking, ", ")),
                 "give both the same constitutive models and the same flags");
 }
 

@@ -42,8 +42,8 @@ void check(const RadialProblem& problem) {
   }
   if (!(problem.deposit.energy >= 0) || !(problem.deposit.radius > 0)) {
     throw InputError(
-        fmt::format("radial reference: a deposit of energy {} within radius {}; needs an energy "
-                    "of at least 0 and a radius above it",
+        fmt::format("radial reference: an energy of {} is deposited within radius {}; the energy "
+                    "must be at least 0 and the radius above 0",
                     problem.deposit.energy, problem.deposit.radius));
   }
 }

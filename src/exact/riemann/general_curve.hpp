@@ -16,9 +16,9 @@ class GeneralCurve final : public WaveCurve {
 
   Point behind(double pressure) override {
     if (pressure > ahead_.pressure) return shocked(pressure);
-    if (!(pressure > own_.lowest_pressure())) refuse(pressure, "no state has a pressure as low");
+    if (!(pressure > own_.lowest_pressure())) refuse(pressure, "no state has such a low pressure");
     auto state = isentrope_.at_pressure(pressure);
-    if (!state) refuse(pressure, "the isentrope ends before (void or tension)");
+    if (!state) refuse(pressure, "the isentrope ends before this pressure (void or tension)");
     state->pressure = pressure;  // to the bit, as on the other side of a contact
     return {*state, 1 / (state->density * sound_speed(law_, *state))};
   }
@@ -61,7 +61,7 @@ class GeneralCurve final : public WaveCurve {
       if (value < 0) high = next;  // else the law ends before: go on in smaller steps
       growth *= value < 0 ? 1.5 : 0.25;
     }
-    refuse(pressure, "no shock is as strong");
+    refuse(pressure, "no shock is that strong");
   }
 
   // From (u - u0)^2 = (p - p0)(v0 - v), with dv/dp by differentiating the Hugoniot relation.

@@ -79,7 +79,7 @@ TEST(ArchiveFailure, ADiskThatIsFullLeavesTheArchiveGood) {
     }
     EXPECT_THAT(message, HasSubstr("No space left on device")) << kib;
     EXPECT_THAT(message, HasSubstr("37.5 KiB")) << kib;
-    EXPECT_THAT(message, HasSubstr("stays good")) << kib;
+    EXPECT_THAT(message, HasSubstr("remains valid")) << kib;
     EXPECT_EQ(count_good(writer.folder()), step) << kib;
     EXPECT_FALSE(fs::exists(writer.folder() / (step_folder_name(step + 1) + ".partial")));
     EXPECT_FALSE(fs::exists(writer.folder() / step_folder_name(step + 1)));

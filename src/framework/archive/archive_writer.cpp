@@ -104,7 +104,7 @@ WriteReport ArchiveWriter::write_step(Store& store, const StepInfo& info, const 
     if (ranks_.rank == 0) fs::remove_all(partial, ignored);
     raise(static_cast<char>('0' + static_cast<int>(e.status())),
           fmt::format("{}\n  while writing step {} ({} on this rank); the incomplete step was "
-                      "removed, the archive {} stays good up to the step before it",
+                      "removed, the archive {} remains valid up to the step before",
                       e.what(), info.step,
                       human_bytes(static_cast<double>(stored_bytes(pieces, options))),
                       folder_.string()));

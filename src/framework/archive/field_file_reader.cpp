@@ -56,7 +56,7 @@ void FieldFileReader::open() {
   const std::string file = path_.string();
   if (metadata_checksum(path_, record_) != record_.metadata_crc)
     throw DamageError(fmt::format(
-        "{}: the checksum of its structure does not fit: damaged outside the values", file));
+        "{}: the checksum of its structure does not match: damaged outside the values", file));
   const auto access = checked(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "make a list", file);
   // Archives never change once indexed; locks only fail on read-only and network file systems.
   checked(H5Pset_file_locking(access.get(), false, true), "set the locking", file);
@@ -123,7 +123,7 @@ std::vector<double> FieldFileReader::read_box_as(const StoredVariable& variable,
   }
   for (std::size_t c = 0; c < components; ++c)
     if (crc32c(0, stored.data() + c * volume, volume * sizeof(T)) != t.sums[box * components + c])
-      throw DamageError(fmt::format("{}: the checksum of {}, box {}, component {} does not fit",
+      throw DamageError(fmt::format("{}: the checksum of {}, box {}, component {} does not match",
                                     file, variable.group(), box, c));
   std::vector<double> values(stored.size());
   std::transform(stored.begin(), stored.end(), values.begin(),

@@ -170,7 +170,7 @@ XmlElement read_sealed(const std::filesystem::path& path) {
   const std::string body = text.substr(0, text.size() - seal_length);
   if (seal(body) != text)
     throw DamageError(fmt::format(
-        "{}: its checksum line is missing or does not fit: the file is damaged or was edited",
+        "{}: its checksum line is missing or does not match: the file is damaged or was edited",
         path.string()));
   return parse_xml(body, path.string());
 }

@@ -76,7 +76,11 @@ ActiveDirection judge(int d, const GridSettings& grid, const BoundaryConditions&
     return stays("one cell between symmetric faces, but a velocity along it is not zero",
                  facts.moving_where[d]);
   if (facts.force_all)
-    return stays(fmt::format("one cell between {} faces; forced", between), where);
+    return stays(
+        fmt::format(
+            "one cell between {} faces, but --force-directions makes every direction active",
+            between),
+        where);
   return {false, facts.moving[d] ? VelocityComponent::carried : VelocityComponent::dropped,
           fmt::format("one cell between {} faces", between), where};
 }

@@ -211,8 +211,7 @@ int finest_level(const DeckNode& node, const RefinementSettings& s, std::vector<
     const int asked = integer_attribute(node, "level").value_or(finest);
     if (asked < 1)
       add_error(faults, node.where,
-                fmt::format("<{}>: level {}; the coarsest one that is refined to is 1", node.name,
-                            asked));
+                fmt::format("<{}>: level {}; the coarsest refined level is 1", node.name, asked));
     else if (asked > finest)
       add_warning(faults, node.where,
                   fmt::format("<{}>: level {}, but max_levels {} makes the finest one {}",

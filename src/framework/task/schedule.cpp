@@ -21,9 +21,9 @@ Overloaded(F...) -> Overloaded<F...>;
 
 void require_level(const std::string& kind, const std::string& name, int level, int here) {
   if (level != here)
-    refuse(
-        kind, name,
-        "of level " + std::to_string(level) + " stands in a step of level " + std::to_string(here));
+    refuse(kind, name,
+           "of level " + std::to_string(level) + " is used in a step of level " +
+               std::to_string(here));
 }
 
 void check(const Schedule& schedule, int level, bool outermost) {

@@ -33,7 +33,7 @@ std::string refusal(const Schedule& s) {
 TEST(Schedule, RefusesWhatCannotRunAndNamesIt) {
   EXPECT_EQ(refusal({sweep("a", 0), {LevelCycle{"fine", 1, 2, {sweep("b", 1)}}}}), "accepted");
   EXPECT_THAT(refusal({sweep("update", 1)}),
-              HasSubstr("sweep 'update' of level 1 stands in a step of level 0"));
+              HasSubstr("sweep 'update' of level 1 is used in a step of level 0"));
   EXPECT_THAT(refusal({sweep("empty", 0, {})}), HasSubstr("sweep 'empty' has no action"));
   EXPECT_THAT(refusal({{LevelCycle{"finest", 2, 2, {}}}}),
               HasSubstr("'finest' must go from level 0 to 1"));

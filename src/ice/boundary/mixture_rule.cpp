@@ -159,7 +159,9 @@ class MixtureRuleMaker {
     };
     double low = lowest_sought, high = highest_sought;
     if (!(excess(low) > 0) || !(excess(high) < 0))
-      refuse("these densities and temperatures fill a cell at no pressure");
+      refuse(
+          "there is no pressure at which materials with these densities and temperatures fill a "
+          "cell");
     for (int n = 0; n < max_bisections && high > low * (1 + bracket_ends); ++n) {
       const double middle = std::sqrt(low * high);
       (excess(middle) > 0 ? low : high) = middle;

@@ -185,9 +185,10 @@ void complete_mixed_gas(IceScene& s, std::vector<Fault>& faults) {
     if (ox == 0 || T == ox || T == fuel) continue;
     add_warning(
         faults, gas.where,
-        fmt::format("<{}> has T(f) of streams at {:g} K and {:g} K; a region of '{}' starts at "
-                    "{:g} K: the heat released is the same, temperatures differ by the difference",
-                    gas.type, ox, fuel, m.name, T));
+        fmt::format(
+            "<{}> has T(f) of streams at {:g} K and {:g} K; a region of '{}' starts at {:g} K: the "
+            "heat released is the same, and temperatures are shifted by the difference",
+            gas.type, ox, fuel, m.name, T));
   }
 }
 

@@ -55,7 +55,7 @@ void check_turbulence(const DeckNode& turbulence, std::vector<Fault>& faults) {
               "0.1 in shear flow, 0.17 in isotropic turbulence");
   if (dynamic && constant != nullptr)
     add_warning(faults, constant->where,
-                "<model_constant> has no effect: the dynamic model finds it from the flow",
+                "<model_constant> has no effect: the dynamic model computes it from the flow",
                 "remove it");
 }
 

@@ -111,10 +111,9 @@ class SlipRules {
           fmt::format("write 0 for {}, or Dirichlet for an inlet", direction_names[face.normal]));
     if (viscosity_ > 0 || told_of_viscosity_) return;
     told_of_viscosity_ = true;
-    add_warning(
-        faults_, condition.where,
-        fmt::format("{} of Velocity without viscosity: the gas glides along the wall freely", kind),
-        "give the material a <dynamic_viscosity>, or write FreeSlipWall");
+    add_warning(faults_, condition.where,
+                fmt::format("{} of Velocity without viscosity: the wall exerts no friction", kind),
+                "give the material a <dynamic_viscosity>, or write FreeSlipWall");
   }
 
   void check_temperature(const SlipFace& face, const DeckNode& condition) {

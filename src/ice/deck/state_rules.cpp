@@ -105,8 +105,8 @@ void check_face(const DeckNode& root, const DeckNode& face, const DeckNode& mate
       fmt::format("{} {:.6g} and Temperature {:.6g} on side {} make a pressure of {:.6g}",
                   several ? "SpecificVol" : "Density", several ? 1.0 / *rho : *rho, *T, side, made);
   const char* of_inlet =
-      "where the flow is slower than sound the pressure comes from inside, what enters has this "
-      "density and temperature";
+      "at a subsonic inlet the pressure comes from inside, and the fluid enters with this density "
+      "and temperature";
   // What the pressure does when the last of the digits that decks write changes.
   const double unsure = ice::last_written_digit * std::fabs(fluid->bulk_modulus(*rho, made));
   if (p) {
@@ -122,7 +122,7 @@ void check_face(const DeckNode& root, const DeckNode& face, const DeckNode& mate
   } else if (flow == Through::given && !several && std::fabs(made) > unsure &&
              !is_near_a_start(root, material, made)) {
     add_warning(faults, s.density->where,
-                fmt::format("{}, which no start of the deck has: {}", given, of_inlet),
+                fmt::format("{}, which occurs nowhere in the initial state: {}", given, of_inlet),
                 "give the Density or the Temperature alone, and the other as Neumann 0");
   }
 }

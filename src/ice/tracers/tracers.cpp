@@ -122,11 +122,11 @@ void Tracers::check_ids(const models::TracerParticles& t, const Ids& ids, double
                   (source.number * std::max(lasts, 0.0) + 1) * static_cast<double>(ids.stride));
   }
   if (most < static_cast<double>(most_particle_id)) return;
-  throw InputError(fmt::format(
-      "{}: <TracerParticles>: {:g} numbers are needed for all particles of '{}' that may appear "
-      "until t = {:g}, and there are 2^53: ask for fewer particles per cell or second, or for an "
-      "earlier <timeStop>",
-      to_string(t.where), most, t.name, max_time));
+  throw InputError(
+      fmt::format("{}: <TracerParticles>: {:g} numbers are needed for all particles of '{}' that "
+                  "may appear until t = {:g}, but only 2^53 exist; ask for fewer particles per "
+                  "cell or second, or for an earlier <timeStop>",
+                  to_string(t.where), most, t.name, max_time));
 }
 
 Tracers::Ids Tracers::number(const models::TracerParticles& t) const {
@@ -243,7 +243,7 @@ void Tracers::advance(int kind, const ParticleStep& step, ParticleSet& particles
     if (!move(flow, begin, step.end, x))
       throw std::logic_error(fmt::format(
           "tracer particle {} at [{:g}, {:g}, {:g}] would cross more cells in a step than a box "
-          "knows around it: the step is longer than the scheme allows",
+          "has ghost cells around it: the step is longer than the scheme allows",
           particles.id(n), x.x, x.y, x.z));
     particles.move_to(n, x);
     if (!decay.any) continue;

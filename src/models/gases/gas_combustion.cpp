@@ -170,7 +170,8 @@ TagSpec gas_combustion_tag() {
              "a gas of reacting and diffusing species, with a mechanism from a file")
       .with_children(common_tags())
       .with_children(
-          {tag("mechanismFile", "XML file with species, reactions and fits of transport")
+          {tag("mechanismFile",
+               "XML file with species, reactions and fits of transport coefficients")
                .once()
                .file(),
            tag("closureSpecies", "the species that completes the sum to 1").once().text(),
@@ -212,7 +213,7 @@ void check_gas_combustion(const DeckNode& parameters, const std::vector<std::str
   if (gas == nullptr) return;
   if (is_true(&parameters, "doDiffusion") && gas->mechanism().diffusion.empty())
     add_error(faults, parameters.child("doDiffusion")->where,
-              "<doDiffusion> true: the mechanism has no fits of transport",
+              "<doDiffusion> true: the mechanism has no fits of transport coefficients",
               "write false, or use a mechanism with <binaryDiffusionFits>");
   if (const DeckNode* start = parameters.child("Y_init")) check_fractions(*start, *gas, faults);
   if (const DeckNode* profile = parameters.child("initProfile")) {

@@ -122,7 +122,7 @@ PropertyTable::PropertyTable(const std::string& file, Additions additions)
   const std::size_t axes = lines.integer("the number of axes", 2);
   std::vector<std::string> names = lines.words("names of the axes");
   if (names.size() != axes)
-    lines.fail(0, "names of the axes", fmt::format("{}, as many as axes", axes),
+    lines.fail(0, "names of the axes", fmt::format("{}, one for each axis", axes),
                fmt::format("{} of them", names.size()));
   axis_ = canonical(names.front());
   if (axis_ != "mixture_fraction")
@@ -131,7 +131,7 @@ PropertyTable::PropertyTable(const std::string& file, Additions additions)
   const std::size_t count = lines.integer("the number of columns", max_points);
   const std::vector<std::string> columns = lines.words("names of the columns");
   if (columns.size() != count)
-    lines.fail(0, "names of the columns", fmt::format("{}, as many as columns", count),
+    lines.fail(0, "names of the columns", fmt::format("{}, one for each column", count),
                fmt::format("{} of them", columns.size()));
   lines.words("units of the columns");
   std::vector<double> second = {0};

@@ -46,7 +46,7 @@ void read_map(const DeckNode& node, SeedObject& o, std::vector<Fault>& faults) {
               fmt::format("affineTransformation_A0, A1, A2 have the determinant {:g}; particles "
                           "need a positive volume",
                           det_of_map(o.map)),
-              "exchange two rows, or give another map");
+              "swap two rows, or give another transformation");
 }
 
 }  // namespace

@@ -135,7 +135,7 @@ void check_flags(const DeckNode& root, std::vector<Fault>& faults) {
   if (subcycles && *subcycles == 0)
     add_error(faults, flags->child("minimum_subcycles_for_F")->where,
               "<minimum_subcycles_for_F> 0: particles would never be deformed",
-              "1: the first order; -2: up to the square");
+              "1: first order; -2: up to the quadratic term");
   const BasisRow& basis = basis_of(*flags);
   if (!basis.cut_by_length) warn_of_idle(*flags, "cpdi_lcrit", "<interpolator> cpdi", faults);
   const DeckNode* grid = root.child("Grid");
@@ -153,7 +153,7 @@ void check_flags(const DeckNode& root, std::vector<Fault>& faults) {
                     fmt::format("<interpolator> {}: tetrahedra need three directions of more than "
                                 "one cell",
                                 basis.word),
-                    "all other interpolators are valid for fewer");
+                    "all other interpolators also work with fewer");
       }
   if (is_true(flags, "refine_particles") && is_true(flags, "total_lagrangian"))
     add_not_built(faults, flags->child("refine_particles")->where,

@@ -63,7 +63,7 @@ std::optional<Matrix> matrix_of(const DeckNode& piece, const char* name,
   }
   add_error(faults, node->where,
             fmt::format("<{}>: {} numbers, expected nine", name, values.size()),
-            "row after row: xx, xy, xz, yx, ...");
+            "row by row: xx, xy, xz, yx, ...");
   return std::nullopt;
 }
 

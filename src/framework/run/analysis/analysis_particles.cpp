@@ -44,7 +44,7 @@ std::size_t column_of_colour(const AnalysisModule& m, const ParticleKind& kind) 
   }
   throw DeckError(m.where,
                   fmt::format("<Module name=\"{}\"> selects the particles with {} above "
-                              "colorThreshold, and those of '{}' do not have it",
+                              "colorThreshold, but the particles of '{}' do not have it",
                               m.name, colour_name, kind.name),
                   "write <withColor>true</withColor> in <MPM>");
 }

@@ -181,7 +181,7 @@ Json Conservation::checkpoint() const {
 void Conservation::restore(const Json& json) {
   try {
     if (json.size() != budgets_.size()) {
-      throw InputError(fmt::format("the checkpoint follows {} conserved quantities, this run {}",
+      throw InputError(fmt::format("the checkpoint contains {} conserved quantities, this run {}",
                                    json.size(), budgets_.size()));
     }
     std::vector<Budget> restored;
@@ -189,8 +189,9 @@ void Conservation::restore(const Json& json) {
       const Json& entry = json.at(i);
       const auto found = entry.at("name").get<std::string>();
       if (found != budgets_[i].name) {
-        throw InputError(fmt::format("the checkpoint follows '{}' where this run follows '{}'",
-                                     found, budgets_[i].name));
+        throw InputError(fmt::format(
+            "the checkpoint contains the conserved quantity '{}' where this run has '{}'", found,
+            budgets_[i].name));
       }
       restored.push_back({found, total_of(entry.at("start")), budgets_[i].now,
                           total_of(entry.at("boundary")), total_of(entry.at("sources"))});

@@ -33,10 +33,9 @@ bool Simulation::judge_energies(const StepPlan& plan, const std::vector<double>&
       component_->budgets().place_of_gain(*hierarchy_->particles(), body.material, *communicator_);
   reason = fmt::format(
       "solid '{}' gains {:.3g} J by numerical error of transfer and integration, {:.2g} of its "
-      "energy ({:.3g} J; a step may gain {:g} of it){}. The physics allowed a step of {:g}, set by "
-      "{}. Try a smaller <timestep_multiplier>, another <interpolator>, or look at the state "
-      "before "
-      "this step in the last checkpoint",
+      "energy ({:.3g} J; a step may gain {:g} of it){}. The limits of the time step allowed {:g}, "
+      "set by {}. Try a smaller <timestep_multiplier>, another <interpolator>, or look at the "
+      "state before this step in the last checkpoint",
       body.name, excess->gain, excess->gain / excess->scale, excess->scale, EnergyGuard::step_gain,
       where, limit_.dt, limit_.reason);
   attempts.refused = true;

@@ -250,7 +250,7 @@ bool sound(const Parameters& p, PorousConstants& c) {
   }
   c.closing = c.alpha_0 * (1 / c.K_0 - c.alpha_0 / c.stiffness) / (c.alpha_0 - 1);
   if (good && !(c.closing * (c.Ps - c.Pe) < 2))
-    wrong("K0", fmt::format("<K0> is {:g}: so soft a body would close its pores without crushing "
+    wrong("K0", fmt::format("<K0> is {:g}: a body this soft would close its pores without crushing "
                             "before <Ps> {:g}",
                             c.K_0, c.Ps));
   c.elastic_limit = 1 + (c.alpha_0 - 1) * std::exp(-c.closing * c.Pe);
