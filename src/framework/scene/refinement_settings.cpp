@@ -214,7 +214,7 @@ int finest_level(const DeckNode& node, const RefinementSettings& s, std::vector<
                 fmt::format("<{}>: level {}; the coarsest refined level is 1", node.name, asked));
     else if (asked > finest)
       add_warning(faults, node.where,
-                  fmt::format("<{}>: level {}, but max_levels {} makes the finest one {}",
+                  fmt::format("<{}>: level {}, but with max_levels {} the finest level is {}",
                               node.name, asked, s.max_levels, finest));
     finest = std::min(asked, finest);
   });

@@ -242,7 +242,7 @@ void check_ice_materials(const DeckNode& root, std::vector<Fault>& faults) {
   constexpr std::size_t most = ice::max_materials;
   if (materials.size() > most)
     add_error(faults, materials[most]->where,
-              fmt::format("{} materials are more than the {} of one deck", materials.size(), most),
+              fmt::format("{} materials; a deck may have at most {}", materials.size(), most),
               "combine materials with the same equation of state");
   for (const DeckNode* material : materials) {
     const DeckNode* work = material->child("includeFlowWork");
