@@ -38,8 +38,8 @@ HEAD = """# Thresholds of the fluid
 This page is written by `./dev docs` from the comments of `src/ice`. A threshold is where the code
 begins to do something else, or a bound: another value would do. Its test is the one that covers
 the case for which the threshold is there, or the file of a table of cases; with *none* no test
-does. A coefficient is a number of a formula, or a mark. A unit of 1 stands for a pure number; what
-it is a share of is part of the meaning.
+does. A coefficient is a number of a formula, or a mark. A unit of 1 stands for a pure number; the
+meaning says what it is relative to.
 """
 
 

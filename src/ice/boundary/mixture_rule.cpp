@@ -10,8 +10,8 @@
 namespace sluice::ice {
 namespace {
 
-// threshold: share of the largest density that a side gives to a material at least; less of it is
-//   none; unit: 1; test: MixtureGhosts.ATraceOfDensityIsNone
+// threshold: share of the largest density at a side below which a material counts as absent; unit:
+//   1; test: MixtureGhosts.ATraceOfDensityIsNone
 constexpr double min_given_density = 1e-9;
 // coefficient: the pressures between which the one is sought at which densities and temperatures
 //   fill a cell; unit: Pa

@@ -19,8 +19,8 @@
 
 namespace sluice::ice {
 
-// threshold: change of the density, and of the pressure above the lowest of the law, from a cell
-//   to its ghost by waves, at most; unit: 1; test:
+// threshold: largest relative change by waves of the density, and of the pressure above the lowest
+//   of the equation of state, from a cell to its ghost cell; unit: 1; test:
 //   WaveGhosts.KeepDensityAndPressurePositiveBehindSteepSlopes
 constexpr double max_change_by_waves = 0.5;
 

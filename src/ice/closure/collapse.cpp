@@ -8,8 +8,8 @@ namespace {
 //   the liquid that closes on it: air of 1 bar in 1e-3 of a cell of water; unit: 1; test:
 //   Cavitation.OpensAndCollapses
 constexpr double trace_of_mass = 1e-6;
-// threshold: factor of its pressure in one step from which on a bubble is one that closes; unit:
-//   1; test: Cavitation.OpensAndCollapses
+// threshold: growth of its pressure in one step, as a factor, above which a bubble counts as
+//   closing; unit: 1; test: Cavitation.OpensAndCollapses
 constexpr double closing = 4.0;
 
 // gamma - 1; of what is no gas 0.

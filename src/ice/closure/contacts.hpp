@@ -25,7 +25,7 @@ constexpr double min_conducting_share = 1e-8;
 // threshold: share of the cell below which the conduction and friction of a material do not limit
 //   the time step; unit: 1; test: none
 constexpr double min_limiting_share = 0.01;
-// threshold: share of the cell's mass below which they do not either; unit: 1; test: none
+// threshold: share of the cell's mass below which they do not limit it either; unit: 1; test: none
 constexpr double min_limiting_mass = 1e-9;
 
 // One side of a face, by material.

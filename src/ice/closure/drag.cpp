@@ -15,18 +15,19 @@ namespace {
 // threshold: volume fraction up to which a material moves with the mixture; unit: 1; test:
 //   Drag.BindsLightTracesOnly
 constexpr double bound = 1e-8;
-// threshold: volume fraction from which on nothing binds it to the mixture for that; unit: 1;
-//   test: Drag.BindsLightTracesOnly
+// threshold: volume fraction above which its small amount no longer binds it to the mixture; unit:
+//   1; test: Drag.BindsLightTracesOnly
 constexpr double unbound = 1e-6;
 // threshold: volume fraction up to which a light material feels at least the drag of fragments of
 //   the size of a cell; unit: 1; test: Drag.BindsLightTracesOnly
 constexpr double little = 1e-2;
-// threshold: volume fraction from which on it does not; unit: 1; test: Drag.BindsLightTracesOnly
+// threshold: volume fraction above which it does not feel this drag; unit: 1; test:
+//   Drag.BindsLightTracesOnly
 constexpr double some = 2e-2;
-// threshold: density, of that of the mixture, up to which a material is light for that; unit: 1;
-//   test: Drag.BindsLightTracesOnly
+// threshold: density relative to the mixture up to which a material counts as light for this drag;
+//   unit: 1; test: Drag.BindsLightTracesOnly
 constexpr double light = 1.0;
-// threshold: density, of that of the mixture, from which on it is not; unit: 1; test:
+// threshold: density relative to the mixture above which it does not; unit: 1; test:
 //   Drag.BindsLightTracesOnly
 constexpr double heavy = 2.0;
 

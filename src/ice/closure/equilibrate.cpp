@@ -12,8 +12,8 @@ namespace {
 // threshold: volume fraction below which a material keeps its density where no pressure suits
 //   all; unit: 1; test: none
 constexpr double min_relaxed = 1e-8;
-// threshold: pressure in a cavity, of the largest constant pi of the stiffened laws, at least:
-//   below it the energy of the gas is round-off; unit: 1; test:
+// threshold: smallest pressure in a cavity, relative to the largest constant pi of the stiffened
+//   gases: below it the energy of the gas is round-off; unit: 1; test:
 //   Equilibration.TheWeakerLiquidOpensUnderTension
 constexpr double min_cavity_pressure = 1e-12;
 

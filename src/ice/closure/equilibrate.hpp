@@ -21,8 +21,8 @@
 
 namespace sluice::ice::mixture {
 
-// threshold: difference of pressures, of the modulus, up to which materials are at one pressure:
-//   the round-off of p = G (rho e) + F; unit: 1; test:
+// threshold: difference of pressures, relative to the modulus, up to which materials are at one
+//   pressure: the round-off of p = G (rho e) + F; unit: 1; test:
 //   IdealRelaxation.KeepsVolumeEnergyAndWhatIsInEquilibrium
 constexpr double same_pressure = 4e-15;
 

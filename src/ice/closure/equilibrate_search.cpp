@@ -21,20 +21,21 @@ constexpr int max_iterations = 100, max_together = 12;
 // threshold: pressure, of the one sought, below which a step takes half of the decades in place
 //   of half of the volume; unit: 1; test: EquilibrationOfVapour.GoesWhereTheLiquidClosesItsCavity
 constexpr double thin = 0x1p-80;
-// threshold: relative step of Newton after which the search ends: what is left is the square of
-//   it, round-off; unit: 1; test: Equilibration.FindsOnePressureForAnyPair
+// threshold: relative step of Newton's iteration after which the search ends: the remaining error
+//   is its square, round-off; unit: 1; test: Equilibration.FindsOnePressureForAnyPair
 constexpr double newton_ends = 1e-9;
 // threshold: relative step of bisection after which the search ends: the round-off of a volume;
 //   unit: 1; test: EquilibrationOfWater.EndsWhereAVolumeIsWithinAnUlp
 constexpr double bisection_ends = 2e-16;
-// threshold: gap between the volumes and the cell, of the cell, at which the search ends:
-//   round-off; unit: 1; test: Equilibration.LiquidsThatAreAboutToOpenFindTheirPressure
+// threshold: difference between the sum of the volumes and the cell, relative to the cell, at which
+//   the search ends: round-off; unit: 1; test:
+//   Equilibration.LiquidsThatAreAboutToOpenFindTheirPressure
 constexpr double volume_tolerance = 4e-16;
 // threshold: relative step of the pressure at which the search ends: round-off; unit: 1; test:
 //   none
 constexpr double pressure_tolerance = 1e-15;
-// threshold: gap, of the modulus or of the volume of the cell, from which on what was found is no
-//   solution; unit: 1; test: none
+// threshold: error, relative to the modulus or the volume of the cell, above which the result is
+//   not a solution; unit: 1; test: none
 constexpr double largest_gap = 1e-10;
 // coefficient: where the search for a pressure begins, of the pressures at hand; unit: 1
 constexpr double first_share = 1e-3;

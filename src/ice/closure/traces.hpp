@@ -24,8 +24,8 @@ constexpr double min_cavity = 1e-12;
 // In a cavity a gas holds at least the pressure 1e-12 pi (equilibrate.cpp), by T = p V/(M R)
 // thousands of K of this share of a liquid, millions of a hundredth of it.
 inline bool has_temperature(double M, double all) {
-  // threshold: share of a cell's mass up to which energy over mass is no temperature; unit: 1;
-  //   test: Cavitation.OpensAndCollapses
+  // threshold: share of a cell's mass up to which energy divided by mass gives no temperature;
+  //   unit: 1; test: Cavitation.OpensAndCollapses
   constexpr double min_heated = 1e-12;
   return M > min_heated * all;
 }

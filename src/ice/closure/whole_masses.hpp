@@ -21,7 +21,7 @@ inline double power_of_two_below(double x) {
 
 // `low`, `high`: masses of the two cells; `drains`: the donor gives most of what it has.
 inline double whole_mass(double F, double low, double high, bool drains) {
-  // threshold: ratio of the masses of two cells from which on what passes is rounded to the
+  // threshold: ratio of the masses of two cells above which the mass that passes is rounded to the
   //   digits of the larger one; unit: 1; test: CompactSupport.FragmentsStayTogether
   constexpr double alike = 1.0 / 32;
   const double most = larger(low, high), least = smaller(low, high);

@@ -85,8 +85,8 @@ void close_row(const Row& row, In fraction, In raw, In outflow, Out to, int axis
 }  // namespace
 
 void add_open_faces(TaskList& list, const OpenFacesInput& v, const SchemeOptions& o, int effect) {
-  // threshold: volume that flows out of a cell without fluid, of the cell's, up to which it is
-  //   the round-off of overlaps; unit: 1; test: none
+  // threshold: outflow of a cell without fluid, as a share of its volume, up to which it is the
+  //   round-off of overlaps; unit: 1; test: none
   constexpr double round_off = 1e-12;
   for (int axis = 0; axis < o.grid.axes.count; ++axis) {
     const int d = o.grid.axes.direction[axis];

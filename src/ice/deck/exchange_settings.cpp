@@ -145,10 +145,10 @@ void check_models(const DeckNode& exchange, const std::vector<const DeckNode*>& 
 }  // namespace
 
 double growth_with_mass_ratio(double M_m, double M_n) {
-  // threshold: square of a ratio of masses from which on coefficients of exchange grow with it;
-  //   unit: 1; test: HeatContacts.ACoefficientMayGrowWithTheRatioOfMasses
+  // threshold: square of a mass ratio above which exchange coefficients grow with it; unit: 1;
+  //   test: HeatContacts.ACoefficientMayGrowWithTheRatioOfMasses
   constexpr double least_square = 1e5;
-  // threshold: square of a ratio of masses beyond which they do not grow any more; unit: 1; test:
+  // threshold: square of a mass ratio above which they no longer grow; unit: 1; test:
   //   Drag.MayGrowWithTheRatioOfMasses
   constexpr double most_square = 1e12;
   const double ratio = M_m > M_n ? M_m / M_n : M_n / M_m;

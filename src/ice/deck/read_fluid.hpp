@@ -12,11 +12,11 @@ struct TagSpec;
 
 namespace sluice::ice {
 
-// threshold: relative difference from which on pressures that a deck writes contradict each
-//   other; unit: 1; test: IceSchema.WarnsOfAPressureThatContradicts
+// threshold: relative difference above which pressures in a deck contradict each other; unit: 1;
+//   test: IceSchema.WarnsOfAPressureThatContradicts
 constexpr double written_pressure_tolerance = 1e-3;
-// threshold: change of a density in the last of the digits that decks write: the pressure that it
-//   makes in a liquid contradicts nothing; unit: 1; test: none
+// threshold: relative change of a density in the last digit that decks write: the pressure change
+//   that it causes in a liquid is not a contradiction; unit: 1; test: none
 constexpr double last_written_digit = 1e-6;
 
 // Adds one fault for each thing that is wrong: a tag that the law needs and that is not there, a

@@ -16,8 +16,8 @@
 namespace sluice {
 namespace {
 
-// threshold: relative difference of the pressure of an inlet from those of the start up to which
-//   it is one of them: waves change it too; unit: 1; test: boundaries.rows
+// threshold: relative difference between the pressure of an inlet and the initial pressures up to
+//   which they count as equal: waves change it too; unit: 1; test: boundaries.rows
 constexpr double from_inside = 0.1;
 
 struct FaceState {

@@ -6,8 +6,8 @@
 namespace sluice::ice {
 namespace {
 
-// coefficient: distance of the temperatures of which a heat capacity is the difference, of the
-//   temperature; unit: 1
+// coefficient: relative distance of the two temperatures whose difference quotient is a heat
+//   capacity; unit: 1
 constexpr double temperature_step = 1e-4;
 
 // f(law, heat) with the specific heat of the deck, or f(law) with the law's own.

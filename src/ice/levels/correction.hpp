@@ -11,8 +11,8 @@
 
 namespace sluice::ice {
 
-// threshold: share of its density, and of the internal energy of a gas, that a correction of
-//   fluxes leaves a cell at least; unit: 1; test: Correction.GivesEachCellTheShareThatItCanBear
+// threshold: smallest share of its density, and of the internal energy of a gas, that a flux
+//   correction leaves to a cell; unit: 1; test: Correction.GivesEachCellTheShareThatItCanBear
 constexpr double min_kept_by_corrections = 0.1;
 // coefficient: the shares of a correction that are tried, one after the other; unit: 1
 constexpr double correction_shares[] = {1.0, 0.5, 0.25, 0.125};

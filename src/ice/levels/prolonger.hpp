@@ -40,11 +40,11 @@ constexpr int max_prolonged_scalars = 2;  // of those that are carried by volume
 // carried by volume are counted at run time, outside of the loops over cells.
 template <int D, int Order>
 class Prolonger {
-  // threshold: share of the density and energy of a coarse cell that slopes leave its fine cells
-  //   at least; unit: 1; test: Prolongation.KeepsMassMomentumAndTotalEnergyOfWildStates
+  // threshold: smallest share of the density and energy of a coarse cell that slopes leave to its
+  //   fine cells; unit: 1; test: Prolongation.KeepsMassMomentumAndTotalEnergyOfWildStates
   static constexpr double min_kept = 0.25;
-  // threshold: kinetic energy of the differences of velocity among fine cells, of the internal
-  //   energy, at most; unit: 1; test: Prolongation.KeepsMassMomentumAndTotalEnergyOfWildStates
+  // threshold: largest kinetic energy of velocity differences among fine cells, relative to the
+  //   internal energy; unit: 1; test: Prolongation.KeepsMassMomentumAndTotalEnergyOfWildStates
   static constexpr double max_kinetic = 0.5;
   static constexpr int width = D == 3 ? 16 : 64;
   static constexpr int max_components = 3,

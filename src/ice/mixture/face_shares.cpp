@@ -12,12 +12,12 @@
 namespace sluice::ice::mixture {
 namespace {
 
-// threshold: share of the largest volume fraction around that enters a cell without the material
-//   at least, where that is less than min_entry; unit: 1; test:
+// threshold: smallest inflow into a cell without the material, as a share of the largest volume
+//   fraction around, where that is less than min_entry; unit: 1; test:
 //   CompactSupport.FragmentsStayTogether
 constexpr double min_of_most = 1e-2;
-// threshold: volume, of that of the cell, that enters a cell without the material in any case:
-//   less would leave an open side share by share, without end; unit: 1; test: none
+// threshold: lower limit of these bounds, as a share of the cell's volume: less would leave an open
+//   side in ever smaller shares; unit: 1; test: none
 constexpr double min_of_all = 1e-32;
 // threshold: share of the volume fraction downstream below which the trailing end of a material
 //   leaves its cell with the volume fraction found downstream; unit: 1; test:

@@ -19,8 +19,7 @@ constexpr double min_fill = 0.5;
 // threshold: volume fraction in a cell and in both of its neighbours below which its density and
 //   energy have no slope; unit: 1; test: none
 constexpr double min_sloped = 1e-10;
-// threshold: outflow number below which a cell counts as one that nothing leaves; unit: 1; test:
-//   none
+// threshold: outflow number below which a cell counts as one without outflow; unit: 1; test: none
 constexpr double no_outflow = 1e-12;
 
 }  // namespace sluice::ice::mixture

@@ -19,7 +19,7 @@
 namespace sluice::ice::mixture {
 namespace {
 
-// threshold: heat of friction that a material gets per mass, of the mean of the cell's, at most;
+// threshold: largest heat of friction of a material per mass, relative to the mean of the cell;
 //   unit: 1; test: none
 constexpr double max_by_mass = 1000;
 

@@ -21,8 +21,8 @@
 namespace sluice::ice::mixture {
 namespace {
 
-// threshold: share of the mass of a donor that counts as left at least in the correction of its
-//   kinetic energy; unit: 1; test: none
+// threshold: smallest share of a donor's mass that counts as left in the correction of its kinetic
+//   energy; unit: 1; test: none
 constexpr double min_mass_left = 0.01;
 
 struct Handles {

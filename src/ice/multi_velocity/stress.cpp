@@ -21,8 +21,8 @@
 namespace sluice::ice::mixture {
 namespace {
 
-// threshold: viscosity of a material, of M/(dt sum 1/dx^2), at most: what an explicit step of it
-//   can bear; unit: 1; test: none
+// threshold: largest viscosity of a material, relative to M/(dt sum 1/dx^2): the limit of an
+//   explicit step; unit: 1; test: none
 constexpr double max_viscous_share = 0.375;
 
 struct Handles {

@@ -9,13 +9,13 @@
 namespace sluice::ice {
 namespace {
 
-// threshold: fall of the pressure over two cells, of rho c^2, from which on a shock is widened
-//   before it leaves a level; unit: 1; test: AmrPassage.ReflectsLessThanAHundredthOfTheJump
+// threshold: fall of the pressure over two cells, relative to rho c^2, above which a shock is
+//   widened before it leaves a level; unit: 1; test: AmrPassage.ReflectsLessThanAHundredthOfTheJump
 constexpr double min_fall = 0.07;
-// threshold: fall from which on it is widened in full; unit: 1; test:
+// threshold: fall above which it is widened in full; unit: 1; test:
 //   AmrPassage.ReflectsLessThanAHundredthOfTheJump
 constexpr double full_fall = 0.21;
-// threshold: fall from which on it is widened as a steep one; unit: 1; test:
+// threshold: fall above which it is widened as a steep one; unit: 1; test:
 //   AmrPassage.ReflectsLessThanAHundredthOfTheJump
 constexpr double steep_fall = 1;
 constexpr int max_depth = 80;

@@ -22,15 +22,15 @@
 namespace sluice::ice {
 namespace {
 
-// threshold: jump of the pressure, of rho c^2, from which on faces along a shock exchange
+// threshold: jump of the pressure, relative to rho c^2, above which faces along a shock exchange
 //   momentum; unit: 1; test: ShockShear.LeavesSlipLinesAlone
 constexpr double min_jump = 1.0 / 3;
-// threshold: jump from which on they exchange it in full; unit: 1; test:
+// threshold: jump above which they exchange it in full; unit: 1; test:
 //   ShockShear.RowsBehindAShockStayAlike
 constexpr double full_jump = 2.0 / 3;
 // coefficient: share of l s_t that is exchanged (head of this file); unit: 1
 constexpr double shear_share = 0.5;
-// threshold: share of the momentum that faces exchange in a step at most; unit: 1; test: none
+// threshold: largest share of the momentum that faces exchange in a step; unit: 1; test: none
 constexpr double max_shear = 0.1;
 // threshold: inclination of a shock to the grid, one in so many, from which on its faces exchange
 //   none; unit: 1; test: FullStrongShocks.SedovShockStandsWhereItShould

@@ -23,8 +23,8 @@
 namespace sluice::ice {
 namespace {
 
-// threshold: relative difference of the density at the reference pressure from that of the deck,
-//   at most; unit: 1; test: MaterialFill.ADensityOfAnotherPressureIsKeptOrRefused
+// threshold: largest relative difference between the density at the reference pressure and the
+//   density of the deck; unit: 1; test: MaterialFill.ADensityOfAnotherPressureIsKeptOrRefused
 constexpr double density_tolerance = 0.02;
 
 // Cells that solids fill need no fluid; what there is of it beside a surface is that of the cells

@@ -13,7 +13,7 @@ namespace sluice::ice {
 namespace {
 
 // Fractions are ratios of small integers, or a deck's volumeFraction, which often has few digits.
-// threshold: difference of the sum of volume fractions from one, at most; unit: 1; test:
+// threshold: largest difference of the sum of volume fractions from one; unit: 1; test:
 //   MaterialFill.RefusesFractionsThatDoNotSumToOne
 constexpr double sum_tolerance = 1e-10;
 

@@ -15,7 +15,7 @@
 namespace sluice::ice {
 namespace {
 
-// threshold: square of Smagorinsky's constant that the dynamic model finds, at most; unit: 1;
+// threshold: upper bound of the square of Smagorinsky's constant in the dynamic model; unit: 1;
 //   test: none
 constexpr double max_constant = 0.25;
 
