@@ -62,7 +62,7 @@ void apply_flow(const Condition& c, int /*normal*/, const FlowConditions& settin
   if (flow == nullptr) {
     const FaceCondition* kind = face_condition(c.kind_name);
     if (kind != nullptr && kind->block) throw_missing_block(c, kind->block->name);
-    throw InputError(fmt::format("{}: {} of {}: the deck does not give its flow",
+    throw InputError(fmt::format("{}: {} of {}: the deck does not define this prescribed flow",
                                  to_string(c.where), c.kind_name, c.variable));
   }
   if (c.variable == "Pressure") rule.pressure_flow = flow;
