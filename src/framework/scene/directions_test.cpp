@@ -113,7 +113,7 @@ TEST(Directions, TheSwitchForcesAll) {
   DirectionFacts facts;
   facts.force_all = true;
   for (const ActiveDirection& d : judge("[10,1,1]", mirror, mirror, facts)) EXPECT_TRUE(d.active);
-  EXPECT_THAT(judge("[10,1,1]", mirror, mirror, facts)[2].reason, HasSubstr("forced"));
+  EXPECT_THAT(judge("[10,1,1]", mirror, mirror, facts)[2].reason, HasSubstr("--force-directions"));
 }
 
 }  // namespace
