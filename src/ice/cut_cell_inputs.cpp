@@ -17,7 +17,7 @@ WholeFaceInputs whole_face_inputs(const mixture::Variables& m,
   s.heat_of_each = mixture::HeatFluxInput::of(m);
   s.stress.stress = s.friction.mixture.stress = w.whole_stress;
   s.heat.heat_flux = s.heat_of_each.heat_flux = w.whole_heat_flux;
-  s.heat_of_each.of_materials = x.whole_heat_of_each;
+  s.heat_of_each.of_materials = x.full_face_material_heat;
   return s;
 }
 
@@ -32,8 +32,8 @@ CutCellInputs CutCellInputs::of(const mixture::Variables& m,
   s.open.stress = {w.fraction, w.covered, w.whole_stress, v.stress};
   s.open.heat_flux = {w.fraction, w.covered, w.whole_heat_flux, v.heat_flux};
   s.open_stresses = {w.fraction, w.covered, {}, m.slip.stress};
-  s.open_heats = {w.fraction, w.covered, x.whole_heat_of_each, m.heat_flux};
-  s.lagrangian = mixture::LagrangianOfEachInput::of(m);
+  s.open_heats = {w.fraction, w.covered, x.full_face_material_heat, m.heat_flux};
+  s.lagrangian = mixture::MaterialLagrangianInput::of(m);
   s.slip_faces = mixture::SlipFacesInput::of(m);
   s.scalars = scalars::FlowOfScalars::of(v);
   s.budgets = BudgetInput::of(v);
@@ -63,7 +63,7 @@ void add_whole_stresses(TaskList& list, const mixture::Variables& m, const Schem
 void add_whole_fluxes(TaskList& list, const mixture::Variables& m,
                       const cut_cells::MaterialVariables& x, const SchemeOptions& masked) {
   for (int axis = 0; axis < masked.grid.axes.count; ++axis) {
-    RemapFluxInput whole = cut_cells::whole_cell_remap(m.common, axis);
+    RemapFluxInput whole = cut_cells::full_cell_remap(m.common, axis);
     if (!masked.materials.mixture) {
       add_remap_flux(list, whole, masked, effect_flow, axis);
       continue;
@@ -72,13 +72,13 @@ void add_whole_fluxes(TaskList& list, const mixture::Variables& m,
     if (masked.materials.multi_velocity) {
       auto in = mixture::SlipFluxInput::of(m);
       in.mixture = whole;
-      in.flux = x.whole_flux_of_each;
-      in.material_velocity = x.whole_velocity;
+      in.flux = x.full_face_material_flux;
+      in.material_velocity = x.full_face_velocity;
       mixture::add_slip_flux(list, in, masked, effect_flow, axis);
     } else {
       auto in = mixture::RemapFluxInput::of(m);
       in.mixture = whole;
-      in.flux = x.whole_flux_of_each;
+      in.flux = x.full_face_material_flux;
       mixture::add_remap_flux(list, in, masked, effect_flow, axis);
     }
   }

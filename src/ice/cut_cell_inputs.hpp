@@ -21,7 +21,7 @@ struct CutCellInputs {
   cut_cells::SharesInput open;
   cut_cells::OpenShareInput open_stresses, open_heats;
   // Of the volume that passes the open share of faces.
-  mixture::LagrangianOfEachInput lagrangian;
+  mixture::MaterialLagrangianInput lagrangian;
   mixture::SlipFacesInput slip_faces;
   scalars::FlowOfScalars scalars;
   BudgetInput budgets;

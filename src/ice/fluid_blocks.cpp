@@ -39,7 +39,7 @@ int FluidBlocks::kind_of(const Warehouse& old_state, int local_box,
 }
 
 std::optional<double> FluidBlocks::absent_value(Label label, int material, int kind) const {
-  const IndexOffsets& places = part_->options().accounts.places;
+  const IndexOffsets& places = part_->options().budgets.places;
   return label == labels().volume && material == places.material_of(kind) ? 1.0 : 0.0;
 }
 

@@ -6,7 +6,7 @@
 namespace sluice::ice {
 
 void FluidOutputs::declare_diagnostics(TaskList& list, int level) const {
-  list.enter(part_->options().accounts.places);
+  list.begin_part(part_->options().budgets.places);
   declare_diagnostic_outputs(list, part_->at_level(level), part_->scene().criteria,
                              levels_->error_estimates());
 }

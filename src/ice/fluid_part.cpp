@@ -16,10 +16,10 @@ FluidPart::FluidPart(const Scene& scene, IceScene ice_scene, IndexOffsets places
       options_(scheme_options(scene, ice_)),
       reductions_(std::move(reductions)) {
   for (const models::TransportedScalar& s : ice_.models.scalars) s.declare_labels();
-  options_.accounts.places = std::move(places);
+  options_.budgets.places = std::move(places);
   register_reductions();
   StateSlots slots;
-  slots.places = options_.accounts.places;
+  slots.places = options_.budgets.places;
   slots.mass = labels().mass;
   slots.momentum = labels().momentum;
   slots.energy = labels().energy;
@@ -42,7 +42,7 @@ FluidPart::FluidPart(const Scene& scene, IceScene ice_scene, IndexOffsets places
     tracers_ = std::make_unique<Tracers>(
         ice_.models.tracers, ice_.models.scalars, scene.grid, boundary_,
         FlowStorage{material_count(), slots.directions, options_.materials.multi_velocity,
-                    options_.accounts.places, ice_.solids > 0},
+                    options_.budgets.places, ice_.solids > 0},
         scene.time.max_time);
   if (!effects_.on(effect_sources)) return;
   for (const Level& level : scene.grid.levels)
@@ -52,7 +52,7 @@ FluidPart::FluidPart(const Scene& scene, IceScene ice_scene, IndexOffsets places
 }
 
 void FluidPart::register_reductions() {
-  AccountOptions& a = options_.accounts;
+  BudgetOptions& a = options_.budgets;
   const int materials = material_count();
   a.places.sums = reductions_->add_sums(a.sums + materials - 1);
   if (effects_.on(effect_sources))
@@ -64,7 +64,7 @@ void FluidPart::register_reductions() {
 }
 
 VolumeSums FluidPart::volume_sums() const {
-  return {options_.accounts.volume_sums.first(), material_count()};
+  return {options_.budgets.volume_sums.first(), material_count()};
 }
 
 SchemeOptions FluidPart::at_level(int level) const {

@@ -38,8 +38,8 @@ class FluidPart {
 
   // Of the component, and the fluid's own among them.
   const ReductionLayout& reductions() const { return *reductions_; }
-  const SumGroup& sums() const { return options_.accounts.places.sums; }
-  const MaximumGroup& maxima() const { return options_.accounts.places.maxima; }
+  const SumGroup& sums() const { return options_.budgets.places.sums; }
+  const MaximumGroup& maxima() const { return options_.budgets.places.maxima; }
   VolumeSums volume_sums() const;
 
   // What the last step's pressure solves took; written by the step.

@@ -18,13 +18,13 @@ SchemeOptions FluidStep::options_of(const StepVariant& variant) const {
   const int levels = static_cast<int>(part_->run_scene().grid.levels.size());
   SchemeOptions o = part_->at_level(variant.level);
   o.scheme.masked = variant.masked;
-  o.accounts.coverage = variant.coverage;
+  o.budgets.coverage = variant.coverage;
   o.grid.meets_coarser = o.scheme.implicit && variant.level > 0;
   o.grid.meets_finer = o.scheme.implicit && variant.level + 1 < levels;
-  o.accounts.recorder = levels_->transfer().flux_quantities() > 0 ? variant.recorder : nullptr;
+  o.budgets.recorder = levels_->transfer().flux_quantities() > 0 ? variant.recorder : nullptr;
   o.grid.shocks_leave =
-      o.accounts.recorder != nullptr && levels_->interface_depth(*o.grid.level) != IntVec3{};
-  o.accounts.volumes = variant.volumes;
+      o.budgets.recorder != nullptr && levels_->interface_depth(*o.grid.level) != IntVec3{};
+  o.budgets.volumes = variant.volumes;
   if (o.scheme.internal_energy_form) return o;
   o.grid.solids = part_->scene().solids > 0;
   o.grid.has_cut_cells = blocks_->has_cut_cells(variant.kind);
@@ -39,7 +39,7 @@ SchemeOptions FluidStep::options_of(const StepVariant& variant) const {
 
 void FluidStep::declare(TaskList& list, const StepVariant& variant) const {
   const SchemeOptions o = options_of(variant);
-  list.enter(o.accounts.places);
+  list.begin_part(o.budgets.places);
   if (o.scheme.internal_energy_form)
     return declare_step_of_internal_energy(list, o, part_->effects());
   if (o.grid.has_cut_cells) return declare_step_of_cut_cells(list, o, part_->effects());
@@ -93,7 +93,7 @@ void FluidStep::declare_passes(StepShape& shape,
 
 void FluidStep::measure_rates(const Warehouse& state, Reductions& rates) const {
   const SchemeOptions o = part_->at_level(state.level().index);
-  ice::measure_rates(state, o, {rates, o.accounts.places.reduction_offsets()});
+  ice::measure_rates(state, o, {rates, o.budgets.places.reduction_offsets()});
 }
 
 StepLimit FluidStep::limit(const std::vector<double>& maxima) const {

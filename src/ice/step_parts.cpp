@@ -103,7 +103,8 @@ void add_mixture_friction(TaskList& list, const mixture::FrictionInput& in, cons
                           int /*effect*/) {
   mixture::add_friction(list, in, o);
 }
-void add_stress_of_each(TaskList& list, mixture::Variables& m, const SchemeOptions& o, int effect) {
+void add_material_stress(TaskList& list, mixture::Variables& m, const SchemeOptions& o,
+                         int effect) {
   if (!o.transport.viscous) return;
   const auto in = mixture::SlipStressInput::of(m);
   const mixture::SlipStress stress = mixture::add_slip_stress(list, in, o, effect);
@@ -121,8 +122,8 @@ void add_end_of_solve(TaskList& list, const mixture::Variables& m, const SchemeO
   add_cut_cell_end_of_step(list, CutCellErrorInput::of(m.common), end, o, solve);
 }
 
-void add_scalars_of_each(TaskList& list, const mixture::Variables& m,
-                         const scalars::FlowOfScalars& of_mixture, const SchemeOptions& o) {
+void add_material_scalars(TaskList& list, const mixture::Variables& m,
+                          const scalars::FlowOfScalars& of_mixture, const SchemeOptions& o) {
   const scalars::OwnMotionInput own{m.slip.velocity, m.slip.outflow, m.slip.face_velocity};
   scalars::add_tasks(list, scalars::add_own_motion(list, of_mixture, own, o, effect_scalars), o,
                      effect_scalars);

@@ -49,12 +49,12 @@ void add_transport_models(TaskList& list, const TransportInput& in, const Scheme
 void add_mixture_friction(TaskList& list, const mixture::FrictionInput& in, const SchemeOptions& o,
                           int effect);
 // Of materials that move apart: the stress of the mixture and of each follow here.
-void add_stress_of_each(TaskList& list, mixture::Variables& m, const SchemeOptions& o, int effect);
+void add_material_stress(TaskList& list, mixture::Variables& m, const SchemeOptions& o, int effect);
 // Of a semi-implicit step: the error of the volume that is left.
 void add_end_of_solve(TaskList& list, const mixture::Variables& m, const SchemeOptions& o);
 // Scalars of materials that move apart.
-void add_scalars_of_each(TaskList& list, const mixture::Variables& m,
-                         const scalars::FlowOfScalars& of_mixture, const SchemeOptions& o);
+void add_material_scalars(TaskList& list, const mixture::Variables& m,
+                          const scalars::FlowOfScalars& of_mixture, const SchemeOptions& o);
 // What leaves through sides and levels, and what forces and models add: all steps alike.
 void add_budgets(TaskList& list, const BudgetInput& v, const SchemeOptions& o,
                  const EffectList& effects);

@@ -36,12 +36,12 @@ void declare_step_of_full_cells(TaskList& list, const SchemeOptions& o, const Ef
   row(one, add_viscous_stress, v, friction);                 // u -> t_f
   row(one, add_heat_flux, v, conduction);                    // rho, E -> T, q_f
   row(several, add_mixture_friction, m, friction);           // V_m, T_m, u -> mu, t_f
-  if (apart) add_stress_of_each(list, m, o, friction);       // u_m -> t of each
+  if (apart) add_material_stress(list, m, o, friction);      // u_m -> t of each
   row(apart, mixture::add_slip_phase, m, drag);              // p_f -> w_mL, drift, work
   row(several, mixture::add_heat_flux, m, conduction);       // T_m -> q_f of each
   row(several, mixture::add_transported_heat, m, heat);      // t_f, q_f -> heat of each
   row(true, add_lagrangian, v, flow);                        // faces -> rho_L, E_L, v, E*
-  row(several, mixture::add_lagrangian_of_each, m, flow);    // u_f, p_f -> E_mL, scales
+  row(several, mixture::add_material_lagrangian, m, flow);   // u_f, p_f -> E_mL, scales
   row(apart, mixture::add_slip_faces, m, drag);              // drift -> u_fm, outflow
   row(one, add_remap_bases, v, second_order);                // Lagrange -> bases
   row(several, mixture::add_remap_bases, m, second_order);   // Lagrange -> bases
@@ -58,10 +58,10 @@ void declare_step_of_full_cells(TaskList& list, const SchemeOptions& o, const Ef
   row(together, mixture::add_one_pressure, m, equilibrium);  // f, remap -> new state
   add_end_of_solve(list, m, o);                              // X, new state -> R, new Y
   if (apart)
-    add_scalars_of_each(list, m, scalars::FlowOfScalars::of(v), o);  // u_m, fluxes -> new scalars
-  add_budgets(list, BudgetInput::of(v), o, effects);                 // fluxes, m, dp -> sums
-  if (apart) add_slip_budget(list, m, o, effect_of_forces(o));       // work on slip -> sums
-  add_outputs(list, m, o);                                           // all -> what is saved
+    add_material_scalars(list, m, scalars::FlowOfScalars::of(v), o);  // u_m, fluxes -> new scalars
+  add_budgets(list, BudgetInput::of(v), o, effects);                  // fluxes, m, dp -> sums
+  if (apart) add_slip_budget(list, m, o, effect_of_forces(o));        // work on slip -> sums
+  add_outputs(list, m, o);                                            // all -> what is saved
 }
 
 // The same of cells that solids cut; materials that move apart do so in cells that no solid cuts.
@@ -104,8 +104,8 @@ void declare_step_of_cut_cells(TaskList& list, const SchemeOptions& o, const Eff
   row(several, mixture::add_transported_heat, m, heat);                    // t_f, q_f -> heat
   row(true, cut_cells::add_lagrangian, v, solids);                         // faces -> donors
   row(apart, mixture::add_slip_phase, m, drag);                            // p_f -> w_mL, drift
-  row(several, mixture::add_lagrangian_of_each, s.lagrangian, flow);       // full cells: E_mL
-  row(several, cut_cells::add_shares_of_each, each.shares, solids);        // cut cells: E_mL
+  row(several, mixture::add_material_lagrangian, s.lagrangian, flow);      // full cells: E_mL
+  row(several, cut_cells::add_material_shares, each.shares, solids);       // cut cells: E_mL
   row(apart, mixture::add_slip_faces, s.slip_faces, drag);                 // drift -> u_fm
   masked_row(one, add_remap_bases, s.bases, second_order);                 // Lagrange -> bases
   masked_row(several, mixture::add_remap_bases, s.bases_of_each, second_order);  // the same
@@ -118,7 +118,7 @@ void declare_step_of_cut_cells(TaskList& list, const SchemeOptions& o, const Eff
   add_end_of_solve(list, m, o);                                           // X, state -> R, Y
   row(true, cut_cells::add_scalar_walls, v, solids);                      // theta -> M, weights
   row(!apart, scalars::add_tasks, s.scalars, effect_scalars);             // F -> new scalars
-  if (apart) add_scalars_of_each(list, m, s.scalars, o);                  // F -> new scalars
+  if (apart) add_material_scalars(list, m, s.scalars, o);                 // F -> new scalars
   add_budgets(list, s.budgets, o, effects);                               // fluxes -> sums
   if (apart) add_slip_budget(list, m, o, effect_of_forces(o));            // slip -> sums
   add_outputs(list, m, o);                                                // all -> saved

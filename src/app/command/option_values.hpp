@@ -23,7 +23,7 @@ struct RunOptionValues {
 
   SceneOptions scene_options(int ranks) const;
   Warnings warnings() const {
-    return strict ? Warnings::refused : quiet ? Warnings::hidden : Warnings::told;
+    return strict ? Warnings::refused : quiet ? Warnings::hidden : Warnings::shown;
   }
   IntVec3 block_extents() const;
 };

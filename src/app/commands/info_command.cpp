@@ -31,7 +31,7 @@ std::int64_t bytes_in(const fs::path& folder) {
 void verify_steps(const std::vector<StepEntry>& entries, const fs::path& folder, Verification& v) {
   for (const StepEntry& e : entries) {
     try {
-      require_parent(e, folder);
+      require_referenced_archive(e, folder);
       for (std::string& d : ArchiveStep(folder / e.href).verify(v.values))
         v.damage.push_back(std::move(d));
     } catch (const Error& error) {

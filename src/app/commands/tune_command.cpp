@@ -175,7 +175,7 @@ int tune(const TuneRequest& o) {
   check(o);
   if (world().size() > 1) throw InputError("sluice tune runs on one rank; start it without mpirun");
   const auto loaded =
-      load_scene(o.deck, o.overrides, {}, o.quiet ? Warnings::hidden : Warnings::told);
+      load_scene(o.deck, o.overrides, {}, o.quiet ? Warnings::hidden : Warnings::shown);
   if (!loaded->later.empty())
     throw InputError(
         "sluice tune runs one component; name the deck of one component of the switcher");

@@ -26,7 +26,7 @@ namespace {
 
 void tell(std::vector<Fault>& faults, Warnings warnings) {
   if (warnings == Warnings::refused) refuse_warnings(faults);
-  if (!world().is_root() || warnings != Warnings::told) return;
+  if (!world().is_root() || warnings != Warnings::shown) return;
   const bool colour = wants_colour(stderr);
   for (const Fault& f : faults) {
     if (f.severity == Severity::error) continue;

@@ -31,7 +31,7 @@ struct LoadedScene {
 std::vector<Fault> scene_faults(const Deck& deck);
 
 // What becomes of the warnings of a deck: refused are they as errors.
-enum class Warnings { told, hidden, refused };
+enum class Warnings { shown, hidden, refused };
 void refuse_warnings(std::vector<Fault>& faults);
 
 // Prints warnings (on rank 0) and throws InputError listing all errors, one a line, when the deck
@@ -39,6 +39,6 @@ void refuse_warnings(std::vector<Fault>& faults);
 std::unique_ptr<LoadedScene> load_scene(const std::string& file,
                                         const std::vector<std::string>& overrides,
                                         const SceneOptions& options,
-                                        Warnings warnings = Warnings::told);
+                                        Warnings warnings = Warnings::shown);
 
 }  // namespace sluice

@@ -26,7 +26,7 @@ PlannedKind planned(const ParticleKind& kind) {
   p.name = kind.name;
   p.material = kind.material;
   p.numbers = place_and_id + static_cast<int>(kind.columns());
-  p.numbers_beside = place_and_id - 1 + static_cast<int>(kind.advanced_columns().size());
+  p.temporary_numbers = place_and_id - 1 + static_cast<int>(kind.advanced_columns().size());
   p.numbers_written = place_and_id;
   for (const ParticleAttribute& a : kind.attributes)
     p.numbers_written += component_count(a.label.info().type);
@@ -120,7 +120,7 @@ std::string particles_text(const PlannedParticles& p) {
                    {"bytes", Align::right}});
   for (const PlannedKind& k : p.kinds)
     table.row({k.name, p.known ? human_count(k.count) : "counted by the run",
-               std::to_string(k.numbers), std::to_string(k.numbers_beside),
+               std::to_string(k.numbers), std::to_string(k.temporary_numbers),
                p.known ? human_bytes(k.bytes()) : ""});
   return table.text("  ") + fmt::format("  per step: {}\n", fmt::join(p.stages, "; "));
 }

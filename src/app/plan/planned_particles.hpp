@@ -15,10 +15,10 @@ struct PlannedKind {
   std::string name;
   int material = 0;
   std::int64_t count = 0;
-  int numbers = 0;          // that each carries, position and id among them
-  int numbers_beside = 0;   // that a step makes beside them
-  int numbers_written = 0;  // into a checkpoint
-  double bytes() const { return 8.0 * static_cast<double>(count) * (numbers + numbers_beside); }
+  int numbers = 0;            // that each carries, position and id among them
+  int temporary_numbers = 0;  // that a step makes beside them
+  int numbers_written = 0;    // into a checkpoint
+  double bytes() const { return 8.0 * static_cast<double>(count) * (numbers + temporary_numbers); }
 };
 
 struct PlannedParticles {

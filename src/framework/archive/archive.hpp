@@ -93,7 +93,7 @@ class Archive {
   const std::vector<StepEntry>& outputs() const { return index_.steps; }
   const std::vector<StepEntry>& checkpoints() const { return checkpoint_index_.steps; }
   ArchiveStep read_output(const StepEntry& entry) const {
-    require_parent(entry, folder_);
+    require_referenced_archive(entry, folder_);
     return ArchiveStep(folder_ / entry.href);
   }
   ArchiveStep read_checkpoint(const StepEntry& entry) const {

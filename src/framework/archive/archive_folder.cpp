@@ -155,7 +155,7 @@ void ArchiveWriter::adopt(const fs::path& earlier_archive, int restart_step, Ear
         if (s.step > restart_step) continue;
         const fs::path source = earlier / s.href;
         if (mode == Earlier::copy) {
-          require_parent(s, earlier);
+          require_referenced_archive(s, earlier);
           s.href = fs::path(step_folder_name(s.step)) / "timestep.xml";
           copy_step(source.parent_path(), (folder_ / s.href).parent_path());
         } else {

@@ -56,7 +56,7 @@ std::string StoredVariable::group() const {
   return fmt::format("/l{}/{}/m{}", level, name, material);
 }
 
-void require_parent(const StepEntry& step, const std::filesystem::path& archive) {
+void require_referenced_archive(const StepEntry& step, const std::filesystem::path& archive) {
   namespace fs = std::filesystem;
   std::error_code error;
   const fs::path parent = (archive / step.href).parent_path().parent_path().lexically_normal();

@@ -99,7 +99,7 @@ DataFileRecord parse_data_file(const XmlElement&, const std::string& context);
 
 // InputError naming the archive in which the step is, where this one only refers to it and it is
 // not there.
-void require_parent(const StepEntry&, const std::filesystem::path& archive);
+void require_referenced_archive(const StepEntry&, const std::filesystem::path& archive);
 
 // A box of indices as read from a file: not empty, and small enough to compute with.
 IndexBox checked_box(IntVec3 lower, IntVec3 upper, const std::string& context);

@@ -79,7 +79,7 @@ TEST(ArchiveRestart, AStepOfAnArchiveThatIsMissingNamesIt) {
   const StepEntry step{4, 0.4, 0.1, "../box.uda.000/t00004/timestep.xml"};
   const fs::path archive = folder.path() / "box.uda.001";
   try {
-    require_parent(step, archive);
+    require_referenced_archive(step, archive);
     ADD_FAILURE() << "nothing is thrown";
   } catch (const InputError& e) {
     EXPECT_THAT(e.what(), ::testing::HasSubstr("step 4 is in the archive " +
@@ -87,8 +87,8 @@ TEST(ArchiveRestart, AStepOfAnArchiveThatIsMissingNamesIt) {
   }
   fs::create_directory(folder.path() / "box.uda.000");
   std::ofstream(folder.path() / "box.uda.000/index.xml") << "there";
-  EXPECT_NO_THROW(require_parent(step, archive));
-  EXPECT_NO_THROW(require_parent({4, 0.4, 0.1, "t00004/timestep.xml"}, archive));
+  EXPECT_NO_THROW(require_referenced_archive(step, archive));
+  EXPECT_NO_THROW(require_referenced_archive({4, 0.4, 0.1, "t00004/timestep.xml"}, archive));
 }
 
 TEST(ArchiveRestart, CheckpointCycleKeepsTheNewest) {

@@ -61,7 +61,7 @@ std::string name_to_keep(const fs::path& file, const std::vector<std::string>& e
 
 }  // namespace
 
-std::vector<fs::path> folders_beside(const Location& where) {
+std::vector<fs::path> search_folders(const Location& where) {
   std::vector<fs::path> folders = {fs::path(where.file).parent_path()};
   std::error_code failed;
   if (fs::is_symlink(where.file, failed)) {
@@ -74,7 +74,7 @@ std::vector<fs::path> folders_beside(const Location& where) {
 std::string find_data_file(const std::string& name, const std::string& ending,
                            const Location& where, std::vector<Fault>& faults) {
   if (name.empty()) return {};
-  const std::vector<fs::path> folders = folders_beside(where);
+  const std::vector<fs::path> folders = search_folders(where);
   std::vector<fs::path> places = places_of(name, folders);
   for (const fs::path& place : places)
     if (is_file(place.string() + ending)) return place.string();

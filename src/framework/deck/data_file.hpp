@@ -17,7 +17,7 @@ namespace sluice {
 class Schema;
 
 // The folder of the file in which this place is, and that of the file which it is a link to.
-std::vector<std::filesystem::path> folders_beside(const Location& where);
+std::vector<std::filesystem::path> search_folders(const Location& where);
 
 // `ending` is added before a file is looked for, and is no part of the answer. Empty: none is
 // there, and no fault has been added.

@@ -60,7 +60,7 @@ class IncludeResolver {
     if (fs::path(href).is_absolute()) {
       candidates.emplace_back(href);
     } else {
-      for (const fs::path& folder : folders_beside(include.where))
+      for (const fs::path& folder : search_folders(include.where))
         candidates.push_back(folder / href);
       candidates.emplace_back(href);
     }

@@ -48,7 +48,7 @@ void fill(const RealView& v, const IndexBox& region, double value) {
   });
 }
 
-void fill_where_other(const RealView& v, const IndexBox& region, double value) {
+void fill_where_different(const RealView& v, const IndexBox& region, double value) {
   const int along = row_direction(v);
   const int n = region.size()[along];
   any_row(v, region, along, [&](std::ptrdiff_t offset) {

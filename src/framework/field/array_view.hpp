@@ -42,6 +42,6 @@ using ConstRealView = ArrayView<const double>;
 bool any_other(const ConstRealView& v, const IndexBox& region, double value);
 void fill(const RealView& v, const IndexBox& region, double value);
 // Writes `value` where it is not yet: memory that was never written stays unwritten.
-void fill_where_other(const RealView& v, const IndexBox& region, double value);
+void fill_where_different(const RealView& v, const IndexBox& region, double value);
 
 }  // namespace sluice

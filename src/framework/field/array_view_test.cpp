@@ -49,7 +49,7 @@ TEST_P(RegionsOnShapes, FillsTheRegionOnly) {
   for (int d = 0; d < 3; ++d)
     if (region.size()[d] > 1) region.upper[d] -= 1;
   f.view(region.lower) = 7;
-  fill_where_other(f.view, region, 1);
+  fill_where_different(f.view, region, 1);
   for_each_cell(f.view.box,
                 [&](IntVec3 c) { EXPECT_EQ(f.view(c), region.contains(c) ? 1.0 : 0.0); });
 }
@@ -65,7 +65,7 @@ TEST(Regions, ANanDiffersAndTheSignOfZeroDoesNot) {
   EXPECT_FALSE(any_other(f.view, f.view.box, 0));
   f.view(3, 2, 0) = std::numeric_limits<double>::quiet_NaN();
   EXPECT_TRUE(any_other(f.view, f.view.box, 0));
-  fill_where_other(f.view, f.view.box, 0);
+  fill_where_different(f.view, f.view.box, 0);
   EXPECT_FALSE(any_other(f.view, f.view.box, 0));
 }
 

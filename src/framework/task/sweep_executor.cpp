@@ -220,7 +220,7 @@ void SweepExecutor::leave_absent(const Graph& graph, std::size_t n) {
     for (int d = 0; d < 3; ++d)
       if (level_->active[d] && cells.upper[d] == box.upper[d]) cells.upper[d] += absent.closing[d];
     for (int c = 0; c < warehouse.info(slot).components; ++c)
-      fill_where_other(warehouse.view(slot, c, block.box), cells, absent.value);
+      fill_where_different(warehouse.view(slot, c, block.box), cells, absent.value);
     if (remembered) new_state_->set_uniform(slot, number, absent.value);
   }
 }

@@ -8,7 +8,7 @@ VariableId TaskList::add(Variable v) {
   return {static_cast<int>(variables_.size()) - 1};
 }
 
-void TaskList::enter(IndexOffsets part) {
+void TaskList::begin_part(IndexOffsets part) {
   part_ = std::make_shared<const IndexOffsets>(std::move(part));
 }
 

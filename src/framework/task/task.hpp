@@ -96,7 +96,7 @@ class TaskBuilder {
 class TaskList {
  public:
   // Effects, materials and reductions of what is declared from now on are counted from here.
-  void enter(IndexOffsets part);
+  void begin_part(IndexOffsets part);
 
   VariableId old_state(Label label, int material, int components);
   VariableId new_state(Label label, int material, int components);

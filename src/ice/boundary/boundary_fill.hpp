@@ -86,7 +86,7 @@ class BoundaryFill {
   int wave_directions() const;  // with open faces
   bool lets_waves_out(Side side, IntVec3 cell) const { return rule(side, cell).waves; }
   // Walls that hold what touches them: their ghosts are 2 u_wall - u along the face.
-  bool sticks(Side side, IntVec3 cell) const {
+  bool is_no_slip(Side side, IntVec3 cell) const {
     return setting_.viscous && rule(side, cell).velocity_kind == GhostRule::Velocity::wall;
   }
   SideKind side_kind(Side side, IntVec3 cell) const { return rule(side, cell).side_kind(); }

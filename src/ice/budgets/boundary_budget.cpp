@@ -26,7 +26,7 @@ void account_faces(const Row& row, const FaceFluxHandles& h, const SchemeOptions
     const FaceFlux flux = fluxes(i);
     for (int m = 0; m < static_cast<int>(o.materials.fluids.size()); ++m) {
       const double mass = material_flux(row, h, o, s.axis, s.shift, i, m).mass;
-      sums.sum(StepSlots::mass_of(m, o.accounts.sums)).add(sign * mass * volume);
+      sums.sum(StepSlots::mass_of(m, o.budgets.sums)).add(sign * mass * volume);
     }
     for (int c = 0; c < o.grid.components; ++c) {
       const int direction = o.grid.direction[c];

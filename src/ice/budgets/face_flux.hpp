@@ -103,12 +103,13 @@ inline int alone_at_face(const Row& row, const FaceFluxHandles& h, const SchemeO
 
 // What materials with velocities of their own carry along component c: momentum sum F_m U_m and
 // twice the kinetic energy, sum F_m U_m^2.
-struct CarriedApart {
+struct SeparateVelocityFlux {
   double momentum = 0, square = 0;
 };
-inline CarriedApart carried_apart(const Row& row, const FaceFluxHandles& h, const SchemeOptions& o,
-                                  int axis, int shift, int i, int c) {
-  CarriedApart sum;
+inline SeparateVelocityFlux carried_apart(const Row& row, const FaceFluxHandles& h,
+                                          const SchemeOptions& o, int axis, int shift, int i,
+                                          int c) {
+  SeparateVelocityFlux sum;
   for (int m = 0; m < static_cast<int>(o.materials.fluids.size()); ++m) {
     const double F = row(h.materials, 3 * m + 1, axis, shift)[i];
     const double U = row(h.material_velocities, m * o.grid.components + c, axis, shift)[i];
@@ -164,7 +165,7 @@ class FaceFluxRows {
       double FU = o.scheme.internal_energy_form ? carried : F * carried;
       const double U = !o.scheme.internal_energy_form ? carried : F != 0.0 ? carried / F : 0.0;
       if (apart) {
-        const CarriedApart sum = carried_apart(*row_, *h_, o, axis_, shift_, i, c);
+        const SeparateVelocityFlux sum = carried_apart(*row_, *h_, o, axis_, shift_, i, c);
         FU = sum.momentum;
         FU2 += sum.square;
       } else {

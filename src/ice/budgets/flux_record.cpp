@@ -120,19 +120,19 @@ IndexBox recorded_cells(const FluxRecorder& recorder, int box, int axis, const I
 }  // namespace
 
 void add_flux_record(TaskList& list, const BudgetInput& v, const SchemeOptions& o, int effect) {
-  if (o.accounts.recorder == nullptr) return;
+  if (o.budgets.recorder == nullptr) return;
   static const char* names[] = {"flux record of axis 0", "flux record of axis 1",
                                 "flux record of axis 2"};
   for (int axis = 0; axis < o.grid.axes.count; ++axis) {
     TaskBuilder task = list.task(names[axis], effect);
     const FaceFluxHandles h = read_face_fluxes(task, v.faces, o, axis);
     const ScalarHandles scalars = read_scalars(task, v.scalars, o, axis);
-    task.always().only_in([recorder = o.accounts.recorder, axis](int box, const IndexBox& block) {
+    task.always().only_in([recorder = o.budgets.recorder, axis](int box, const IndexBox& block) {
       return recorded_cells(*recorder, box, axis, block);
     });
     task.kernel([=](const Row& row) {
-      record_row(row, h, scalars, o, axis, o.accounts.recorder->as_coarse);
-      record_row(row, h, scalars, o, axis, o.accounts.recorder->as_fine);
+      record_row(row, h, scalars, o, axis, o.budgets.recorder->as_coarse);
+      record_row(row, h, scalars, o, axis, o.budgets.recorder->as_fine);
     });
   }
 }

@@ -36,7 +36,7 @@ void account_cells(const Row& row, const Handles& h, const SchemeOptions& o, int
 
 void add_gravity_budget(TaskList& list, const ForceBudgetInput& v, const SchemeOptions& o,
                         int effect) {
-  if (!o.forces.on || (o.accounts.coverage == nullptr && !o.forces.driving_on)) return;
+  if (!o.forces.on || (o.budgets.coverage == nullptr && !o.forces.driving_on)) return;
   TaskBuilder task = list.task("gravity account", effect);
   Handles h;
   h.rho = task.read(v.rho);

@@ -114,7 +114,7 @@ class TotalsOfRows {
 
 void add_source_balance(const SchemeOptions& o, const std::vector<double>& all, StepBalance& b) {
   if (o.forces.sources == nullptr) return;
-  const std::span<const double> sums = o.accounts.source_sums.of(all);
+  const std::span<const double> sums = o.budgets.source_sums.of(all);
   const std::size_t beside = o.materials.fluids.size();
   for (std::size_t s = 0; s < beside; ++s) b.mass_of_sources.push_back(sums[s]);
   for (int d = 0; d < 3; ++d) b.momentum_of_forces[d] += sums[beside + SourceSums::momentum + d];
@@ -147,7 +147,7 @@ std::vector<double> tracked_totals(const SchemeOptions& o, const std::vector<dou
   if (o.forces.sources == nullptr) return {};
   StepBalance added;
   add_source_balance(o, all, added);
-  const std::span<const double> sums = o.accounts.source_sums.of(all);
+  const std::span<const double> sums = o.budgets.source_sums.of(all);
   const std::size_t beside = o.materials.fluids.size();
   double mass = 0;
   for (const double m : added.mass_of_sources) mass += m;
@@ -167,10 +167,10 @@ std::vector<double> tracked_totals(const SchemeOptions& o, const std::vector<dou
 // Lagrangian phase: work = dt g . (P + P_L)/2, P_L = P + pressure impulse + dt g M.
 StepBalance balance(const SchemeOptions& o, const std::vector<double>& all, const StepStart* start,
                     double dt) {
-  const std::span<const double> sums = o.accounts.places.sums.of(all);
+  const std::span<const double> sums = o.budgets.places.sums.of(all);
   StepBalance b;
   for (int m = 0; m < static_cast<int>(o.materials.fluids.size()); ++m)
-    b.mass.push_back(sums[StepSlots::mass_of(m, o.accounts.sums)]);
+    b.mass.push_back(sums[StepSlots::mass_of(m, o.budgets.sums)]);
   double mass = 0;  // of all materials at the start
   if (start != nullptr)
     for (const double of_one : start->mass) mass += of_one;

@@ -28,7 +28,7 @@ void account_side(const Row& row, const FaceFluxHandles& h, const SchemeOptions&
   const FaceFluxRows fluxes(row, h, o, axis, shift);
   const PartReductions reductions = row.reductions();
   const auto sum = [&](int slot) -> ExactSum& {
-    return reductions.sum(o.accounts.volume_sums, slot);
+    return reductions.sum(o.budgets.volume_sums, slot);
   };
   for (int i = first; i < end; ++i) {
     const FaceFlux flux = fluxes(i);
@@ -49,11 +49,11 @@ void account_side(const Row& row, const FaceFluxHandles& h, const SchemeOptions&
 
 void account_faces(const Row& row, const FaceFluxHandles& h, const SchemeOptions& o, int axis) {
   const int low = row.cell()[o.grid.axes.direction[0]], high = low + row.count();
-  for (const FaceTable::Segment& s : o.accounts.volumes->segments(row.box(), axis, row.cell())) {
+  for (const FaceTable::Segment& s : o.budgets.volumes->segments(row.box(), axis, row.cell())) {
     const int first = std::max(s.first, low), end = std::min(s.first + s.count, high);
     if (first < end)
       account_side(row, h, o, axis, s.high ? 1 : 0, first - low, end - low,
-                   o.accounts.volumes->side_of(s));
+                   o.budgets.volumes->side_of(s));
   }
 }
 
@@ -75,11 +75,11 @@ void account_forces(const Row& row, const Handles& h, const SchemeOptions& o, in
     const double* dp = row(h.impulse, c);
     for (int i = first; i < end; ++i) {
       row.reductions()
-          .sum(o.accounts.volume_sums, slots.force(volume) + d)
+          .sum(o.budgets.volume_sums, slots.force(volume) + d)
           .add(kick * rho[i] + push);
       const double along = kick + push / rho[i];
       row.reductions()
-          .sum(o.accounts.volume_sums, slots.work(volume))
+          .sum(o.budgets.volume_sums, slots.work(volume))
           .add(along * (m[i] - 0.5 * dp[i]));
     }
   }
@@ -88,8 +88,8 @@ void account_forces(const Row& row, const Handles& h, const SchemeOptions& o, in
 void account_inside(const Row& row, const Handles& h, const SchemeOptions& o) {
   const int along = o.grid.axes.direction[0];
   const int low = row.cell()[along], high = low + row.count();
-  for (int volume = 0; volume < o.accounts.volumes->count(); ++volume) {
-    const IndexBox& inside = o.accounts.volumes->inside(volume);
+  for (int volume = 0; volume < o.budgets.volumes->count(); ++volume) {
+    const IndexBox& inside = o.budgets.volumes->inside(volume);
     IntVec3 cell = row.cell();
     cell[along] = inside.lower[along];
     if (!inside.contains(cell)) continue;
@@ -102,13 +102,13 @@ void account_inside(const Row& row, const Handles& h, const SchemeOptions& o) {
 }  // namespace
 
 void add_volume_budget(TaskList& list, const BudgetInput& v, const SchemeOptions& o, int effect) {
-  if (o.accounts.volumes == nullptr || o.accounts.volumes->count() == 0) return;
+  if (o.budgets.volumes == nullptr || o.budgets.volumes->count() == 0) return;
   static const char* names[] = {"control volumes, axis 0", "control volumes, axis 1",
                                 "control volumes, axis 2"};
   for (int axis = 0; axis < o.grid.axes.count; ++axis) {
     TaskBuilder task = list.task(names[axis], effect);
     const FaceFluxHandles h = read_face_fluxes(task, v.faces, o, axis);
-    task.always().only_in([volumes = o.accounts.volumes, axis](int box, const IndexBox& block) {
+    task.always().only_in([volumes = o.budgets.volumes, axis](int box, const IndexBox& block) {
       return volumes->cells_with_faces(box, axis, block);
     });
     task.kernel([=](const Row& row) { account_faces(row, h, o, axis); });

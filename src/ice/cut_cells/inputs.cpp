@@ -71,9 +71,10 @@ ScalarWallsInput ScalarWallsInput::of(const SchemeVariables& v) {
           .covered = v.walls.covered};
 }
 
-SharesOfEachInput SharesOfEachInput::of(const mixture::Variables& v, const MaterialVariables& x) {
+MaterialSharesInput MaterialSharesInput::of(const mixture::Variables& v,
+                                            const MaterialVariables& x) {
   const SchemeVariables& c = v.common;
-  return {.state = mixture::StateOfEach::of(v),
+  return {.state = mixture::MaterialStates::of(v),
           .slip = v.slip.slip,
           .fraction = c.walls.fraction,
           .next = c.walls.next,
@@ -88,7 +89,7 @@ SharesOfEachInput SharesOfEachInput::of(const mixture::Variables& v, const Mater
 
 CutFluxInput CutFluxInput::of(const mixture::Variables& v, const MaterialVariables& x) {
   const WallVariables& w = v.common.walls;
-  return {.state = mixture::StateOfEach::of(v),
+  return {.state = mixture::MaterialStates::of(v),
           .cut = v.cut,
           .fraction = w.fraction,
           .inverse_J = v.common.inverse_J,
@@ -97,7 +98,7 @@ CutFluxInput CutFluxInput::of(const mixture::Variables& v, const MaterialVariabl
           .energy_L = x.energy_L,
           .gives_old = w.gives_old,
           .flow = w.flow,
-          .whole = {x.whole_flux, x.whole_flux_of_each, x.whole_velocity},
+          .whole = {x.whole_flux, x.full_face_material_flux, x.full_face_velocity},
           .passed_on = x.passed_on,
           .flux = v.common.flux,
           .flux_of_each = v.flux,
@@ -106,7 +107,7 @@ CutFluxInput CutFluxInput::of(const mixture::Variables& v, const MaterialVariabl
 
 // The remap of a whole cell moves l u_f of the cell's volume, differences of the old state count
 // (1 - nu)/J, a share |F|/rho of the mass leaves: here l w_f, (1 - nu) V/V_L, |F|/(rho V).
-RemapFluxInput whole_cell_remap(const SchemeVariables& v, int axis) {
+RemapFluxInput full_cell_remap(const SchemeVariables& v, int axis) {
   RemapFluxInput remap = RemapFluxInput::of(v);
   remap.face_velocity = v.walls.flow;
   remap.inverse_rho = v.walls.inverse_mass;

@@ -263,7 +263,7 @@ void cell_rows(const Row& row, const Handles& h, const ImpulseConstants& s,
   impulse_rows<D, C>(row, h, s, o);
   const bool sheared = o.scheme.shears_shocks && is_sheared<D>(row, h.shear);
   if (sheared) take_shear<D, C>(row, h.shear);
-  leave_held_ghosts(row, o, h.velocity, h.sound, h.impulse);
+  leave_prescribed_ghosts(row, o, h.velocity, h.sound, h.impulse);
   const FaceRows<D> f(row, h);
   energy_rows<D, C>(row, h, s, o, f, sheared);
   lagrangian_rows<D, C>(row, h, s, o, f);

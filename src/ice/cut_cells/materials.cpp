@@ -21,11 +21,11 @@ MaterialVariables declare_materials(TaskList& list, const SchemeOptions& o, mixt
     const std::string axis = " of whole cells, axis " + std::to_string(a);
     const int d = o.grid.axes.direction[a];
     x.whole_flux[a] = list.temporary("flux" + axis, 2 + o.grid.components, d);
-    x.whole_flux_of_each[a] = list.temporary("flux of each material" + axis, 3 * M, d);
+    x.full_face_material_flux[a] = list.temporary("flux of each material" + axis, 3 * M, d);
     if (o.transport.conducting)
-      x.whole_heat_of_each[a] = list.temporary("heat through contacts" + axis, 2 * M, d);
+      x.full_face_material_heat[a] = list.temporary("heat through contacts" + axis, 2 * M, d);
     if (!o.materials.multi_velocity) continue;
-    x.whole_velocity[a] =
+    x.full_face_velocity[a] =
         list.temporary("velocity of each material" + axis, M * o.grid.components, d);
     if (o.transport.viscous)
       v.slip.stress[a] =
@@ -79,8 +79,8 @@ double energy_of_slip(const Row& row, const mixture::StateReads& state, const st
 
 }  // namespace
 
-void add_shares_of_each(TaskList& list, const SharesOfEachInput& v, const SchemeOptions& o,
-                        int effect) {
+void add_material_shares(TaskList& list, const MaterialSharesInput& v, const SchemeOptions& o,
+                         int effect) {
   TaskBuilder task = list.task("Lagrangian phase of each material beside solids", effect);
   const mixture::StateReads state = mixture::read_state(task, v.state);
   const In theta = task.read(v.fraction), after = task.read(v.next);
@@ -132,7 +132,7 @@ struct FluxHandles {
   In cut, theta, volume_L, inverse_J, flow, pure, whole, whole_each, velocity_L, energy_L;
   In gives_old, passed_on;
   Out flux, each;
-  In whole_velocity;  // of each fluid, where they move apart
+  In full_face_velocity;  // of each fluid, where they move apart
   Out velocity;
 };
 
@@ -297,7 +297,7 @@ void add_passed_on(TaskList& list, const CutFluxInput& v, const SchemeOptions& o
 void copy_velocities(const Row& row, const FluxHandles& h, const SchemeOptions& o) {
   const int count = static_cast<int>(o.materials.fluids.size()) * o.grid.components;
   for (int c = 0; c < count; ++c)
-    std::copy_n(row(h.whole_velocity, c), row.count(), row(h.velocity, c));
+    std::copy_n(row(h.full_face_velocity, c), row.count(), row(h.velocity, c));
 }
 // All that passes face i has one velocity.
 void one_velocity(const Row& row, const FluxHandles& h, const SchemeOptions& o, int i) {
@@ -331,7 +331,7 @@ void add_fluxes_of_cut_cells(TaskList& list, const CutFluxInput& v, const Scheme
     h.flux = task.write(v.flux[axis]);
     h.each = task.write(v.flux_of_each[axis]);
     if (o.materials.multi_velocity) {
-      h.whole_velocity = task.read(v.whole.velocity[axis]);
+      h.full_face_velocity = task.read(v.whole.velocity[axis]);
       h.velocity = task.write(v.material_velocity[axis]);
     }
     task.kernel([=](const Row& row) {

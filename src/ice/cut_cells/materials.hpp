@@ -28,11 +28,11 @@ struct MaterialVariables {
   VariableId volume_L;   // V_L
   VariableId passed_on;  // of cells without fluid, by material: what they give per volume
   std::array<VariableId, 3> whole_flux;  // of the mixture and of each material, as the rules of
-  std::array<VariableId, 3> whole_flux_of_each;  // whole cells have them
+  std::array<VariableId, 3> full_face_material_flux;  // whole cells have them
   // Of what conducts: heat through contacts of whole faces.
-  std::array<VariableId, 3> whole_heat_of_each;
+  std::array<VariableId, 3> full_face_material_heat;
   // Of what moves apart: the velocity of each that passes whole faces.
-  std::array<VariableId, 3> whole_velocity;
+  std::array<VariableId, 3> full_face_velocity;
 };
 
 MaterialVariables declare_materials(TaskList&, const SchemeOptions&, mixture::Variables&);
@@ -51,22 +51,22 @@ void add_open_stresses(TaskList&, const OpenShareInput&, const SchemeOptions&, i
 // Of what conducts: heat through contacts, on the open share of faces.
 void add_open_heats(TaskList&, const OpenShareInput&, const SchemeOptions&, int effect);
 // E_mL, V_L of touched cells.
-struct SharesOfEachInput {
-  mixture::StateOfEach state;
+struct MaterialSharesInput {
+  mixture::MaterialStates state;
   std::vector<VariableId> slip;
   VariableId fraction, next, pressure, inverse_rho, energy_star, energy;
   std::array<VariableId, 3> flow;
   VariableId volume_L, energy_L;  // written
 
-  static SharesOfEachInput of(const mixture::Variables&, const MaterialVariables&);
+  static MaterialSharesInput of(const mixture::Variables&, const MaterialVariables&);
 };
-void add_shares_of_each(TaskList&, const SharesOfEachInput&, const SchemeOptions&, int effect);
+void add_material_shares(TaskList&, const MaterialSharesInput&, const SchemeOptions&, int effect);
 // Fluxes of faces at touched cells.
 struct WholeFluxes {  // as the rules of whole cells have them: of the mixture, and of each material
   std::array<VariableId, 3> flux, of_each, velocity;
 };
 struct CutFluxInput {
-  mixture::StateOfEach state;
+  mixture::MaterialStates state;
   VariableId cut, fraction, inverse_J, pure, donor_velocity, energy_L, gives_old;
   std::array<VariableId, 3> flow;
   WholeFluxes whole;
@@ -79,15 +79,15 @@ struct CutFluxInput {
 void add_fluxes_of_cut_cells(TaskList&, const CutFluxInput&, const SchemeOptions&, int effect);
 // Of several materials.
 struct OfEachInput {
-  SharesOfEachInput shares;
+  MaterialSharesInput shares;
   CutFluxInput fluxes;
 
   static OfEachInput of(const mixture::Variables& v, const MaterialVariables& x) {
-    return {.shares = SharesOfEachInput::of(v, x), .fluxes = CutFluxInput::of(v, x)};
+    return {.shares = MaterialSharesInput::of(v, x), .fluxes = CutFluxInput::of(v, x)};
   }
 };
 
 // As mixture/ has it, of the remap along an axis: what a whole cell gives.
-RemapFluxInput whole_cell_remap(const SchemeVariables&, int axis);
+RemapFluxInput full_cell_remap(const SchemeVariables&, int axis);
 
 }  // namespace sluice::ice::cut_cells

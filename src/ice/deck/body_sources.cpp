@@ -41,7 +41,7 @@ void check_body_sources(const DeckNode& root, std::vector<Fault>& faults) {
   if (list == nullptr || powers == nullptr) return;
   const auto materials = parse_integers(list->text).value;
   const auto coefficients = parse_reals(powers->text).value;
-  const auto count = solids_beside_ice(root) + static_cast<int>(ice_materials(root).size());
+  const auto count = solid_material_count(root) + static_cast<int>(ice_materials(root).size());
   if (!materials || !coefficients || count == 0) return;
   for (const int m : *materials)
     if (m >= count)

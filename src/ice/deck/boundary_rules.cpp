@@ -209,7 +209,8 @@ void check_ice_conditions(const DeckNode& root, std::vector<Fault>& faults) {
       check_kind(*face, *condition, faults);
       check_value(*face, *condition, scalars, faults);
       if (materials > 0)
-        check_material(*face, *condition, solids_beside_ice(root) + materials, has_default, faults);
+        check_material(*face, *condition, solid_material_count(root) + materials, has_default,
+                       faults);
     }
   }
 }
@@ -219,7 +220,7 @@ void check_ice_coverage(const DeckNode& root, std::vector<Fault>& faults) {
   if (!runs_ice(root) || grid == nullptr) return;
   const DeckNode* conditions = grid->child("BoundaryConditions");
   const auto materials = static_cast<int>(ice_materials(root).size());
-  const int first = solids_beside_ice(root);
+  const int first = solid_material_count(root);
   const auto periodic = periodic_directions(*grid);
   const std::vector<std::string> scalars = models::scalar_variables(root);
   for (std::size_t s = 0; s < 6; ++s) {

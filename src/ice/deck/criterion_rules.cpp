@@ -101,7 +101,7 @@ void check_material(const DeckNode& node, int count, std::vector<Fault>& faults)
 void check_criteria(const DeckNode& root, std::vector<Fault>& faults) {
   const DeckNode* amr = root.child("AMR");
   if (!runs_ice(root) || amr == nullptr) return;
-  const auto count = solids_beside_ice(root) + static_cast<int>(ice_materials(root).size());
+  const auto count = solid_material_count(root) + static_cast<int>(ice_materials(root).size());
   for (const DeckNode* node : amr->all("ErrorEstimate"))
     check_variable(*node, "variable", count, faults);
   for (const DeckNode* node : amr->all("MaterialInterface")) {

@@ -268,7 +268,7 @@ void check_ice_exchange(const DeckNode& root, std::vector<Fault>& faults) {
   const DeckNode* exchange = exchange_node(root);
   if (!runs_ice(root)) return;
   const auto nodes = ice_materials(root);
-  const int solids = solids_beside_ice(root);
+  const int solids = solid_material_count(root);
   const int materials = solids + static_cast<int>(nodes.size());
   const DeckNode* coefficients =
       exchange == nullptr ? nullptr : exchange->child("exchange_coefficients");

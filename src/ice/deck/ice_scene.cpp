@@ -220,7 +220,7 @@ IceScene read_ice_scene(const Deck& deck, const Scene& scene, std::vector<Fault>
   const DeckNode& root = *deck.root;
   if (const DeckNode* cfd = root.child("CFD")) read_numerics(root, *cfd, s);
   const GeometryReader geometry(root, faults);
-  s.solids = solids_beside_ice(root);
+  s.solids = solid_material_count(root);
   for (const DeckNode* node : ice_materials(root)) {
     s.materials.push_back(
         read_material(*node, static_cast<int>(s.materials.size()), geometry, faults));

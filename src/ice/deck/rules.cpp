@@ -80,7 +80,7 @@ void check_material_indices(const DeckNode& root, int count, std::vector<Fault>&
           fmt::format("<{} {}>: there is no material {}: the deck has {}, counted from 0",
                       node.name, name, interval.low < 0 ? interval.low : interval.high, count);
       // Public decks with solids save of materials that they once had.
-      if (solids_beside_ice(root) > 0 && interval.low >= 0)
+      if (solid_material_count(root) > 0 && interval.low >= 0)
         add_warning(faults, node.where, fault + "; nothing is saved of it");
       else
         add_error(faults, node.where, fault);
@@ -253,7 +253,7 @@ void check_ice_materials(const DeckNode& root, std::vector<Fault>& faults) {
           "remove it");
     }
   }
-  check_material_indices(root, solids_beside_ice(root) + static_cast<int>(materials.size()),
+  check_material_indices(root, solid_material_count(root) + static_cast<int>(materials.size()),
                          faults);
   check_saved_levels(root, faults);
   const auto names = material_names(root);

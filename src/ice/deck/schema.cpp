@@ -229,7 +229,7 @@ std::vector<std::string> names_of_solids(const DeckNode& root) {
   return names;
 }
 
-int solids_beside_ice(const DeckNode& root) {
+int solid_material_count(const DeckNode& root) {
   return static_cast<int>(names_of_solids(root).size());
 }
 
@@ -281,7 +281,7 @@ void drop_labels_of_errors(DeckNode& root, std::vector<Fault>& faults) {
 // Models bring variables of their own.
 void check_ice_labels(const DeckNode& root, std::vector<Fault>& faults) {
   // With solids the run knows their labels too, and checks all of them.
-  if (!runs_ice(root) || solids_beside_ice(root) > 0 || !models::all_built(root)) return;
+  if (!runs_ice(root) || solid_material_count(root) > 0 || !models::all_built(root)) return;
   FieldLabels fields = ice_field_labels();
   for (std::string& label : models::save_labels(root)) fields.built.push_back(std::move(label));
   check_analysed_labels(std::move(fields))(root, faults);

@@ -37,7 +37,7 @@ bool applies_to(const DeckNode& condition, int material);
 // Whether the deck runs ICE, as far as can be seen.
 bool runs_ice(const DeckNode& root);
 // Materials of solids in the same deck: they come before those of ICE in all numbering.
-int solids_beside_ice(const DeckNode& root);
+int solid_material_count(const DeckNode& root);
 std::vector<std::string> names_of_solids(const DeckNode& root);
 // The <material> nodes of ICE, in index order.
 std::vector<const DeckNode*> ice_materials(const DeckNode& root);

@@ -170,7 +170,7 @@ void check_ice_states(const DeckNode& root, std::vector<Fault>& faults) {
   for (const DeckNode* face : conditions->all("Face"))
     for (std::size_t m = 0; m < materials.size(); ++m)
       if (mixed != m)
-        check_face(root, *face, *materials[m], solids_beside_ice(root) + static_cast<int>(m),
+        check_face(root, *face, *materials[m], solid_material_count(root) + static_cast<int>(m),
                    materials.size() > 1, faults);
 }
 

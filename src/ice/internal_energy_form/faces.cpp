@@ -46,7 +46,7 @@ struct PressureHandles {
 void held_pressures(const Row& row, const PressureHandles& h, const SchemeOptions& o, int axis,
                     double per_rho, double push) {
   double* pf = row(h.face_pressure);
-  for_each_held_face(row, o, axis, h.velocity, h.sound, [&](int i, bool plus, double) {
+  for_each_prescribed_face(row, o, axis, h.velocity, h.sound, [&](int i, bool plus, double) {
     const int inside = plus ? -1 : 0;
     const double weight = per_rho * row(h.rho, 0, axis, inside)[i] + push;
     pf[i] = row(h.pressure, 0, axis, inside)[i] + (plus ? weight : -weight);
@@ -87,8 +87,8 @@ void add_face_velocity(TaskList& list, const FaceVelocityInput& v, const SchemeO
       velocity_row(row, h, axis, dt / row.step().spacing[direction], dt * gravity, dt * force);
       double* uf = row(h.face_velocity);
       for_each_wall_face(row, o, axis, [&](int i, bool) { uf[i] = 0.0; });
-      for_each_held_face(row, o, axis, h.velocity, h.sound,
-                         [&](int i, bool, double u) { uf[i] = u; });
+      for_each_prescribed_face(row, o, axis, h.velocity, h.sound,
+                               [&](int i, bool, double u) { uf[i] = u; });
     });
   }
 }

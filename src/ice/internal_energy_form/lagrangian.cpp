@@ -57,7 +57,7 @@ void add_lagrangian(TaskList& list, const LagrangianInput& v, const SchemeOption
   dispatch(o.grid.axes.count, o.grid.components, [&]<int D, int C>() {
     task.kernel([=](const Row& row) {
       impulse_rows<D, C>(row, h.forces, impulse_constants(o, row.step()), o.transport.viscous);
-      leave_held_ghosts(row, o, h.velocity, h.sound, h.forces.impulse);
+      leave_prescribed_ghosts(row, o, h.velocity, h.sound, h.forces.impulse);
       if (per_mass)
         advected_rows<C, true>(row, h);
       else

@@ -4,7 +4,7 @@
 namespace sluice::ice::mixture {
 
 PresenceInput PresenceInput::of(const Variables& v) {
-  return {.state = StateOfEach::of(v),
+  return {.state = MaterialStates::of(v),
           .presence = v.presence,
           .pure = v.pure,
           .near = v.near,
@@ -31,7 +31,7 @@ PrimitivesInput PrimitivesInput::of(const Variables& v) {
 }
 
 OwnViscosityInput OwnViscosityInput::of(const Variables& v) {
-  return {.state = StateOfEach::of(v), .presence = v.presence, .own_viscosity = v.own_viscosity};
+  return {.state = MaterialStates::of(v), .presence = v.presence, .own_viscosity = v.own_viscosity};
 }
 
 FrictionInput FrictionInput::of(const Variables& v) {
@@ -44,7 +44,7 @@ FrictionInput FrictionInput::of(const Variables& v) {
 }
 
 HeatFluxInput HeatFluxInput::of(const Variables& v) {
-  return {.state = StateOfEach::of(v),
+  return {.state = MaterialStates::of(v),
           .presence = v.presence,
           .pure = v.pure,
           .surface = v.surface,
@@ -59,7 +59,7 @@ HeatFluxInput HeatFluxInput::of(const Variables& v) {
 
 TransportedHeatInput TransportedHeatInput::of(const Variables& v) {
   const SchemeVariables& c = v.common;
-  return {.state = StateOfEach::of(v),
+  return {.state = MaterialStates::of(v),
           .presence = v.presence,
           .pure = v.pure,
           .lagrangian_mixture = c.lagrangian_mixture,
@@ -71,9 +71,9 @@ TransportedHeatInput TransportedHeatInput::of(const Variables& v) {
           .heat = v.heat};
 }
 
-LagrangianOfEachInput LagrangianOfEachInput::of(const Variables& v) {
+MaterialLagrangianInput MaterialLagrangianInput::of(const Variables& v) {
   const SchemeVariables& c = v.common;
-  return {.state = StateOfEach::of(v),
+  return {.state = MaterialStates::of(v),
           .mixture = {.rho_L = c.rho_L,
                       .energy_L = c.energy_L,
                       .energy_star = c.energy_star,
@@ -98,7 +98,7 @@ LagrangianOfEachInput LagrangianOfEachInput::of(const Variables& v) {
 
 RemapBasesInput RemapBasesInput::of(const Variables& v) {
   return {.mixture = ice::RemapBasesInput::of(v.common),
-          .state = StateOfEach::of(v),
+          .state = MaterialStates::of(v),
           .pure = v.pure,
           .near = v.near,
           .blend = v.blend,
@@ -113,7 +113,7 @@ RemapBasesInput RemapBasesInput::of(const Variables& v) {
 }
 
 DonorsInput DonorsInput::of(const Variables& v) {
-  return {.state = StateOfEach::of(v),
+  return {.state = MaterialStates::of(v),
           .presence = v.presence,
           .pure = v.pure,
           .energy_L = v.energy_L,
@@ -151,7 +151,7 @@ UpdateInput UpdateInput::of(const Variables& v) {
   const SchemeVariables& c = v.common;
   return {.amounts = AmountsInput::of(c),
           .mixture_energy_scale = c.energy_scale,
-          .state = StateOfEach::of(v),
+          .state = MaterialStates::of(v),
           .stretch = v.stretch,
           .strain = v.strain,
           .energy_L = v.energy_L,

@@ -208,8 +208,8 @@ void alone(const Row& row, const Handles& h, const Fluid& fluid) {
 
 }  // namespace
 
-void add_lagrangian_of_each(TaskList& list, const LagrangianOfEachInput& v, const SchemeOptions& o,
-                            int effect) {
+void add_material_lagrangian(TaskList& list, const MaterialLagrangianInput& v,
+                             const SchemeOptions& o, int effect) {
   TaskBuilder task = list.task("Lagrangian phase of each material", effect);
   Handles h;
   h.state = read_state(task, v.state);

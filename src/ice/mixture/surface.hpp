@@ -39,11 +39,11 @@ struct FaceOfSurface {
 };
 
 struct SurfaceInput {
-  StateOfEach state;
+  MaterialStates state;
   VariableId pure;
   VariableId surface;  // written
 
-  static SurfaceInput of(const Variables& v) { return {StateOfEach::of(v), v.pure, v.surface}; }
+  static SurfaceInput of(const Variables& v) { return {MaterialStates::of(v), v.pure, v.surface}; }
 };
 void add_surface(TaskList&, const SurfaceInput&, const SchemeOptions&, int effect);
 // The stress along faces where gas touches the solid and all move with one velocity: friction and

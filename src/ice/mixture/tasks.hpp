@@ -7,7 +7,7 @@
 namespace sluice::ice::mixture {
 
 struct PresenceInput {
-  StateOfEach state;
+  MaterialStates state;
   VariableId presence, pure, near, blend, blend_density, blend_energy, alike;  // written
 
   static PresenceInput of(const Variables&);
@@ -26,7 +26,7 @@ void add_primitives(TaskList&, const PrimitivesInput&, const SchemeOptions&, int
 
 // Molecular viscosity of each material.
 struct OwnViscosityInput {
-  StateOfEach state;
+  MaterialStates state;
   VariableId presence;
   VariableId own_viscosity;  // written
 
@@ -45,7 +45,7 @@ struct FrictionInput {
 void add_friction(TaskList&, const FrictionInput&, const SchemeOptions&);
 
 struct HeatFluxInput {
-  StateOfEach state;
+  MaterialStates state;
   VariableId presence, pure, surface, rho, eddy_viscosity;
   VariableId temperature, heat_capacity, conductivity;  // written
   std::array<VariableId, 3> heat_flux, of_materials;    // written
@@ -55,7 +55,7 @@ struct HeatFluxInput {
 void add_heat_flux(TaskList&, const HeatFluxInput&, const SchemeOptions&, int effect);
 
 struct TransportedHeatInput {
-  StateOfEach state;
+  MaterialStates state;
   VariableId presence, pure, lagrangian_mixture, inverse_rho;
   VariableId viscosity, own_viscosity, eddy_viscosity;
   std::array<VariableId, 3> heat_flux;
@@ -72,21 +72,21 @@ struct LagrangianOfMixture {
   std::array<VariableId, 3> face_velocity;
   VariableId energy_scale;  // written
 };
-struct LagrangianOfEachInput {
-  StateOfEach state;
+struct MaterialLagrangianInput {
+  MaterialStates state;
   LagrangianOfMixture mixture;
   VariableId presence, pure, near, heat;
   VariableId work;  // with velocities of their own
   VariableId stretch, strain, energy_L, specific_energy_L, energy_scale;  // written
 
-  static LagrangianOfEachInput of(const Variables&);
+  static MaterialLagrangianInput of(const Variables&);
 };
-void add_lagrangian_of_each(TaskList&, const LagrangianOfEachInput&, const SchemeOptions&,
-                            int effect);
+void add_material_lagrangian(TaskList&, const MaterialLagrangianInput&, const SchemeOptions&,
+                             int effect);
 
 struct RemapBasesInput {
   ice::RemapBasesInput mixture;
-  StateOfEach state;
+  MaterialStates state;
   VariableId pure, near, blend, blend_density, blend_energy;
   VariableId own_velocity;  // with velocities of their own
   VariableId inverse_J, specific_energy_L, strain, energy_scale;
@@ -98,7 +98,7 @@ void add_remap_bases(TaskList&, const RemapBasesInput&, const SchemeOptions&, in
 
 // What each material of a donor offers to the remap.
 struct DonorsInput {
-  StateOfEach state;
+  MaterialStates state;
   VariableId presence, pure, energy_L, specific_energy_L, energy_scale, stretch, strain, alike;
   std::array<VariableId, 3> base;
 
@@ -130,14 +130,14 @@ struct CutCellsInput {
 // What the remap leaves, all written.
 struct RemappedState {
   VariableId momentum;
-  StateOfEach of_each;
+  MaterialStates of_each;
   std::vector<VariableId> slip;
   VariableId source_change, end, pressure, closure;
 };
 struct UpdateInput {
   AmountsInput amounts;
   VariableId mixture_energy_scale;
-  StateOfEach state;
+  MaterialStates state;
   VariableId stretch, strain, energy_L, pure, surface;
   std::array<VariableId, 3> flux;
   CutCellsInput cut_cells;
@@ -150,9 +150,9 @@ void add_update(TaskList&, const UpdateInput&, const SchemeOptions&, int effect)
 struct OnePressureInput {
   EndOfStepInput end;
   VariableId energy_scale, pure, momentum_remap;
-  StateOfEach remapped;
+  MaterialStates remapped;
   VariableId momentum_new, density_new, new_pressure, closure;  // written
-  StateOfEach next;                                             // written
+  MaterialStates next;                                          // written
 
   static OnePressureInput of(const Variables&);
 };

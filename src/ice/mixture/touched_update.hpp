@@ -119,8 +119,8 @@ void store_cut_cells(const Row& row, const UpdateState& h, const SchemeOptions& 
 
 // A row whose other cells have their new state.
 template <int D, int C>
-void end_beside_solids(const Row& row, const UpdateState& h, const SchemeOptions& o,
-                       const DiffusionRates& diffusion) {
+void end_step_next_to_solids(const Row& row, const UpdateState& h, const SchemeOptions& o,
+                             const DiffusionRates& diffusion) {
   hold_cut_cells(row, h, o);
   rates_of_mixture<D>(row, h.common.next, o, row(h.end, 1));
   if (diffusion.on()) diffusion_rates_of_row(row, h, diffusion);

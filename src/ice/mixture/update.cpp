@@ -306,7 +306,7 @@ void add_update(TaskList& list, const UpdateInput& v, const SchemeOptions& o, in
               mixed.relax(first, count);
           });
         });
-        end_beside_solids<D, C>(row, h, o, diffusion);
+        end_step_next_to_solids<D, C>(row, h, o, diffusion);
         return;
       }
       if (runs.key[0] >= 0.0 && is_one_run(runs, n)) {

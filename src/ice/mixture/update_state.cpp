@@ -12,7 +12,7 @@ namespace {
 
 // Mostly it is there already but for a few cells beside an interface, and to look takes half the
 // time of writing.
-void fill_where_other(double* to, int n, double value) {
+void fill_where_different(double* to, int n, double value) {
   constexpr int some = 32;
   const auto wanted = std::bit_cast<std::uint64_t>(value);
   int done = 0;
@@ -79,7 +79,7 @@ UpdateHandles handles_of(const UpdateState& h, int m) {
 
 void leave_alone(const Row& row, const UpdateState& h, int m, int components) {
   const auto fill = [&](Out variable, int c, int first, int count, double value) {
-    fill_where_other(row(variable, c) + first, count, value);
+    fill_where_different(row(variable, c) + first, count, value);
   };
   for_each_marked(row, h.closes ? row.new_marks() : nullptr, [&](int first, int count, int alone) {
     if (alone == m) return;

@@ -117,7 +117,7 @@ Variables declare_variables(TaskList& list, const SchemeOptions& o) {
   return v;
 }
 
-StateReads read_state(TaskBuilder& task, const StateOfEach& v) {
+StateReads read_state(TaskBuilder& task, const MaterialStates& v) {
   StateReads r;
   for (std::size_t m = 0; m < v.mass.size(); ++m) {
     r.mass.push_back(task.read(v.mass[m]));

@@ -90,10 +90,10 @@ bool relaxes_before_remap(const SchemeOptions& o);
 Variables declare_variables(TaskList& list, const SchemeOptions& o);
 
 // The state of each material.
-struct StateOfEach {
+struct MaterialStates {
   std::vector<VariableId> mass, volume, energy;
 
-  static StateOfEach of(const Variables& v) { return {v.mass, v.volume, v.energy}; }
+  static MaterialStates of(const Variables& v) { return {v.mass, v.volume, v.energy}; }
 };
 
 // The old state of each material, at a point.
@@ -103,7 +103,7 @@ struct StateReads {
   // True density and energy per volume of material m, which is in all cells of the row.
   void divide(const Row& row, int m, double* density, double* energy_density) const;
 };
-StateReads read_state(TaskBuilder& task, const StateOfEach& v);
+StateReads read_state(TaskBuilder& task, const MaterialStates& v);
 
 // Component of `lagrangian_mixture`.
 constexpr int friction_of_mixture = 1;

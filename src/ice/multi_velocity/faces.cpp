@@ -82,7 +82,7 @@ void mixed_face(const Row& row, const FaceHandles& h, int axis, int axes, int i,
 
 void mixed_faces(const Row& row, const FaceHandles& h, int axis, const SchemeOptions& o) {
   for (int i = 0; i < row.count(); ++i) mixed_face(row, h, axis, o.grid.axes.count, i, true, true);
-  for_each_held_face(row, o, axis, h.velocity, h.sound, [&](int i, bool plus, double) {
+  for_each_prescribed_face(row, o, axis, h.velocity, h.sound, [&](int i, bool plus, double) {
     mixed_face(row, h, axis, o.grid.axes.count, i, !plus, plus);
   });
 }

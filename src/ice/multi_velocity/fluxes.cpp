@@ -170,14 +170,14 @@ class Faces {
   // it sent ahead of itself would be taken back when fluxes are matched; by then the finer level,
   // whose ghost cells have seen it, may hold part of it: more than the cell could give back.
   bool leaves_cover(const Passing& k, int i) const {
-    if (k.V >= interface_band || o_.accounts.coverage == nullptr || !o_.accounts.coverage->any())
+    if (k.V >= interface_band || o_.budgets.coverage == nullptr || !o_.budgets.coverage->any())
       return false;
     IntVec3 donor = row_.cell();
     donor[o_.grid.axes.direction[0]] += i;
     IntVec3 receiver = donor;
     (k.donor == 0 ? receiver : donor)[o_.grid.axes.direction[axis_]] -= 1;
-    return o_.accounts.coverage->is_covered_around(row_.box(), donor) &&
-           !o_.accounts.coverage->is_covered_around(row_.box(), receiver);
+    return o_.budgets.coverage->is_covered_around(row_.box(), donor) &&
+           !o_.budgets.coverage->is_covered_around(row_.box(), receiver);
   }
 
   double theta(const Passing& k, int i) const {

@@ -4,7 +4,8 @@
 namespace sluice::ice::mixture {
 
 RelativeStateInput RelativeStateInput::of(const Variables& v) {
-  return {.state = StateOfEach::of(v), .slip = v.slip.slip, .presence = v.presence, .cut = v.cut};
+  return {
+      .state = MaterialStates::of(v), .slip = v.slip.slip, .presence = v.presence, .cut = v.cut};
 }
 
 SlipMotionInput SlipMotionInput::of(const Variables& v) {
@@ -21,7 +22,7 @@ SlipMotionInput SlipMotionInput::of(const Variables& v) {
 }
 
 SlipStressInput SlipStressInput::of(const Variables& v) {
-  return {.state = StateOfEach::of(v),
+  return {.state = MaterialStates::of(v),
           .pure = v.pure,
           .own_velocity = v.slip.velocity,
           .velocity = v.common.velocity,
@@ -50,7 +51,7 @@ SlipPhaseInput SlipPhaseInput::of(const Variables& v) {
 
 SlipFacesInput SlipFacesInput::of(const Variables& v) {
   const SchemeVariables& c = v.common;
-  return {.state = StateOfEach::of(v),
+  return {.state = MaterialStates::of(v),
           .moving = c.moving,
           .pure = v.pure,
           .cut = v.cut,

@@ -78,7 +78,7 @@ void alone(const Row& row, const Handles& h, int components) {
 
 // What comes in through a side as it is given has felt no drag.
 void keep_given(const Row& row, const Handles& h, const SchemeOptions& o) {
-  for_each_held_ghost(row, o, h.velocity, h.sound, [&](int i) {
+  for_each_prescribed_ghost(row, o, h.velocity, h.sound, [&](int i) {
     for (int c = 0; c < o.grid.components; ++c) {
       const double u = row(h.velocity, c)[i];
       double mean = 0;
@@ -186,7 +186,7 @@ void declare_relative_velocities(TaskList& list, const SchemeOptions& o, Variabl
   }
   s.velocity = list.temporary("velocity of each material", M * C);
   s.lock = list.temporary("lock of interfaces");
-  VolumeVariables& moving = v.common.moving;
+  VolumeMotionVariables& moving = v.common.moving;
   moving.rho = list.temporary("inertia of the volume");
   moving.inverse_rho = list.temporary("1/inertia of the volume");
   moving.velocity = list.temporary("velocity of the volume", C);

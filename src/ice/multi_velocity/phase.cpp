@@ -65,7 +65,7 @@ class Cells {
   }
   void mixed(const SchemeOptions& o) {
     for (int i = 0; i < row_.count(); ++i) cell(i);
-    for_each_held_ghost(row_, o, h_.velocity, h_.sound, [&](int i) { given(i); });
+    for_each_prescribed_ghost(row_, o, h_.velocity, h_.sound, [&](int i) { given(i); });
   }
 
  private:

@@ -29,7 +29,7 @@ void declare_relative_velocities(TaskList& list, const SchemeOptions& o, Variabl
 
 // What moves against the mixture.
 struct RelativeStateInput {
-  StateOfEach state;
+  MaterialStates state;
   std::vector<VariableId> slip;
   VariableId presence, cut;
 
@@ -45,8 +45,8 @@ struct SlipMotionInput {
   RelativeStateInput state;
   BondsInput bonds;  // lock: written
   VariableId pure, rho, inverse_rho, velocity, sound;
-  VariableId own_velocity;  // written
-  VolumeVariables moving;   // written
+  VariableId own_velocity;       // written
+  VolumeMotionVariables moving;  // written
 
   static SlipMotionInput of(const Variables&);
 };
@@ -55,7 +55,7 @@ void add_slip_motion(TaskList&, const SlipMotionInput&, const SchemeOptions&, in
 // Friction of each material on itself joins that of the mixture; where gas touches a surface it
 // slips.
 struct SlipStressInput {
-  StateOfEach state;
+  MaterialStates state;
   VariableId pure, own_velocity, velocity, viscosity, own_viscosity, surface;
   std::array<VariableId, 3> stress;  // of the mixture
 
@@ -81,8 +81,8 @@ void add_slip_phase(TaskList&, const SlipPhaseInput&, const SchemeOptions&, int 
 
 // Velocity of each material at the faces, and what flows out of cells (3).
 struct SlipFacesInput {
-  StateOfEach state;
-  VolumeVariables moving;
+  MaterialStates state;
+  VolumeMotionVariables moving;
   VariableId pure, cut, drift, inverse_J, velocity, courant;
   std::array<VariableId, 3> face_velocity;
   std::array<VariableId, 3> own_face_velocity;  // written

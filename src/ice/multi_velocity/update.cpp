@@ -308,7 +308,7 @@ void add_slip_update(TaskList& list, const SlipUpdateInput& v, const SchemeOptio
           for_each_full(row(h.cut.cells), from, number,
                         [&](int first, int count) { update(first, count, pure); });
         });
-        return end_beside_solids<D, C>(row, h, o, diffusion);
+        return end_step_next_to_solids<D, C>(row, h, o, diffusion);
       }
       for_each_run(runs_of(row, h.pure), row.count(), update);
       rates_of_mixture<D>(row, h.common.next, o, row(h.end, 1));

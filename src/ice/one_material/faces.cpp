@@ -205,7 +205,7 @@ class FaceRow {
   template <class Law>
   void held(const Row& row, const SchemeOptions& o, const Handles& h, int axis,
             const Law& law) const {
-    for_each_held_face(row, o, axis, h.velocity, h.sound, [&](int i, bool plus, double u) {
+    for_each_prescribed_face(row, o, axis, h.velocity, h.sound, [&](int i, bool plus, double u) {
       const FaceState f = rows_.at_wall(i, plus, u, law);
       uf_[i] = f.u;
       pf_[i] = f.p;

@@ -165,7 +165,7 @@ void add_lagrangian(TaskList& list, const LagrangianInput& v, const SchemeOption
       impulse_rows<D, C>(row, h.forces, s, o.transport.viscous);
       const bool sheared = o.scheme.shears_shocks && is_sheared<D>(row, h.shear);
       if (sheared) take_shear<D, C>(row, h.shear);
-      leave_held_ghosts(row, o, h.velocity, h.sound, h.forces.impulse);
+      leave_prescribed_ghosts(row, o, h.velocity, h.sound, h.forces.impulse);
       cell_rows<D, C>(row, h, s);
       if (sheared) heat_of_shocks<D, C>(row, h);
       heat_rows<D, C>(row, h, s, o);

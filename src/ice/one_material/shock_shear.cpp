@@ -109,7 +109,7 @@ void jumps_row(const Row& row, const JumpHandles& h, double gamma) {
   if (!mark_jumps<D>(row, h, gamma)) return;
   const double* marks = row(h.marks);
   for_each_part(
-      row, [&](int first, int count) { return is_marked(marks + first, 0, count - 1); },
+      row, [&](int first, int count) { return any_flag_set(marks + first, 0, count - 1); },
       [&](const Row& part) {
         for (int t = 0; t < D; ++t)
           h.fraction.index < 0 ? find_jumps<false>(part, h, D, t) : find_jumps<true>(part, h, D, t);
@@ -188,7 +188,7 @@ void clear_beside_solids(const Row& row, const Handles& h, int axis, double* k) 
 template <int D>
 auto marks_around(const Row& row, In marks) {
   constexpr std::size_t count = D == 2 ? 3 : 9;
-  MarkedRows<count> rows;
+  FlagRows<count> rows;
   for (std::size_t n = 0; n < count; ++n) {
     const int j = static_cast<int>(n % 3) - 1, k = static_cast<int>(n / 3) - 1;
     rows[n] = row.at_offset(marks, 0, {0, j, D == 2 ? 0 : k});
@@ -207,7 +207,7 @@ void strength_row(const Row& whole, const Handles& h, const SchemeOptions& o) {
       double* k = row(h.strength, d);
       if (h.fraction.index >= 0) clear_beside_solids(row, h, d, k);
       for_each_wall_face(row, o, d, [&](int i, bool) { k[i] = 0.0; });
-      any = any || is_marked(k, 0, n - 1);
+      any = any || any_flag_set(k, 0, n - 1);
     }
     if (any) std::fill_n(row(h.marks), n, 1.0);
   });

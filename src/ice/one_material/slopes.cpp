@@ -147,9 +147,9 @@ void add_slopes(TaskList& list, const SlopesInput& v, const SchemeOptions& o, in
       else
         slope_rows<D, false>(row, h, k);
       if (o.scheme.masked && !o.grid.has_cut_cells) mask_slopes(row, h.mask, slopes_of(h), D);
-      if (o.grid.has_cut_cells) close_slopes(row, h.open, slopes_of(h), D);
-      if (o.grid.shocks_leave && o.accounts.recorder->ends != nullptr)
-        damp_rows<D>(row, h, *o.accounts.recorder->ends);
+      if (o.grid.has_cut_cells) mask_slopes_at_closed_faces(row, h.open, slopes_of(h), D);
+      if (o.grid.shocks_leave && o.budgets.recorder->ends != nullptr)
+        damp_rows<D>(row, h, *o.budgets.recorder->ends);
       predict_row<D>(row, h, k);
     });
   });

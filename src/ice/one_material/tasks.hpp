@@ -16,7 +16,7 @@ struct PrimitivesInput {
 void add_primitives(TaskList&, const PrimitivesInput&, const SchemeOptions&, int effect);
 
 struct SlopesInput {
-  VolumeVariables moving;
+  VolumeMotionVariables moving;
   VariableId pressure;
   VariableId mask, open;  // where slopes count: of a redo, beside solids
   VariableId velocity_slope, pressure_slope, predicted_pressure, transverse_velocity;  // written
@@ -26,7 +26,7 @@ struct SlopesInput {
 void add_slopes(TaskList&, const SlopesInput&, const SchemeOptions&, int effect);
 
 struct FacesInput {
-  VolumeVariables moving;
+  VolumeMotionVariables moving;
   VariableId pressure;
   VariableId velocity_slope, pressure_slope, predicted_pressure, transverse_velocity;
   VariableId shock_slope, pi, pure;                        // of a mixture

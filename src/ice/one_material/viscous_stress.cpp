@@ -74,7 +74,7 @@ void stick_to_walls(const Row& row, const Handles& h, const SchemeOptions& o, in
   for_each_wall_face(row, o, axis, [&](int i, bool plus) {
     IntVec3 cell = row.cell();
     cell[o.grid.axes.direction[0]] += i;
-    if (!o.grid.boundary->sticks(side_of(direction, plus), cell)) return;
+    if (!o.grid.boundary->is_no_slip(side_of(direction, plus), cell)) return;
     const double mu = varies ? harmonic_mean(mu_a[i], mu_b[i]) : o.transport.viscosity;
     for (int c = 0; c < C; ++c) {
       if (c == axis) continue;

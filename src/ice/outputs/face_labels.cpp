@@ -17,7 +17,7 @@ VariableId declare_temperature(TaskList& list, const SchemeOptions& o,
   const In mass = task.read(m.mass), volume = task.read(m.volume), energy = task.read(m.energy);
   const In fraction = task.read(materials.f.value_or(m.mass));
   const Out out = task.write(temperature);
-  task.kernel([=, thermometer = thermometer_of(m, o)](const Row& row) {
+  task.kernel([=, thermometer = temperature_function(m, o)](const Row& row) {
     const double *M = row(mass), *V = row(volume), *E = row(energy), *f = row(fraction);
     double* T = row(out);
     for (int i = 0; i < row.count(); ++i)

@@ -95,7 +95,7 @@ VariableId declare_friction(TaskList& list, const MaterialsInput& v, const Schem
 }  // namespace
 
 MaterialsInput MaterialsInput::of(const Variables& v) {
-  return {.state = StateOfEach::of(v),
+  return {.state = MaterialStates::of(v),
           .next = {v.mass_new, v.volume_new, v.energy_new},
           .density_new = v.end,
           .energy_L = v.energy_L,

@@ -6,7 +6,7 @@
 namespace sluice::ice::mixture {
 
 struct MaterialsInput {
-  StateOfEach state, next;
+  MaterialStates state, next;
   VariableId density_new, energy_L, energy_star, pure;
   std::array<VariableId, 3> flux, face_velocity;
   // With velocities of their own.

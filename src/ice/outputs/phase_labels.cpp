@@ -41,7 +41,7 @@ void declare_heating(TaskList& list, const OutputInput& v, const SchemeOptions& 
                      const MaterialsOfStep& materials, const MaterialOfStep& m, VariableId dilation,
                      int effect) {
   const VariableId f = materials.f.value_or(m.mass), f_new = materials.f_new.value_or(m.mass_new);
-  const Thermometer T = thermometer_of(m, o);
+  const TemperatureFunction T = temperature_function(m, o);
   save_values(list, labels().lagrangian_heating, m.index, effect,
               std::array{m.mass, m.volume, m.energy, m.energy_L, dilation, f, v.rho},
               [T](const Row& row, const auto& q, int i) {
@@ -64,11 +64,11 @@ void declare_heating(TaskList& list, const OutputInput& v, const SchemeOptions& 
 
 }  // namespace
 
-double Thermometer::at(double M, double V, double E, double f) const {
+double TemperatureFunction::at(double M, double V, double E, double f) const {
   return gas != nullptr ? E / (M * gas->specific_heat(f)) : fluid.temperature(M / V, E / V);
 }
 
-Thermometer thermometer_of(const MaterialOfStep& m, const SchemeOptions& o) {
+TemperatureFunction temperature_function(const MaterialOfStep& m, const SchemeOptions& o) {
   const bool composed = is_mixed(o, m.index);
   return {m.fluid, composed ? o.materials.mixed : nullptr};
 }

@@ -89,13 +89,13 @@ void declare_source_pressure(TaskList&, const OutputInput&, const SchemeOptions&
 
 // Temperature of a material from mass, volume and energy per volume of the cell; `f`: of a gas
 // whose properties are mixed.
-struct Thermometer {
+struct TemperatureFunction {
   Fluid fluid;
   const models::MixedGas* gas;
   double at(double M, double V, double E, double f) const;
 };
 
-Thermometer thermometer_of(const MaterialOfStep& m, const SchemeOptions& o);
+TemperatureFunction temperature_function(const MaterialOfStep& m, const SchemeOptions& o);
 
 // The axis along a level direction, or -1.
 int axis_along(const SchemeOptions& o, int direction);

@@ -7,7 +7,7 @@ namespace sluice::ice::pressure {
 
 struct EndOfMixtureInput {
   CutCellErrorInput error;
-  mixture::StateOfEach state;
+  mixture::MaterialStates state;
   std::vector<VariableId> mass_new, energy_new;
   VariableId pure, rho_L, energy_L, specific_energy_L, stretch, strain, new_pressure;
   VariableId cut, cut_volume, cut_energy;  // where solids cut cells
@@ -15,7 +15,7 @@ struct EndOfMixtureInput {
   static EndOfMixtureInput of(const mixture::Variables& v) {
     const SchemeVariables& c = v.common;
     return {.error = CutCellErrorInput::of(c),
-            .state = mixture::StateOfEach::of(v),
+            .state = mixture::MaterialStates::of(v),
             .mass_new = v.mass_new,
             .energy_new = v.energy_new,
             .pure = v.pure,

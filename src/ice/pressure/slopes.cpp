@@ -133,7 +133,7 @@ void add_smooth_slopes(TaskList& list, const SolvedFacesInput& v, const SchemeOp
       }
       if constexpr (D > 1) transverse_rows<D>(row, h, o.grid.axes);
       if (o.scheme.masked && !o.grid.has_cut_cells) mask_slopes(row, h.mask, slopes_of(h), D);
-      if (o.grid.has_cut_cells) close_slopes(row, h.open, slopes_of(h), D);
+      if (o.grid.has_cut_cells) mask_slopes_at_closed_faces(row, h.open, slopes_of(h), D);
     });
   });
 }

@@ -45,7 +45,7 @@ void declare_variables(TaskList&, const SchemeOptions&, SchemeVariables&);
 
 // What the error of a cell's volume follows from, and what is solved for.
 struct ErrorInput {
-  VolumeVariables moving;
+  VolumeMotionVariables moving;
   VariableId pressure, pressure_slope;
   PressureVariables solve;
 

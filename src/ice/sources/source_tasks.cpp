@@ -23,7 +23,7 @@ void account_cells(const Row& row, In change, const SchemeOptions& o, int first,
   const int material = o.materials.mixture ? 0 : o.materials.index;
   const int beside = static_cast<int>(o.materials.fluids.size());
   const auto add = [&](int component, int slot) {
-    add_cells(row, change, component, row.reductions().sum(o.accounts.source_sums, slot), first,
+    add_cells(row, change, component, row.reductions().sum(o.budgets.source_sums, slot), first,
               end);
   };
   for (int m = 0; m < layout.materials; ++m) {

@@ -6,7 +6,7 @@
 namespace sluice::ice {
 
 // Where the exact sums of sources stand among those of a step, from
-// AccountOptions::source_sums: the mass of each material, then these.
+// BudgetOptions::source_sums: the mass of each material, then these.
 struct SourceSums {
   enum {
     momentum = 0,

@@ -17,10 +17,10 @@ inline double cell_volume(const Row& row) {
 // cells first to end - 1.
 template <class Use>
 void for_uncovered(const Row& row, const SchemeOptions& o, int first, int end, Use&& use) {
-  if (o.accounts.coverage == nullptr || !o.accounts.coverage->any()) return use(first, end);
+  if (o.budgets.coverage == nullptr || !o.budgets.coverage->any()) return use(first, end);
   const int low = row.cell()[o.grid.axes.direction[0]];
   for (const LevelCoverage::Segment& s :
-       o.accounts.coverage->uncovered_in_row(row.box(), row.cell())) {
+       o.budgets.coverage->uncovered_in_row(row.box(), row.cell())) {
     const int from = std::max(s.first - low, first), to = std::min(s.first - low + s.count, end);
     if (from < to) use(from, to);
   }

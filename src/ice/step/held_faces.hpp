@@ -26,8 +26,8 @@ inline bool is_subsonic(double u, bool plus, double c_inside, double c_outside) 
 // Calls f(i, plus, u) for every face of the row (low faces along `axis`) whose velocity u is given
 // and subsonic; plus: the cell inside is on the low side.
 template <class F>
-void for_each_held_face(const Row& row, const SchemeOptions& o, int axis, In velocity, In sound,
-                        F&& f) {
+void for_each_prescribed_face(const Row& row, const SchemeOptions& o, int axis, In velocity,
+                              In sound, F&& f) {
   if (!holds_velocities(o)) return;
   const double middle = row.step().time + 0.5 * row.step().dt;
   const double *ua = row(velocity, axis, axis, -1), *ub = row(velocity, axis);
@@ -43,7 +43,8 @@ void for_each_held_face(const Row& row, const SchemeOptions& o, int axis, In vel
 
 // Calls f(i) for every cell of the row that lies just outside such a face.
 template <class F>
-void for_each_held_ghost(const Row& row, const SchemeOptions& o, In velocity, In sound, F&& f) {
+void for_each_prescribed_ghost(const Row& row, const SchemeOptions& o, In velocity, In sound,
+                               F&& f) {
   if (!holds_velocities(o)) return;
   for (int axis = 0; axis < o.grid.axes.count; ++axis) {
     const int d = o.grid.axes.direction[axis];
@@ -67,9 +68,9 @@ void for_each_held_ghost(const Row& row, const SchemeOptions& o, In velocity, In
 }
 
 // What the Lagrangian phase takes from the momentum of such cells: nothing.
-inline void leave_held_ghosts(const Row& row, const SchemeOptions& o, In velocity, In sound,
-                              Out impulse) {
-  for_each_held_ghost(row, o, velocity, sound, [&](int i) {
+inline void leave_prescribed_ghosts(const Row& row, const SchemeOptions& o, In velocity, In sound,
+                                    Out impulse) {
+  for_each_prescribed_ghost(row, o, velocity, sound, [&](int i) {
     for (int c = 0; c < o.grid.components; ++c) row(impulse, c)[i] = 0.0;
   });
 }

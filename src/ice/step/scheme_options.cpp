@@ -103,8 +103,8 @@ TransportOptions transport_options(const IceScene& ice, const Level& level,
 }
 
 // `o` has its materials and forces, which are summed up.
-AccountOptions account_options(const Scene& scene, const SchemeOptions& o) {
-  AccountOptions a;
+BudgetOptions budget_options(const Scene& scene, const SchemeOptions& o) {
+  BudgetOptions a;
   const bool summed = o.forces.driving_on || (o.forces.on && scene.grid.levels.size() > 1);
   a.sums = summed ? StepSlots::sums_with_gravity : StepSlots::sums;
   return a;
@@ -135,7 +135,7 @@ SchemeOptions scheme_options(const Scene& scene, const IceScene& ice) {
   o.scheme = method_options(scene, ice);
   o.forces = force_options(scene, ice);
   o.transport = transport_options(ice, scene.grid.levels.front(), o);
-  o.accounts = account_options(scene, o);
+  o.budgets = budget_options(scene, o);
   return o;
 }
 

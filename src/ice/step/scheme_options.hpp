@@ -108,7 +108,7 @@ struct TransportOptions {
 };
 
 // What a step sums up and records.
-struct AccountOptions {
+struct BudgetOptions {
   IndexOffsets places;   // of this part among those of the component
   int sums = 8;          // exact sums before those of further materials: see StepSlots
   SumGroup source_sums;  // of the step: mass of each material, then those of SourceSums
@@ -125,7 +125,7 @@ struct SchemeOptions {
   MethodOptions scheme;
   ForceOptions forces;
   TransportOptions transport;
-  AccountOptions accounts;
+  BudgetOptions budgets;
 
   // The scene's number of one of the materials.
   int place(int m) const { return accounts.places.material_of(m); }

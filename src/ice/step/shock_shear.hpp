@@ -22,17 +22,17 @@ namespace sluice::ice {
 constexpr int marked_cells = 16;
 
 // Whether one of the cells from `first` to `last` is marked.
-inline bool is_marked(const double* marks, int first, int last) {
+inline bool any_flag_set(const double* marks, int first, int last) {
   std::uint64_t bits = 0;
   for (int i = first; i <= last; ++i) bits |= std::bit_cast<std::uint64_t>(marks[i]);
   return bits != 0;
 }
 
 template <std::size_t N>
-using MarkedRows = std::array<const double*, N>;
+using FlagRows = std::array<const double*, N>;
 
 template <std::size_t N>
-bool is_marked(const MarkedRows<N>& rows, int first, int last) {
+bool any_flag_set(const FlagRows<N>& rows, int first, int last) {
   std::uint64_t bits = 0;
   for (int i = first; i <= last; ++i)
     for (const double* marks : rows) bits |= std::bit_cast<std::uint64_t>(marks[i]);
@@ -56,10 +56,11 @@ void for_each_part(const Row& row, Wanted&& is_wanted, F&& f) {
 // f(part of the row) where one of these rows of marks is set, from so many cells before it to one
 // behind it.
 template <std::size_t N, class F>
-void for_each_marked_part(const Row& row, const MarkedRows<N>& rows, int before, F&& f) {
-  if (!is_marked(rows, -before, row.count())) return;
+void for_each_marked_part(const Row& row, const FlagRows<N>& rows, int before, F&& f) {
+  if (!any_flag_set(rows, -before, row.count())) return;
   for_each_part(
-      row, [&](int first, int count) { return is_marked(rows, first - before, first + count); }, f);
+      row, [&](int first, int count) { return any_flag_set(rows, first - before, first + count); },
+      f);
 }
 
 struct ShockShearReads {
@@ -87,8 +88,8 @@ inline ShockShearReads read_shock_shear(TaskBuilder& task, const ShockShearInput
 }
 
 template <int D>
-MarkedRows<D> sheared_rows(const Row& row, const ShockShearReads& h) {
-  MarkedRows<D> rows;
+FlagRows<D> sheared_rows(const Row& row, const ShockShearReads& h) {
+  FlagRows<D> rows;
   for (int d = 0; d < D; ++d)
     rows[d] = row.at_offset(h.marks, 0, {0, d == 1 ? 1 : 0, d == 2 ? 1 : 0});
   return rows;
@@ -97,7 +98,7 @@ MarkedRows<D> sheared_rows(const Row& row, const ShockShearReads& h) {
 // Whether some faces of the cells of a row exchange shear.
 template <int D>
 bool is_sheared(const Row& row, const ShockShearReads& h) {
-  return is_marked(sheared_rows<D>(row, h), 0, row.count());
+  return any_flag_set(sheared_rows<D>(row, h), 0, row.count());
 }
 
 // Calls f(part) for parts of a row of cells of whose faces some do.

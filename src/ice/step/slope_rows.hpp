@@ -24,7 +24,7 @@ inline void mask_slopes(const Row& row, In mask_in, const SlopeOutputs& h, int D
 }
 
 // Beside solids: slopes along axes that are open, transverse advection by those across.
-inline void close_slopes(const Row& row, In open_in, const SlopeOutputs& h, int D) {
+inline void mask_slopes_at_closed_faces(const Row& row, In open_in, const SlopeOutputs& h, int D) {
   const int n = row.count();
   for (int d = 0; d < D; ++d) {
     const double* open = row(open_in, d);

@@ -79,7 +79,7 @@ struct WallVariables {
 
 // How the volume of cells moves: as the mixture does, unless each material has its own velocity
 // (multi_velocity/tasks.hpp). Faces and their pressures follow from it.
-struct VolumeVariables {
+struct VolumeMotionVariables {
   VariableId rho, inverse_rho, velocity, sound;
 };
 
@@ -91,7 +91,7 @@ struct SchemeVariables {
   VariableId rho_remap, momentum_remap, energy_remap;
   // Primitives of the old state.
   VariableId velocity, pressure, sound, inverse_rho;
-  VolumeVariables moving;
+  VolumeMotionVariables moving;
   AfterVariables after;
   // Slopes along each axis of the normal velocity and the pressure; predicted pressure; transverse
   // advection of the normal velocity.

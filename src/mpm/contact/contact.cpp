@@ -187,7 +187,8 @@ void Contact::act(const ContactRule& rule, ContactNode& meeting,
 void Contact::act(Hook hook, ContactNode& meeting) const {
   static thread_local std::vector<ContactBody> parties;
   for (const ContactRule& rule : scene_->contacts)
-    if (hook == Hook::after_forces || rule.both_hooks) act(rule, meeting, parties);
+    if (hook == Hook::after_forces || rule.applied_before_and_after_integration)
+      act(rule, meeting, parties);
 }
 
 }  // namespace sluice::mpm

@@ -56,7 +56,7 @@ TEST(Contact, ActsOnTheMaterialsOfARuleOnly) {
 TEST(Contact, OneStepActsAfterForcesAlone) {
   Node n(2);
   n.scene.contacts = {rule_of(ContactKind::single_velocity)};
-  n.scene.contacts[0].both_hooks = false;
+  n.scene.contacts[0].applied_before_and_after_integration = false;
   n.act(Hook::before_forces);
   EXPECT_EQ(n.v(0).x, 1);
   n.act(Hook::after_forces);

@@ -95,7 +95,8 @@ struct ContactRule {
   std::vector<int> materials;  // local numbers of SolidMaterial; all when the deck names none
   double friction = 0;         // mu
   double volume_constraint = 0, separation_factor = 1e300;
-  bool both_hooks = true;      // OneOrTwoStep 2: before and after the integration
+  bool applied_before_and_after_integration =
+      true;                    // OneOrTwoStep 2: before and after the integration
   std::optional<int> exclude;  // ExcludeMaterial
   std::string type;            // as the deck says: friction_bard, friction_LR, approach, ...
   std::vector<std::pair<double, double>> friction_of_colour;  // friction_LRVar: colour, mu

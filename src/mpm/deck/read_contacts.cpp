@@ -51,7 +51,8 @@ ContactRule read_contact(const DeckNode& node, int materials, std::vector<Fault>
       if (index < materials) rule.materials.push_back(static_cast<int>(index));
   const bool by_master =
       rule.kind == ContactKind::specified || rule.kind == ContactKind::specified_friction;
-  rule.both_hooks = integer_or(node, "OneOrTwoStep", by_master ? 1 : 2) == 2;
+  rule.applied_before_and_after_integration =
+      integer_or(node, "OneOrTwoStep", by_master ? 1 : 2) == 2;
   if (const DeckNode* excluded = node.child("ExcludeMaterial"))
     rule.exclude = excluded->as_integer();
   read_friction(node, rule);

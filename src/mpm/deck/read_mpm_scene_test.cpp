@@ -187,7 +187,7 @@ TEST(Contacts, HaveTheFormatsNames) {
     EXPECT_EQ(rule.friction, 0.3);
     const bool by_master =
         kind == ContactKind::specified || kind == ContactKind::specified_friction;
-    EXPECT_EQ(rule.both_hooks, !by_master) << name;
+    EXPECT_EQ(rule.applied_before_and_after_integration, !by_master) << name;
   }
   EXPECT_TRUE(read_solids(with_contact("<type>null</type>")).solids.contacts.empty());
 }

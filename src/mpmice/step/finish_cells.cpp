@@ -322,7 +322,7 @@ Verdict LevelCoupling<D>::limit_step(const StageScope& scope) {
     if (D > 1) sound = std::max(sound, ice::sound_sum_share(o) * sum);
     flow = std::max(flow, all);
   });
-  const std::span<double> maxima = o.accounts.places.maxima.of(scope.maxima->front());
+  const std::span<double> maxima = o.budgets.places.maxima.of(scope.maxima->front());
   const auto include = [&](int slot, double rate) {
     double& own = maxima[static_cast<std::size_t>(slot)];
     own = std::max(own, rate);

@@ -38,7 +38,7 @@ void check_filebase(const DeckNode& root, std::vector<Fault>& faults);
 void check_pieces(const DeckNode& root, std::vector<Fault>& faults);
 
 // What a deck leaves to be told elsewhere.
-void fill_in_what_others_tell(DeckNode& root, std::vector<Fault>& faults);
+void fill_in_from_other_decks(DeckNode& root, std::vector<Fault>& faults);
 // Names of materials in <Models> and <DataAnalysis>, written in other capitals.
 void settle_material_names(DeckNode& root, std::vector<Fault>& faults);
 

@@ -58,7 +58,7 @@ void leave_folder_to_command(DeckNode& root, std::vector<Fault>& faults) {
 
 }  // namespace
 
-void fill_in_what_others_tell(DeckNode& root, std::vector<Fault>& faults) {
+void fill_in_from_other_decks(DeckNode& root, std::vector<Fault>& faults) {
   give_mean_pressure(root, faults);
   leave_steps_to_components(root, faults);
   leave_folder_to_command(root, faults);

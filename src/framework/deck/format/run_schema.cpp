@@ -182,7 +182,7 @@ void add_run_tags(Schema& schema, const std::vector<ComponentWord>& components) 
                  .with_children({tag("small_messages", "accepted without effect").boolean(),
                                  tag("taskReadyQueueAlg", "accepted without effect").text()}));
   schema.rewrites.emplace_back(keep_first_of_time);
-  schema.rewrites.emplace_back(fill_in_what_others_tell);
+  schema.rewrites.emplace_back(fill_in_from_other_decks);
   schema.rewrites.emplace_back(settle_material_names);
   schema.rules.emplace_back(check_time);
   schema.rules.emplace_back(check_switcher);

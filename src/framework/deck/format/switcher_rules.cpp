@@ -141,7 +141,7 @@ std::vector<TagSpec> switcher_tags(const std::vector<ComponentWord>& components)
 std::string find_subdeck(const DeckNode& input_file) {
   std::error_code failed;
   const fs::path name = input_file.text, folder = fs::path(input_file.where.file).parent_path();
-  std::vector<fs::path> places = folders_beside(input_file.where);
+  std::vector<fs::path> places = search_folders(input_file.where);
   for (fs::path& place : places) place /= name;
   places.emplace_back(name);
   for (const fs::path& path : places)

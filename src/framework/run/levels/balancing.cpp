@@ -24,7 +24,7 @@ bool Balancing::balance(int step) {
   const bool any = moved < levels_->count();
   if (any) {
     for (int l = std::max(0, moved - 1); l + 1 < levels_->count(); ++l) levels_->make_interface(l);
-    levels_->join(moved);
+    levels_->connect(moved);
     if (particles_ != nullptr) particles_->follow(levels_->existing());
     ++count_;
   }

@@ -48,7 +48,7 @@ void LevelSolver::mark_modified() {
 
 const StepAttempt& LevelSolver::attempt(double time, double dt, const std::vector<Label>& wanted,
                                         const RunControl* control, bool rates) {
-  states_.keep_start();
+  states_.store_start_state();
   last_ = graphs_.step(masks_.any(), sorted(wanted)).run(constants(time, dt, rates));
   return reduction_.reduce(last_, control);
 }

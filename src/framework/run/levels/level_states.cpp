@@ -38,7 +38,7 @@ Warehouse LevelStates::lay_out(std::vector<GridBox> boxes) {
   return before;
 }
 
-void LevelStates::keep_start() {
+void LevelStates::store_start_state() {
   if (advanced_ != 1 || substeps_ == 1 || start_kept_) return;
   next_.swap(start_);
   start_kept_ = true;

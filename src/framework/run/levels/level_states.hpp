@@ -42,7 +42,7 @@ class LevelStates {
   // filled by the caller (interior cells).
   Warehouse lay_out(std::vector<GridBox> boxes);
   // Before an attempt: keeps the start of the coarse step where a substep would overwrite it.
-  void keep_start();
+  void store_start_state();
   // The new state becomes the present one.
   void advance();
   // The coarse step is accepted: what it began with is no longer needed.

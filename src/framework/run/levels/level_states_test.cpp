@@ -21,7 +21,7 @@ class LevelStatesTest : public testing::Test {
 
   // An attempt that ends with this value in the first cell, and is accepted.
   static void substep(LevelStates& states, double value) {
-    states.keep_start();
+    states.store_start_state();
     first(states.next()) = value;
     states.advance();
   }

@@ -34,7 +34,7 @@ Levels::Levels(const Scene& scene, const Component& component, Communicator& com
     for (const ControlVolume& v : control_volumes(scene.analysis))
       volumes_.push_back(cells_of(v, levels.front()));
   for (int l = 0; l + 1 < count(); ++l) make_interface(l);
-  join();
+  connect();
 }
 
 int Levels::count() const {
@@ -78,7 +78,7 @@ void Levels::make_interface(int coarser) {
       Restriction(coarse, fine, rank)});
 }
 
-void Levels::join(int first) {
+void Levels::connect(int first) {
   ++layouts_;
   const int rank = communicator_->rank();
   for (int l = std::max(0, first - 1); l < possible() && possible() > 1; ++l) {

@@ -48,7 +48,7 @@ class Levels {
   void make_interface(int coarser);
   // What the levels know of each other, once every interface is made. Levels below `first` lie
   // where they lay, and all but the one next to it meet what they met.
-  void join(int first = 0);
+  void connect(int first = 0);
   // The averages of each finer level into the cells below, finest first.
   void restrict_all();
 

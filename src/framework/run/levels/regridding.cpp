@@ -78,7 +78,7 @@ int Regridding::lay_out(bool from_deck, double time) {
     laid_out = l;
     levels_->make_interface(l - 1);
   }
-  levels_->join(first);
+  levels_->connect(first);
   return first;
 }
 
@@ -131,7 +131,7 @@ void Regridding::restore(const RegridState& state) {
     (*levels_)[l].lay_out(regridder_->boxes(l));
     levels_->make_interface(l - 1);
   }
-  levels_->join();
+  levels_->connect();
 }
 
 std::string Regridding::state() const {
