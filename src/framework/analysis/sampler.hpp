@@ -1,7 +1,8 @@
 // What one analysis takes from one level: numbers of this rank, lines of the files on rank 0.
 //
 // A sample goes: lay_out() whenever boxes have changed, pack() on every rank, write() on rank 0,
-// which reads the numbers of all ranks in the order in which each rank has packed its own.
+// which reads the numbers of all ranks in the order in which each rank has packed its own. Values
+// have the units of their labels, places are in m, `time` is that at the end of the step in s.
 #pragma once
 #include <cstddef>
 #include <filesystem>

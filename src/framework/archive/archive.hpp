@@ -24,8 +24,8 @@ struct FieldInfo {
   int components() const { return component_count(type); }
 };
 
-// Values over a box of indices, x fastest; `present` is 0 where no value is stored (a finer level
-// does not cover everything).
+// Values over a box of indices, by component, x fastest, in the unit of the field; `present` is 0
+// where no value is stored (a finer level does not cover everything).
 struct DenseField {
   IndexBox cells;
   std::vector<std::vector<double>> components;

@@ -15,7 +15,7 @@
 
 namespace sluice {
 
-// The scalars of one archived state. Doubles survive to the last bit.
+// The scalars of one archived state. Doubles survive to the last bit. Times in s.
 struct StepInfo {
   int step = 0;                              // number of steps taken
   double time = 0;                           // at the end of the step
@@ -24,7 +24,7 @@ struct StepInfo {
   std::map<std::string, std::string> state;  // what components need for a restart, as UTF-8 text
 };
 
-// A line of index.xml.
+// A line of index.xml; times as in StepInfo.
 struct StepEntry {
   int step = 0;
   double time = 0;

@@ -14,8 +14,8 @@ inline constexpr const char* particle_position_name = "p.x";
 inline constexpr const char* particle_id_name = "p.particleID";
 
 struct ParticleColumn {
-  FieldInfo info;  // level: the lowest
-  std::vector<std::vector<double>> components;
+  FieldInfo info;                               // level: the lowest
+  std::vector<std::vector<double>> components;  // by component and particle, in the field's unit
 };
 
 struct ParticleTable {
@@ -26,7 +26,7 @@ struct ParticleTable {
 
   std::size_t size() const { return ids.size(); }
   const ParticleColumn* find(std::string_view name) const;
-  Vec3 position(std::size_t n) const;
+  Vec3 position(std::size_t n) const;  // m
 };
 
 // Materials of which the step holds particles, ascending.

@@ -1,4 +1,4 @@
-// Unions, intersections and differences of pieces.
+// Unions, intersections and differences of pieces. Points in m.
 #pragma once
 #include "framework/geometry/piece.hpp"
 

@@ -1,4 +1,5 @@
-// Pieces with flat faces: box, parallelepiped, convex polyhedron.
+// Pieces with flat faces: box, parallelepiped, convex polyhedron. Points in m; normals of any
+// length.
 #pragma once
 #include <array>
 

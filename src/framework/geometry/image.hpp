@@ -1,4 +1,5 @@
-// The image piece: voxels of a file of bytes whose grey value lies between two thresholds.
+// The image piece: voxels of a file of bytes whose grey value lies between two thresholds. Points
+// in m.
 #pragma once
 #include <string>
 

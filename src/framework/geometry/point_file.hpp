@@ -2,6 +2,7 @@
 //
 // A row holds x y z and then the listed variables: p.volume, p.temperature, p.color one number
 // each, p.externalforce, p.fiberdir, p.rvec1 to p.rvec3, p.velocity, p.loadCurveID, p.normal three.
+// Points in m, values in SI units: m^3, K, N, m/s.
 #pragma once
 #include <map>
 #include <string>

@@ -1,4 +1,4 @@
-// The line_segment piece: a closed polygon in the x-y plane, extruded along all of z.
+// The line_segment piece: a closed polygon in the x-y plane, extruded along all of z. Points in m.
 //
 // A point is inside when the ray towards larger x crosses the polygon an odd number of times
 // (half-open rule on y), and when it lies on an edge.

@@ -1,4 +1,5 @@
-// Thin pieces about a middle surface: plane, sphere and cylinder shells, sphere membrane.
+// Thin pieces about a middle surface: plane, sphere and cylinder shells, sphere membrane. Points
+// and lengths in m.
 //
 // All of them are the points within half a thickness of the middle surface (the plane shell: a disc
 // of that thickness; the cylinder shell: between its end planes). The counts that decks give

@@ -1,4 +1,5 @@
-// Sums of the fine faces of each coarse face of a patch, the same bits in mirrored scenes.
+// Sums of the fine faces of each coarse face of a patch, the same bits in mirrored scenes. Of any
+// quantity, in its unit; a scale is a factor.
 //
 // Along one tangential direction neighbours are added, then neighbours of these sums; along two,
 // the diagonals of 2 x 2 blocks, then the blocks alike: (a + d) + (b + c). Exchanged axes then give

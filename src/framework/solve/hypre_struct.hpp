@@ -35,7 +35,7 @@ const StructMethod& struct_method(const std::string& name);
 // until it hides the residual.
 struct MeanFree {
   HYPRE_StructVector ones = nullptr;  // 1 in every unknown
-  double unknowns = 0;
+  double unknowns = 0;                // how many
   StructMethod::Work set_up = nullptr, solve = nullptr;
   HYPRE_StructSolver solver = nullptr;
 };

@@ -36,7 +36,7 @@ struct Fluid {
   double heat_capacity_ratio(double rho, double rho_e) const;  // cp/cv of the state
   // Where all states have one.
   std::optional<double> constant_heat_capacity_ratio() const;
-  double shock_slope() const;      // without unit: eos/eos.hpp
+  double shock_slope() const;      // s of the shock speed c + s u, without unit
   double lowest_pressure() const;  // Pa; -pinf of a stiffened gas
   bool admissible(double rho, double rho_e) const;
 };

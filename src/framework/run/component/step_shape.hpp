@@ -39,7 +39,7 @@ struct StageScope {
   std::vector<LevelSolver*> levels;  // coarse to fine
   Communicator* ranks = nullptr;
   StepScope step;        // of the coarsest level; the finer ones take the same step
-  double dt_before = 0;  // length of the step before; 0: there was none
+  double dt_before = 0;  // length of the step before, s; 0: there was none
   int pass = 0;          // of the iteration around it, counted from 1
   StepJournal* journal = nullptr;
   EventLedger* events = nullptr;       // of the attempt
