@@ -14,7 +14,7 @@
 
 namespace sluice::eos {
 
-// (x^a - 1)/a, also at a = 0.
+// (x^a - 1)/a, also at a = 0; no units.
 inline double power_integral(double x, double a) {
   const double l = std::log(x);
   return a == 0.0 ? l : std::expm1(a * l) / a;
@@ -23,9 +23,10 @@ inline double power_integral(double x, double a) {
 // The branch below rho0 that the Murnaghan laws share: p and c^2 continuous at rho0. A solid falls
 // to next to no pressure within a hundredth of expansion: from least_share of P0 on, at x_v, it is
 // dust, whose pressure falls with density alone, so that torn matter keeps a sound speed.
+// x = rho/rho0; pressure in Pa, slope dp/drho in m^2/s^2, energy in J/kg.
 struct ExpansionBranch {
   static constexpr double min_share = 1e-6;
-  double K = 1.0, rho0 = 1.0, P0 = 1.0;
+  double K = 1.0, rho0 = 1.0, P0 = 1.0;  // 1/Pa, kg/m^3, Pa
   double pressure(double x) const {
     const double x_v = vacuum_compression();
     return x < x_v ? min_share * P0 * (x / x_v) : P0 * std::pow(x, 1.0 / (K * P0));

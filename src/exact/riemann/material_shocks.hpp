@@ -1,7 +1,7 @@
 // Shocks in one material, waves that a moving wall makes, and a shock that meets an interface.
 //
 // Directions: 1 a wave that runs to higher x, -1 to lower x. Velocities and speeds are those of the
-// frame in which the state ahead is given.
+// frame in which the state ahead is given. SI units: Pa, m/s, m, s, K.
 // Reference: L. D. Landau and E. M. Lifshitz, Fluid Mechanics, 2nd ed. (Pergamon, 1987), sections
 // 85, 99, 100.
 #pragma once

@@ -40,7 +40,7 @@ struct SteadyBurn {
     if (!burns(at.pressure, at.hottest)) return {};
     return surface(at.pressure, at.solid_temperature, at.density);
   }
-  // At a pressure, for a solid of this temperature and density.
+  // At a pressure (Pa), for a solid of this temperature (K) and density (kg/m^3).
   BurningSurface surface(double pressure, double solid_temperature, double density) const;
 };
 
