@@ -38,7 +38,8 @@ class LoadCurves {
   // than three: std::length_error.
   std::array<int, max_marks> marks_of(int material, Vec3 x, Vec3 width, bool at_surface,
                                       const std::array<int, max_marks>& named) const;
-  // Adds to the force on each particle, N; `counts` by load: marked particles of all ranks.
+  // Adds to the force on each particle, N; `time`: s; `counts` by load: marked particles of all
+  // ranks.
   void add_forces(double time, const std::vector<double>& counts, const LoadedParticles& p,
                   const std::array<double*, 3>& force) const;
   // Where the face of a particle looks on whose corners its loads act.
@@ -59,7 +60,7 @@ class LoadCurves {
   std::vector<Load> loads_;
 };
 
-// The rotation of F = R U.
+// The rotation of F = R U, without unit, row after row.
 std::array<double, 9> rotation_of(const std::array<double, 9>& F);
 
 }  // namespace sluice::mpm

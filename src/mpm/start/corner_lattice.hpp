@@ -14,7 +14,8 @@
 
 namespace sluice::mpm {
 
-// The measure of corners (length, area, volume) and their middle, in the directions of a level.
+// The measure of corners (length, area, volume) and their middle, in the directions of a level: m,
+// m^2 or m^3; m.
 struct CornerSpan {
   double measure = 0;
   Vec3 middle{};
