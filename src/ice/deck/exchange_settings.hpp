@@ -88,7 +88,7 @@ struct ExchangeSettings {
 // Relaxation then takes 1e-10 s in gases of 1 kg/m^3 and 1e-7 s where one of the two is a liquid,
 // less than any step of such a deck.
 // threshold: coefficient of momentum exchange from which on a pair moves with one velocity; unit:
-//   m^3/(kg s); test: Effects.OneVelocityNeedsEveryPair
+//   kg/(m^3 s); test: Effects.OneVelocityNeedsEveryPair
 inline constexpr double one_velocity_coefficient = 1e10;
 
 // The block of a deck whose tags the schema has checked. Without a block nothing is exchanged.
