@@ -6,7 +6,7 @@
 // where pressure, temperature and velocity are uniform, density, energy and rho f are linear in
 // each other on every face and stay so: no waves start where the gases meet.
 //
-// Rows: f mass fraction of the first stream, rho kg/m^3, w = 1/rho m^3/kg, E internal energy per
+// Rows: f mixture fraction, rho kg/m^3, w = 1/rho m^3/kg, E internal energy per
 // volume J/m^3, p and K = rho c^2 Pa, c m/s, T K.
 #pragma once
 #include <cstddef>

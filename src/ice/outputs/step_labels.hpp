@@ -88,7 +88,7 @@ void declare_source_pressure(TaskList&, const OutputInput&, const SchemeOptions&
                              const MaterialsOfStep&, int effect);
 
 // Temperature (K) of a material from mass (kg/m^3), volume (fraction) and energy (J/m^3) per volume
-// of the cell; `f`: mass fraction of the first stream of a gas whose properties are mixed.
+// of the cell; `f`: mixture fraction of a gas whose properties are mixed.
 struct Thermometer {
   Fluid fluid;
   const models::MixedGas* gas;

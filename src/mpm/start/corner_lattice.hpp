@@ -20,6 +20,7 @@ struct CornerSpan {
   double measure = 0;
   Vec3 middle{};
 };
+// `place` of the particle, m.
 CornerSpan span_of(const Level& level, const ParticleCorners& corners, Vec3 place);
 
 // Place and volume of a particle become those of its corners; `row` has its edges.

@@ -31,7 +31,8 @@ class Communicator;
 class EventLedger;
 class ParticleCloud;
 
-// Whether a step with these sums may be taken; else the reason.
+// Whether a step with these sums (as StepFacet::reductions() numbers them, in the component's
+// units) may be taken; else the reason.
 using StepJudge = std::function<bool(const std::vector<double>& sums, std::string& reason)>;
 
 // What a stage between sweeps sees.
@@ -46,7 +47,8 @@ struct StageScope {
   std::string* reason = nullptr;       // why it rejects the step, for the message
   ParticleCloud* particles = nullptr;  // of the run; null: it has none
   // Of the step, for a stage that takes it without a sweep: its sums (over levels and ranks), and
-  // by level the maxima on which the next step's length rests.
+  // by level the maxima on which the next step's length rests; as StepFacet::reductions() numbers
+  // them.
   std::vector<double>* sums = nullptr;
   std::vector<std::vector<double>>* maxima = nullptr;
   const StepJudge* judge = nullptr;  // of the run; null: none

@@ -42,7 +42,8 @@ struct CoarseStepRequest {
 
 class CoarseStep {
  public:
-  // `particles`: null without any. `maxima`: of the last sweep over each level, written here.
+  // `particles`: null without any. `maxima`: of the last sweep over each level (LevelRates),
+  // written here.
   CoarseStep(const Component& component, Levels& levels, GhostsInTime& ghosts,
              Communicator& communicator, ParticleCloud* particles,
              std::vector<std::vector<double>>& maxima);
@@ -61,7 +62,7 @@ class CoarseStep {
   // Length (s) of the last accepted step; a restart sets that of its checkpoint.
   double previous_dt() const { return previous_dt_; }
   void set_previous_dt(double dt) { previous_dt_ = dt; }
-  // What a stage sees between two steps, at `time`.
+  // What a stage sees between two steps, at `time` (s).
   StageScope scope_between_steps(double time);
 
  private:
