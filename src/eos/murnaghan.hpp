@@ -3,9 +3,9 @@
 //   rho >= rho0: p = P0 + ((rho/rho0)^n - 1)/(n K);   rho < rho0: p = P0 (rho/rho0)^(1/(K P0)),
 //   below rho_v, where that is 1e-6 P0: p = 1e-6 P0 rho/rho_v
 //   e = cv T + integral of p / rho^2 from rho0,   c^2 = dp/drho.
-// Units: compressibility K 1/Pa, P0 Pa. Reference: Murnaghan, Proc. Natl Acad. Sci. 30 (1944) 244.
-// Limits: no thermal pressure; no tension. Admissible: rho > 0, T > 0, p > 0.
-// Shock slope (n + 1)/4: exact for weak shocks, c = dp/du grows with (n + 1)/2.
+// Units: functions as in gruneisen_form.hpp; compressibility K 1/Pa, P0 Pa. Reference: Murnaghan,
+// Proc. Natl Acad. Sci. 30 (1944) 244. Limits: no thermal pressure; no tension. Admissible: rho >
+// 0, T > 0, p > 0. Shock slope (n + 1)/4: exact for weak shocks, c = dp/du grows with (n + 1)/2.
 #pragma once
 #include <array>
 

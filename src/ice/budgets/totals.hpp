@@ -14,7 +14,8 @@ namespace sluice::ice {
 void add_totals(const Warehouse& state, const LevelCoverage& coverage, const SchemeOptions& options,
                 Totals& totals);
 
-// What came in through the boundary, and what forces and models did; `sums`: of the step. Without
+// What came in through the boundary, and what forces and models did; `sums`: of the step, as
+// StepSlots numbers them. Without
 // `start` forces count only where their sums are among these. `dt`: s.
 StepBalance balance(const SchemeOptions& options, const std::vector<double>& sums,
                     const StepStart* start, double dt);

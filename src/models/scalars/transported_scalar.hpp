@@ -33,7 +33,8 @@ struct ScalarRegion {
   PiecePtr piece;
   ScalarProfile profile = ScalarProfile::constant;
   double value = 0;
-  Vec3 weight{};  // slope, freq or coeff; a direction with weight 0 takes no part
+  // slope and coeff in the unit of q, freq without unit; a direction with weight 0 takes no part.
+  Vec3 weight{};
 
   double at(Vec3 point) const;  // inside the region
 };
@@ -52,7 +53,7 @@ struct TransportedScalar {
   bool plain_name = false;  // its variable is called so, not scalar-NAME: the energy above
   int material = 0;
   double diffusivity = 0;                  // m^2/s
-  double constant_rate = 0, own_rate = 0;  // r0, r1: 1/s
+  double constant_rate = 0, own_rate = 0;  // r0: unit of q, per s; r1: 1/s
   Decay decay;                             // c1 c2 + c3: 1/s
   std::vector<ScalarRegion> start;         // later ones overwrite earlier ones
   std::shared_ptr<const StartLine> line;   // in place of them
