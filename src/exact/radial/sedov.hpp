@@ -17,6 +17,7 @@ namespace sluice::exact {
 
 class SedovProfile {
  public:
+  // InputError for a gamma that is none of these, or 2.
   SedovProfile(int dimension, double gamma);
 
   // alpha of the shock radius, both sides counted when planar.

@@ -16,7 +16,9 @@ struct Wave {
   double head = 0, tail = 0;  // equal for a shock
 };
 
-// The wave into `ahead.state` that leaves this pressure behind it.
+// The wave into `ahead.state` that leaves this pressure behind it. This and the next two throw
+// InputError for another direction, a Mach number not above 1, and a wall so fast that a void
+// opens.
 Wave wave_to_pressure(const MaterialSide& ahead, double pressure, int direction);
 // A shock at this multiple (> 1) of the speed of sound ahead.
 Wave shock_of_mach(const MaterialSide& ahead, double mach, int direction);

@@ -32,7 +32,7 @@ class RankNumbers {
   explicit RankNumbers(const std::vector<std::string>& packed);
 
   int ranks() const { return static_cast<int>(numbers_.size()); }
-  // The next `count` numbers of a rank.
+  // The next `count` numbers of a rank; std::logic_error where it has packed fewer.
   const double* take(int rank, std::size_t count);
 
  private:

@@ -93,6 +93,8 @@ struct StepRecord {
 XmlElement to_xml(const ArchiveIndex&);
 XmlElement to_xml(const StepRecord&);
 XmlElement to_xml(const DataFileRecord&);
+// DamageError where a number, a name or a size is not one that an archive has; of parse_index
+// InputError where it is the index of another format.
 ArchiveIndex parse_index(const XmlElement&, const std::string& context);
 StepRecord parse_step(const XmlElement&, const std::string& context);
 DataFileRecord parse_data_file(const XmlElement&, const std::string& context);
@@ -101,7 +103,8 @@ DataFileRecord parse_data_file(const XmlElement&, const std::string& context);
 // not there.
 void require_parent(const StepEntry&, const std::filesystem::path& archive);
 
-// A box of indices as read from a file: not empty, and small enough to compute with.
+// A box of indices as read from a file: not empty, and small enough to compute with; else
+// DamageError.
 IndexBox checked_box(IntVec3 lower, IntVec3 upper, const std::string& context);
 
 std::string step_folder_name(int step);  // t00012

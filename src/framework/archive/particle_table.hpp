@@ -31,7 +31,8 @@ struct ParticleTable {
 
 // Materials of which the step holds particles, ascending.
 std::vector<int> particle_materials(const ArchiveStep& step);
-// Columns that the filter selects, and positions.
+// Columns that the filter selects, and positions. DamageError where columns have other lengths than
+// the ids, or positions and ids are missing.
 ParticleTable read_particles(const ArchiveStep& step, int material, const LabelFilter& labels = {});
 
 }  // namespace sluice

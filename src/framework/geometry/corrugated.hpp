@@ -20,6 +20,7 @@ struct CorrugatedPlate {
 
 class CorrugatedPiece final : public GeometryPiece {
  public:
+  // InputError for a plate without volume, or an amplitude as large as the plate.
   explicit CorrugatedPiece(const CorrugatedPlate& plate);
   bool inside(Vec3 p) const override;
   Bounds bounds() const override { return bounds_; }

@@ -28,7 +28,7 @@ class ImagePiece final : public GeometryPiece {
   Bounds box_;
 };
 
-// Voxels of a file, gzipped or not.
+// Voxels of a file, gzipped or not. InputError where it cannot be opened, or as above.
 PiecePtr read_image(const std::string& file, IntVec3 res, int least, int most, const Bounds& box);
 
 }  // namespace sluice

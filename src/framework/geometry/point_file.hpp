@@ -30,6 +30,7 @@ PointFile read_point_file(const std::string& file, PointFormat format,
 // widened by 1e-5 as the format has it.
 class PointFilePiece final : public GeometryPiece {
  public:
+  // InputError where there are no points.
   explicit PointFilePiece(PointFile file);
   bool inside(Vec3 p) const override { return bounds_.contains(p); }
   Bounds bounds() const override { return bounds_; }

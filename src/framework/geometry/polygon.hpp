@@ -18,6 +18,7 @@ std::vector<PolygonPoint> read_polygon(const std::string& file);
 
 class PolygonPiece final : public GeometryPiece {
  public:
+  // InputError for fewer than three corners.
   explicit PolygonPiece(std::vector<PolygonPoint> corners);
   bool inside(Vec3 p) const override;
   Bounds bounds() const override { return bounds_; }

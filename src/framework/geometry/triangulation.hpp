@@ -24,6 +24,7 @@ Triangulation read_triangulation(const std::string& stem);
 
 class TriangulationPiece final : public GeometryPiece {
  public:
+  // InputError for fewer than four triangles.
   explicit TriangulationPiece(Triangulation surface);
   bool inside(Vec3 p) const override;
   Bounds bounds() const override { return bounds_; }

@@ -16,7 +16,7 @@ class FaceFold {
  public:
   FaceFold() = default;
   // Values lie row by row over `fine_faces`, x fastest; a coarse face holds faces_each of them
-  // (1, 2 or 4 a direction; 1 across the face).
+  // (1, 2 or 4 a direction; 1 across the face), else std::logic_error.
   FaceFold(const IndexBox& fine_faces, IntVec3 faces_each);
 
   // Adds scale * (sum of fine values) to the value of each coarse face, x fastest.

@@ -47,6 +47,7 @@ class FaceTable {
 
   // Appends the faces of `cells` (one layer thick along the axis; low or high faces) of a local
   // box; the first slot. Rows of the region follow each other, x fastest. seal() ends building.
+  // std::logic_error for cells that are not such a layer of the box.
   std::ptrdiff_t add(int box, int axis, bool high, const IndexBox& cells);
   void seal();
 

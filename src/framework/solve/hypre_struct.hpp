@@ -28,7 +28,7 @@ struct StructMethod {
   Precondition precondition;             // none: takes no preconditioner
 };
 
-// By its name in decks.
+// By its name in decks; InputError for another one.
 const StructMethod& struct_method(const std::string& name);
 
 // A preconditioner of a singular system: without the mean of what it returns, which else grows

@@ -30,7 +30,8 @@ IndexBox cells_to_fill(const IceScene& scene, const PhysicalConstants& constants
 
 // What a pressure given beside density and temperature leaves: the temperature of a liquid or solid
 // if law and deck agree on its density, the density otherwise. A function of the deck's values, in
-// kg/m^3, K and Pa.
+// kg/m^3, K and Pa; DeckError where law and density disagree and the pressure knows the density
+// alone.
 enum class Keeps { density, temperature };
 Keeps what_is_kept(const IceMaterial& m, double density, double temperature,
                    double reference_pressure);

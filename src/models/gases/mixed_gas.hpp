@@ -60,7 +60,7 @@ class MixedGas {
   double oxidizer_temperature = 0, fuel_temperature = 0;  // K, that a flame sheet supposes; 0: none
   Location where;
 
-  // At least two, of increasing f.
+  // At least two, of increasing f, else std::logic_error.
   void set_nodes(std::vector<Node> nodes);
   const std::vector<Node>& nodes() const { return nodes_; }
   template <class Change>

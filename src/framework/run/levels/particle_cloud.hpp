@@ -55,6 +55,7 @@ class ParticleCloud {
   std::vector<double> rates(int level) const;
   // Boxes have changed. Collective.
   void follow(const Levels& levels);
+  // InputError where the checkpoint is that of a run with other particles.
   void restore(const ArchiveStep& checkpoint, const Levels& levels);
   // The particles of another method with kinds of the same materials, on levels like these: what
   // both carry, the rest zero. Collective.
