@@ -30,7 +30,7 @@ struct FaceOfSurface {
   double transfer[2];       // momentum_per_area, kg/(m^2 s)
 
   double contact() const;       // share of the face
-  double left_to_face() const;  // of that contact, by what the cells hold of the surface
+  double left_to_face() const;  // share of that contact, by what the cells hold of the surface
   // Share of the friction without slip, with spacing dx (m) and viscosity mu (Pa s):
   // 1/(1 + mu/(h dx)).
   double passes(double dx, double mu) const {

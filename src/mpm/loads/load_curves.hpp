@@ -4,7 +4,7 @@
 //   force:    f = F/N             heat:   q = q(t) A/N
 //
 // N particles were marked when the run began: `marks`, up to three loads of each particle, number
-// of the load in the deck plus one, 0 none.
+// of the load in the deck plus one, 0 none. Places and widths in m.
 #pragma once
 #include <array>
 #include <vector>
@@ -42,7 +42,7 @@ class LoadCurves {
   // ranks.
   void add_forces(double time, const std::vector<double>& counts, const LoadedParticles& p,
                   const std::array<double*, 3>& force) const;
-  // Where the face of a particle looks on whose corners its loads act.
+  // Unit vector: where the face of a particle looks on whose corners its loads act.
   Vec3 face_of(const LoadedParticles& p, std::size_t i) const;
   // Heat into each particle, W.
   void add_heat(double time, const std::vector<double>& counts, const LoadedParticles& p,
