@@ -30,7 +30,7 @@ struct WaveState {
   double rho = 0, p = 0, u[3] = {0, 0, 0};
 };
 
-// (b - a) * scale.
+// (b - a) * scale, scale in 1/m.
 inline WaveState slope_from(const WaveState& a, const WaveState& b, double scale) {
   return {(b.rho - a.rho) * scale,
           (b.p - a.p) * scale,

@@ -18,7 +18,7 @@ struct RemapBaseHandles {
   In rho_L, energy_L, velocity_L, energy_scale;
   bool solved = false;  // the pressure is solved for: read these
   std::array<In, 3> face_pressure;
-  Vec3 force;
+  Vec3 force;  // N/m^3
   std::array<Out, 3> base;
 };
 

@@ -240,7 +240,7 @@ struct MpmScene {
   // a fluid gives to solids in a step is then what they get.
   bool whole_kicks = false;
   std::string manufactured;           // RunMMSProblem
-  double manufactured_amplitude = 0;  // 0: that of the problem
+  double manufactured_amplitude = 0;  // ManufacturedConstants::amplitude; 0: that of the problem
   std::vector<std::string> traction_faces;
   std::string prescribed_file, insert_file;  // resolved paths; empty: off
   bool exact_deformation = false;
