@@ -121,7 +121,7 @@ struct LoadCurve {
   enum class Kind { pressure, torque, heat_flux, force } kind = Kind::pressure;
   PiecePtr piece;
   std::string shape;                              // tag of the piece: box, cylinder, sphere
-  std::vector<std::pair<double, double>> points;  // time; load: Pa, N m, W/m^2 or, of a force, N
+  std::vector<std::pair<double, double>> points;  // time; load: Pa, N m, W/m^2, factor of force
   std::optional<int> material;
   bool whole_face = false, ends = false, axisymmetric_end = false, axisymmetric_side = false;
   Vec3 outward_normal{};
@@ -182,9 +182,10 @@ struct SolidBoundary {
 
 // Of implicit steps: <MPM> of the component impm.
 struct ImplicitSettings {
-  bool dynamic = true;                                              // nodes have inertia
-  bool mechanics = true;                                            // DoMechanics
-  double displacement_criterion = 1e-10, energy_criterion = 4e-10;  // shares of the largest
+  bool dynamic = true;    // nodes have inertia
+  bool mechanics = true;  // DoMechanics
+  // Shares: squares of displacements of the largest, energy of that of the first iteration.
+  double displacement_criterion = 1e-10, energy_criterion = 4e-10;
   int iterations_to_shrink = 12, iterations_to_grow = 4, max_iterations = 25;
   double shrink = 0.6, grow = 2;                 // factors of the step
   bool conducts = false, heat_is_stored = true;  // by implicit steps
