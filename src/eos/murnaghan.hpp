@@ -21,7 +21,7 @@ inline double power_integral(double x, double a) {
 }
 
 // The branch below rho0 that the Murnaghan laws share: p and c^2 continuous at rho0. A solid falls
-// to next to no pressure within a hundredth of expansion: from least_share of P0 on, at x_v, it is
+// to next to no pressure within a hundredth of expansion: from min_share of P0 on, at x_v, it is
 // dust, whose pressure falls with density alone, so that torn matter keeps a sound speed.
 // x = rho/rho0; pressure in Pa, slope dp/drho in m^2/s^2, energy in J/kg.
 struct ExpansionBranch {

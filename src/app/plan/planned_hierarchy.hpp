@@ -43,7 +43,7 @@ struct PlannedHierarchy {
   double uniform_updates() const;  // everywhere as fine as the finest of them
 };
 
-// `most_cells`: a coarsest level with more is not set and flagged.
+// `max_cells`: a coarsest level with more is not set and flagged.
 PlannedHierarchy plan_hierarchy(const LoadedScene& loaded, int ranks, int threads,
                                 std::int64_t max_cells);
 

@@ -152,8 +152,8 @@ struct SchemeOptions {
   }
 };
 
-// Of a scene, on the coarsest level; FluidPart::at_level() and graph_options() say what differs on
-// others and in each graph.
+// Of a scene, on the coarsest level; FluidPart::at_level() and FluidStep::options_of() say what
+// differs on others and in each graph.
 SchemeOptions scheme_options(const Scene& scene, const IceScene& ice);
 // Whether faces along strong shocks exchange shear: step/shock_shear.hpp.
 bool shears_shocks(const Scene& scene, const IceScene& ice);

@@ -11,7 +11,7 @@
 namespace sluice::mpm {
 
 // Units of the integers (2^k), of the sums in m^3, m^2 and m^4. Larger volumes (m^3) than
-// `most_volume`, 2 cells wide, count as that.
+// `max_volume`, 2 cells wide, count as that.
 struct SurfaceUnits {
   double volume = 1, gradient = 1, place = 1;
   double max_volume = 1;

@@ -11,7 +11,7 @@
 //                   pass.solve("pressure", solve);  // writes work slots of the states
 //                   pass.sweep("step", labels);     // the new state beside the old one
 //                 });
-//   shape.take_over();                              // the new state becomes the present one
+//   shape.commit();                                 // the new state becomes the present one
 //
 // Ghost cells of the state are filled when a step begins. An attempt leaves nothing behind when it
 // is rejected: what lasts goes to the journal.
@@ -90,7 +90,7 @@ class StepShape {
     std::vector<Stage> body;
   };
 
-  // Ghost cells of the state: after take_over() within a step.
+  // Ghost cells of the state: after commit() within a step.
   void exchange_state() { stages_.push_back(Exchange{}); }
   // A sweep that stores these labels of the step and makes no new state.
   void prepare(std::string name, std::vector<Label> stored) {
