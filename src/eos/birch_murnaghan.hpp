@@ -3,10 +3,10 @@
 //   rho >= rho0: p = P0 + 3/(2K) (x^7/3 - x^5/3)(1 + 3/4 (n - 4)(x^2/3 - 1)),   x = rho/rho0
 //   rho < rho0:  p = P0 x^(1/(K P0)), from 1e-6 P0 on falling with x
 //   e = cv T + [9/2 f^2 (1 + (n - 4) f)/K + P0 (1 - 1/x)]/rho0,  f = (x^2/3 - 1)/2;  c^2 = dp/drho.
-// Units: compressibility K 1/Pa (n is dK^-1/dp), P0 Pa. Reference: Birch, Phys. Rev. 71 (1947) 809.
-// Limits: no thermal pressure, no tension; for n < 4 pressure turns over at strong compression,
-// where c^2 < 0 ends the admissible set. Admissible: rho > 0, T > 0, p > 0, c^2 > 0.
-// Shock slope (n + 1)/4: exact for weak shocks.
+// Units: functions as in gruneisen_form.hpp; compressibility K 1/Pa (n is dK^-1/dp), P0 Pa.
+// Reference: Birch, Phys. Rev. 71 (1947) 809. Limits: no thermal pressure, no tension; for n < 4
+// pressure turns over at strong compression, where c^2 < 0 ends the admissible set. Admissible: rho
+// > 0, T > 0, p > 0, c^2 > 0. Shock slope (n + 1)/4: exact for weak shocks.
 #pragma once
 #include "eos/murnaghan.hpp"
 

@@ -3,7 +3,8 @@
 // A Newton step that leaves the bracket, or one that has not halved the residual, is replaced by
 // the middle of the bracket (the geometric middle where the ends are decades apart); after 16 steps
 // every second one is. So the search ends for any function that changes sign, smooth or not (after
-// Press et al., Numerical Recipes, section 9.4).
+// Press et al., Numerical Recipes, section 9.4). Argument and value may have any units; the slope
+// has their quotient.
 #pragma once
 #include <cmath>
 #include <limits>

@@ -10,6 +10,7 @@ namespace sluice::eos {
 
 inline constexpr double molar_gas_constant = 8.31446261815324;  // J/(mol K)
 
+// Shares from 0 to 1.
 struct MoleFractions {
   double CO2 = 0, CO = 0, H2O = 0, O2 = 0, N2 = 0, OH = 0, NO = 0, O = 0, H = 0, H2 = 0;
 };

@@ -5,7 +5,7 @@
 namespace sluice::eos {
 
 struct ConstantHeat {
-  double cv = 1.0;
+  double cv = 1.0;  // J/(kg K)
 
   double specific_heat(double /*T*/) const { return cv; }
   double energy(double T) const { return cv * T; }

@@ -2,7 +2,8 @@
 //
 //   e = 3 N k T D(x),  cv = 3 N k [4 D(x) - 3 x/(exp x - 1)],  x = theta/T,
 //   D(x) = 3/x^3 * integral of t^3/(exp t - 1) from 0 to x.
-// Units: N atoms per kg, theta K, cv J/(kg K); the energy at 0 K is left out. Reference: Debye,
+// Units: N atoms per kg, theta and T K, e J/kg, cv J/(kg K); the energy at 0 K is left out; D and x
+// have none. Reference: Debye,
 // Ann. Phys. 39 (1912) 789; series: Abramowitz and Stegun, 27.1. D by its power series below x = 2
 // and by the series of exponentials above: relative error 2e-15. Limits: harmonic lattice, no
 // electrons; theta does not follow the density.
@@ -43,6 +44,7 @@ struct DebyeHeat {
   double debye_temperature = 300.0;
 
   static constexpr double boltzmann = 1.380649e-23;  // J/K
+  // cv far above the Debye temperature, J/(kg K).
   double limit() const { return 3.0 * atoms_per_mass * boltzmann; }
 
   double specific_heat(double T) const {

@@ -11,9 +11,9 @@ namespace sluice::eos {
 // The answer where a law has no state at the pressure and temperature asked for.
 inline constexpr double no_density = std::numeric_limits<double>::quiet_NaN();
 
-// `isotherm(rho)` gives pressure and slope. Goes up from `start` where pressure is missing, down
-// where there is too much, in growing steps, so that of several roots the nearest stable one is
-// found; `top` is the density that is never reached.
+// Pressures in Pa, densities in kg/m^3. `isotherm(rho)` gives pressure and slope. Goes up from
+// `start` where pressure is missing, down where there is too much, in growing steps, so that of
+// several roots the nearest stable one is found; `top` is the density that is never reached.
 template <class Isotherm>
 double search_density(double p, double start, double top, const Isotherm& isotherm) {
   double low = start, high = start, factor = 1.1;

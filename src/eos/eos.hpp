@@ -33,8 +33,9 @@
 
 namespace sluice::eos {
 
-// rho: density, x: internal energy per volume, pressure, temperature or specific heat, as the
-// function says.
+// SI units: rho density, kg/m^3; x internal energy per volume, J/m^3, pressure, Pa, temperature, K,
+// or specific heat, J/(kg K), as the function says. The slope of the shock speed over the particle
+// speed (shock_slope), Grueneisen coefficients and ratios of specific heats have no unit.
 template <class T>
 concept Law = std::regular_invocable<decltype(&T::admissible), const T&, double, double> &&
               requires(const T& law, double rho, double x) {
@@ -109,7 +110,7 @@ inline const IdealGas* as_gamma_law(const EquationOfState& law) {
 
 // Fast path of the equilibration: p = G rho (e - q) - gamma_pi, G constant.
 struct StiffenedForm {
-  double G = 0, gamma = 0, pinf = 0, q = 0;
+  double G = 0, gamma = 0, pinf = 0, q = 0;  // 1, 1, Pa, J/kg
 };
 inline std::optional<StiffenedForm> as_stiffened(const EquationOfState& law) {
   if (const auto* gas = std::get_if<IdealGas>(&law))

@@ -18,11 +18,12 @@ namespace sluice::eos {
 struct StateRange {
   double rho_low, rho_high;  // kg/m^3
   double T_low, T_high;      // K
-  double kink = 0.0;         // density at which a branch changes: no difference taken across it
+  double kink = 0.0;         // density (kg/m^3) where a branch changes: no difference across it
   double step = 1e-3;        // relative step of the differences
   double share = 0.9;        // of the random states, at least this much must be admissible
 };
 
+// Relative ones.
 struct Tolerances {
   double slopes = 2e-9;   // derivatives against differences of fourth order
   double energy = 1e-12;  // e(rho, p(rho, e)), as a share of the energy that moves p by rho c^2

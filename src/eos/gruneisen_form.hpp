@@ -8,6 +8,9 @@
 //   K = rho c^2 = rho F' + h (p - F) + G p
 // Where e_c' = (F + G rho e_c) / rho^2 (pressure on the cold curve), temperature and energy obey
 // (de/dv)_T = T (dp/dT)_v - p and one entropy exists.
+// `Curves` also gives the slope of the shock speed (shock_slope, no unit), the lowest pressure of
+// the law (Pa), the highest density (kg/m^3) and where a search for a density begins; in
+// closed_density p is in Pa and `thermal` the energy above the cold curve, J/kg.
 // References: Menikoff and Plohr, Rev. Mod. Phys. 61 (1989) 75, sections II and III.
 #pragma once
 #include <cmath>

@@ -1,9 +1,9 @@
 // Hard-sphere gas (Noble-Abel): an ideal gas whose molecules have a volume of their own.
 //
 //   p = (gamma - 1) rho e / (1 - b rho),   e = cv T,   c^2 = gamma p / (rho (1 - b rho)).
-// Units: covolume b m^3/kg. Reference: Johnston, Defence Science and Technology note DSTO-TN-0670
-// (2005). Limits: rho < 1/b; no attraction. Admissible: 0 < rho < 1/b, e > 0.
-// Shock slope (gamma + 1)/2, that of the dilute gas.
+// Units: functions as in gruneisen_form.hpp; covolume b m^3/kg. Reference: Johnston, Defence
+// Science and Technology note DSTO-TN-0670 (2005). Limits: rho < 1/b; no attraction. Admissible: 0
+// < rho < 1/b, e > 0. Shock slope (gamma + 1)/2, that of the dilute gas.
 #pragma once
 #include <array>
 

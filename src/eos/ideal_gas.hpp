@@ -3,6 +3,7 @@
 //   p = (gamma - 1) rho e,   e = cv T,   c^2 = gamma p / rho.
 // Admissible: rho > 0, e > 0. Shock speed against particle speed: slope (gamma + 1)/2 (exact for
 // strong shocks; Dukowicz, J. Comput. Phys. 61 (1985) 119).
+// Units as in gruneisen_form.hpp, whose functions these are.
 #pragma once
 #include <array>
 #include <cmath>

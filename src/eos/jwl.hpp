@@ -3,12 +3,12 @@
 //   p = A (1 - om/(R1 V)) exp(-R1 V) + B (1 - om/(R2 V)) exp(-R2 V) + om rho e,   V = rho0 / rho
 // or, above the cold curve,  p = A exp(-R1 V) + B exp(-R2 V) + om cv rho T,
 //   e = cv T + A/(rho0 R1) exp(-R1 V) + B/(rho0 R2) exp(-R2 V).
-// Units: A, B Pa; rho0 kg/m^3; cv J/(kg K). Reference: Lee, Hornig and Kury, Adiabatic expansion of
-// high explosive detonation products, UCRL-50422 (1968). Limits: V below 0.3 and mixtures with air
-// are outside the fits. With B < 0 (unreacted explosive) a part below rho0 can be unstable: the set
-// c^2 > 0 leaves it out, and density(p, T) takes the root nearest to rho0.
-// Admissible: rho > 0, T > 0, c^2 > 0, p above the lowest of the cold curve (0 if B >= 0).
-// Shock slope om/2 + 1: strong shocks of the dilute products.
+// Units: functions as in gruneisen_form.hpp; A, B Pa; rho0 kg/m^3; cv J/(kg K). Reference: Lee,
+// Hornig and Kury, Adiabatic expansion of high explosive detonation products, UCRL-50422 (1968).
+// Limits: V below 0.3 and mixtures with air are outside the fits. With B < 0 (unreacted explosive)
+// a part below rho0 can be unstable: the set c^2 > 0 leaves it out, and density(p, T) takes the
+// root nearest to rho0. Admissible: rho > 0, T > 0, c^2 > 0, p above the lowest of the cold curve
+// (0 if B >= 0). Shock slope om/2 + 1: strong shocks of the dilute products.
 #pragma once
 #include <array>
 

@@ -3,10 +3,10 @@
 //   p = A exp(-R1 V) + B exp(-R2 V) + C V^-(1 + om),   V = rho0 / rho
 //   e = cv T + A/(rho0 R1) exp(-R1 V) + B/(rho0 R2) exp(-R2 V) + C/(rho0 om) V^-om,
 //   c^2 = dp/drho.
-// Units: A, B, C Pa; rho0 kg/m^3; cv J/(kg K). Reference: Lee, Hornig and Kury, UCRL-50422 (1968);
-// Souers, Anderson, Mercer, McGuire and Vitello, Propellants Explos. Pyrotech. 25 (2000) 54
-// (JWL++). Limits: no thermal pressure, so heating does not push. Admissible: rho > 0, T > 0, p >
-// 0, c^2 > 0. Shock slope om/2 + 1, as in JWL.
+// Units: functions as in gruneisen_form.hpp; A, B, C Pa; rho0 kg/m^3; cv J/(kg K). Reference: Lee,
+// Hornig and Kury, UCRL-50422 (1968); Souers, Anderson, Mercer, McGuire and Vitello, Propellants
+// Explos. Pyrotech. 25 (2000) 54 (JWL++). Limits: no thermal pressure, so heating does not push.
+// Admissible: rho > 0, T > 0, p > 0, c^2 > 0. Shock slope om/2 + 1, as in JWL.
 #pragma once
 #include <array>
 

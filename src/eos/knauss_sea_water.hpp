@@ -3,10 +3,11 @@
 //   rho = rho0 + a (T - T0) + b (S - S0) + K (p - P0)
 //   e = cv T + [P0 + (a T0 - r)/K](1/r - 1/rho) + ln(rho/r)/K,  r = rho0 + b (S - S0)  (from the
 //   equality of mixed derivatives),   c^2 = 1/K + T (a/K)^2 / (cv rho^2).
-// Units: a kg/(m^3 K), b kg/m^3 per unit of salinity S (parts per thousand), K s^2/m^2.
-// Reference: Knauss, Introduction to Physical Oceanography (1997), chapter 1. Limits: near T0, S0
-// and the surface; S is one number for the whole material. Admissible: rho > 0, T > 0 and p above
-// that of vanishing density at 0 K. Shock slope 1/2 (pressure linear in density).
+// Units: functions as in gruneisen_form.hpp; a kg/(m^3 K), b kg/m^3 per unit of salinity S (parts
+// per thousand), K s^2/m^2. Reference: Knauss, Introduction to Physical Oceanography (1997),
+// chapter 1. Limits: near T0, S0 and the surface; S is one number for the whole material.
+// Admissible: rho > 0, T > 0 and p above that of vanishing density at 0 K. Shock slope 1/2
+// (pressure linear in density).
 #pragma once
 #include <array>
 

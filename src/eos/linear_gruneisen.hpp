@@ -3,9 +3,9 @@
 //   p = P0 + A (rho/rho0 - 1) + B (T - T0),   alpha = B / (p_c + A),  p_c the pressure at 0 K
 //   e = cv T + [(P0 - A - B T0)(1 - 1/x) + A ln x]/rho0,  x = rho/rho0,
 //   from the equality of mixed derivatives;   c^2 = A/rho0 + T B^2 / (cv rho^2).
-// Units: A Pa, B Pa/K, rho0 kg/m^3. Reference: the linear form of Mie and Grueneisen; a straight
-// line through one state. Limits: small changes about (rho0, T0). Admissible: rho > 0, T > 0,
-// p > P0 - A - B T0 (the pressure of vanishing density at 0 K).
+// Units: functions as in gruneisen_form.hpp; A Pa, B Pa/K, rho0 kg/m^3. Reference: the linear form
+// of Mie and Grueneisen; a straight line through one state. Limits: small changes about (rho0, T0).
+// Admissible: rho > 0, T > 0, p > P0 - A - B T0 (the pressure of vanishing density at 0 K).
 // Shock slope 1/2: c rho is uniform in a medium whose pressure is linear in density.
 #pragma once
 #include <array>

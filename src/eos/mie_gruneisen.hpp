@@ -5,10 +5,10 @@
 //   T = T0 exp(Gamma0 chi) + (e - e_s)/cv,   e_s(chi) the isentrope through (rho0, T0), e_s(0) = 0:
 //   e_s = exp(Gamma0 chi) C0^2 * integral over xi of exp(-Gamma0 s) s (1 - Gamma0 s/2),
 //   s = xi/(1 + S xi), xi from 0 to chi/(1 - S chi), a choice that removes the Hugoniot's pole.
-// Units: C0 m/s, rho0 kg/m^3, T0 K; S and Gamma0 are numbers; e = 0 at (rho0, T0).
-// References: Menikoff and Plohr, Rev. Mod. Phys. 61 (1989) 75; McQueen et al., in High Velocity
-// Impact Phenomena (1970), chapter VII. Limits: pole at chi = 1/S; no spall. Admissible: T > 0,
-// c^2 > 0, rho below the pole, p > -rho0 C0^2 / max(Gamma0, 1). Shock slope S.
+// Units: functions as in gruneisen_form.hpp; C0 m/s, rho0 kg/m^3, T0 K; S and Gamma0 are numbers; e
+// = 0 at (rho0, T0). References: Menikoff and Plohr, Rev. Mod. Phys. 61 (1989) 75; McQueen et al.,
+// in High Velocity Impact Phenomena (1970), chapter VII. Limits: pole at chi = 1/S; no spall.
+// Admissible: T > 0, c^2 > 0, rho below the pole, p > -rho0 C0^2 / max(Gamma0, 1). Shock slope S.
 #pragma once
 #include <array>
 

@@ -3,9 +3,9 @@
 //   rho >= rho0: p = P0 + ((rho/rho0)^n - 1)/(n K);   rho < rho0: p = P0 (rho/rho0)^(1/(K P0)),
 //   below rho_v, where that is 1e-6 P0: p = 1e-6 P0 rho/rho_v
 //   e = cv T + integral of p / rho^2 from rho0,   c^2 = dp/drho.
-// Units: compressibility K 1/Pa, P0 Pa. Reference: Murnaghan, Proc. Natl Acad. Sci. 30 (1944) 244.
-// Limits: no thermal pressure; no tension. Admissible: rho > 0, T > 0, p > 0.
-// Shock slope (n + 1)/4: exact for weak shocks, c = dp/du grows with (n + 1)/2.
+// Units: functions as in gruneisen_form.hpp; compressibility K 1/Pa, P0 Pa. Reference: Murnaghan,
+// Proc. Natl Acad. Sci. 30 (1944) 244. Limits: no thermal pressure; no tension. Admissible: rho >
+// 0, T > 0, p > 0. Shock slope (n + 1)/4: exact for weak shocks, c = dp/du grows with (n + 1)/2.
 #pragma once
 #include <array>
 
@@ -14,18 +14,19 @@
 
 namespace sluice::eos {
 
-// (x^a - 1)/a, also at a = 0.
+// (x^a - 1)/a, also at a = 0; no units.
 inline double power_integral(double x, double a) {
   const double l = std::log(x);
   return a == 0.0 ? l : std::expm1(a * l) / a;
 }
 
 // The branch below rho0 that the Murnaghan laws share: p and c^2 continuous at rho0. A solid falls
-// to next to no pressure within a hundredth of expansion: from least_share of P0 on, at x_v, it is
+// to next to no pressure within a hundredth of expansion: from min_share of P0 on, at x_v, it is
 // dust, whose pressure falls with density alone, so that torn matter keeps a sound speed.
+// x = rho/rho0; pressure in Pa, slope dp/drho in m^2/s^2, energy in J/kg.
 struct ExpansionBranch {
   static constexpr double min_share = 1e-6;
-  double K = 1.0, rho0 = 1.0, P0 = 1.0;
+  double K = 1.0, rho0 = 1.0, P0 = 1.0;  // 1/Pa, kg/m^3, Pa
   double pressure(double x) const {
     const double x_v = vacuum_compression();
     return x < x_v ? min_share * P0 * (x / x_v) : P0 * std::pow(x, 1.0 / (K * P0));

@@ -3,7 +3,8 @@
 //   cp/R = a1 + a2 T + a3 T^2 + a4 T^3 + a5 T^4,   cv = cp - R,   e = integral of cv from 0 K.
 // Outside [T_min, T_max] cv keeps its value at the end of the range, so that e rises for every T
 // and T(e) exists; the small jump of cv at T_mid leaves e continuous. Formation energies are left
-// out: heat of reaction is a source of its own. Units: R J/(kg K). Reference: McBride, Gordon and
+// out: heat of reaction is a source of its own. Units: R and cv J/(kg K), T K, e J/kg, a_k K^(1-k).
+// Reference: McBride, Gordon and
 // Reno, NASA TM-4513 (1993).
 #pragma once
 #include <algorithm>

@@ -2,10 +2,10 @@
 //
 //   p = (gamma - 1) rho (e - q)/(1 - b rho) - gamma pinf,   e = cv T + pinf (1/rho - b) + q,
 //   c^2 = gamma (p + pinf)/(rho (1 - b rho)),   p + pinf = (gamma - 1) cv T/(1/rho - b).
-// Units: covolume b m^3/kg, pinf Pa, q J/kg. With b = 0 the stiffened gas, with pinf = 0 the
-// hard-sphere gas. Reference: Le Metayer and Saurel, Phys. Fluids 28 (2016) 046102. Limits:
-// rho < 1/b; constants fitted over a range of temperatures. Admissible: 0 < rho < 1/b, p > -pinf
-// (which is T > 0). Shock slope (gamma + 1)/2, that of the dilute gas.
+// Units: functions as in gruneisen_form.hpp; covolume b m^3/kg, pinf Pa, q J/kg. With b = 0 the
+// stiffened gas, with pinf = 0 the hard-sphere gas. Reference: Le Metayer and Saurel, Phys. Fluids
+// 28 (2016) 046102. Limits: rho < 1/b; constants fitted over a range of temperatures. Admissible: 0
+// < rho < 1/b, p > -pinf (which is T > 0). Shock slope (gamma + 1)/2, that of the dilute gas.
 #pragma once
 #include <array>
 

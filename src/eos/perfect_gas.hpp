@@ -3,7 +3,8 @@
 //   e = integral of cv(T),   gamma(T) = 1 + R/cv(T),   c^2 = gamma(T) R T.
 // Units: R J/(kg K). Reference: Anderson, Hypersonic and High Temperature Gas Dynamics (1989),
 // chapter 11. Limits: no dissociation. Admissible: rho > 0, T > 0. Shock slope 1.2: gamma 1.4 when
-// strong. With a deck's gamma and cv at some temperature, R = (gamma - 1) cv.
+// strong. With a deck's gamma and cv at some temperature, R = (gamma - 1) cv. Functions and their
+// units are those of gruneisen_form.hpp.
 #pragma once
 #include <array>
 #include <cmath>

@@ -2,7 +2,7 @@
 //
 //   cv = (a_0 + a_1 T + ... + a_n T^n) / T^n,   e = integral of cv from 0 K.
 // Outside [T_min, T_max] cv keeps its value at the end of the range, so that e(0) = 0 and T(e)
-// exists. Units: cv J/(kg K). Limits: n <= 11; T_min > 0 unless n = 0.
+// exists. Units: cv J/(kg K), T K, e J/kg. Limits: n <= 11; T_min > 0 unless n = 0.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -15,7 +15,7 @@ namespace sluice::eos {
 
 struct PolynomialHeat {
   static constexpr int max_order = 11;
-  std::array<double, max_order + 1> inverse{};  // cv = sum of inverse[k] / T^k
+  std::array<double, max_order + 1> inverse{};  // cv = sum of inverse[k] / T^k: J K^(k-1)/kg
   int order = 0;
   double T_min = 1.0, T_max = 1e6;
 

@@ -2,10 +2,11 @@
 //
 //   p = (gamma - 1) rho (e - q) - gamma pinf,   e = cv T + pinf / rho + q,
 //   c^2 = gamma (p + pinf) / rho.
-// Units: pinf Pa, q and e J/kg, cv J/(kg K). Reference: Le Metayer, Massoni and Saurel,
-// Int. J. Thermal Sci. 43 (2004) 265. Limits: constant Grueneisen coefficient; the density at 0 K
-// is unbounded, so p(rho, T) is right near one state only. Admissible: rho > 0, p > -pinf
-// (which is T > 0). Shock slope (gamma + 1)/2: exact for strong shocks.
+// Units: functions as in gruneisen_form.hpp; pinf Pa, q and e J/kg, cv J/(kg K). Reference: Le
+// Metayer, Massoni and Saurel, Int. J. Thermal Sci. 43 (2004) 265. Limits: constant Grueneisen
+// coefficient; the density at 0 K is unbounded, so p(rho, T) is right near one state only.
+// Admissible: rho > 0, p > -pinf (which is T > 0). Shock slope (gamma + 1)/2: exact for strong
+// shocks.
 #pragma once
 #include <array>
 

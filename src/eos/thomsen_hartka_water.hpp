@@ -5,7 +5,8 @@
 //   h = c0 t - b t^2/2 + integral of (v - T dv/dT) dp,  t = T - T0;   e = h - p v (0 at p = 0, T0)
 //   dp/drho|T = v^2/|dv/dp|,  dp/dT|v = 2 L x/(k0 - 2 a L x),
 //   c^2 = dp/drho|T + T (dp/dT)^2 v^2 / cv.
-// Units: a K/Pa, b J/(kg K^2), k0 1/Pa, L 1/K^2, v0 m^3/kg. Reference: Thomsen and Hartka, Am. J.
+// Units: a K/Pa, b J/(kg K^2), c0 J/(kg K), k0 1/Pa, L 1/K^2, T0 K, v0 m^3/kg; of the functions as
+// in gruneisen_form.hpp. Reference: Thomsen and Hartka, Am. J.
 // Phys. 30 (1962) 26 and 388. Limits: about 0 to 40 C and p up to some 1e8 Pa; the law ends where
 // dv/dp = 0 (x = k0/(2 a L)). Water colder than where it is densest (x < 0) has the density and the
 // pressure of a warmer one: functions of these two take the warm side (x >= 0), unless they are

@@ -5,7 +5,8 @@
 //   vapour (rho < rho0 and e >= Esp):
 //     p2 = a rho e + [b rho e/w + A mu exp(-beta y)] exp(-alpha y^2)
 //   between Es and Esp: p1 + (e - Es)/(Esp - Es) (p2 - p1);  c^2 = dp/drho|e + (p/rho^2) dp/de|rho.
-// Units: A, B Pa; E0, Es, Esp J/kg (Es: incipient, Esp: complete vaporisation). References:
+// Units: A, B Pa; E0, Es, Esp J/kg (Es: incipient, Esp: complete vaporisation); a, b, alpha and
+// beta are numbers; of the functions as in gruneisen_form.hpp. References:
 // Tillotson, General Atomic report GA-3216 (1962); Melosh, Impact Cratering (1989), appendix II.
 // Limits: temperature is no part of the law: T = (e - e_c)/cv with e_c the integral of
 // (A mu + B mu^2)/rho^2 above rho0 and 0 below, good for estimates. Admissible: rho > 0, T > 0,

@@ -3,11 +3,11 @@
 //   p = (Gamma - 1) cv T / (v - b) - a / ((v + u b)(v + w b)),   v = 1/rho
 //   e = cv T - a ln((v + u b)/(v + w b)) / (b (u - w)) = cv T - a * integral of drho/(..)(..)
 //   c^2 = p_c' + (Gamma - 1) Gamma cv T / (1 - b rho)^2,  p_c the attraction's part of p.
-// Units: a Pa m^6/kg^2, b m^3/kg; u, w, Gamma are numbers (u = -.5, w = 3 in the reference).
-// Reference: Twu, Sim and Tassone, Fluid Phase Equilibria 194 (2002) 385. Limits: rho < 1/b,
-// constant a; between the spinodals c^2 < 0. Admissible: 0 < rho < 1/b, T > 0, c^2 > 0,
-// p > a lower bound of the attraction. density(p, T): the gas (largest v) where there are several.
-// Shock slope (Gamma + 1)/2, that of the dilute gas.
+// Units: functions as in gruneisen_form.hpp; a Pa m^6/kg^2, b m^3/kg; u, w, Gamma are numbers (u =
+// -.5, w = 3 in the reference). Reference: Twu, Sim and Tassone, Fluid Phase Equilibria 194 (2002)
+// 385. Limits: rho < 1/b, constant a; between the spinodals c^2 < 0. Admissible: 0 < rho < 1/b, T >
+// 0, c^2 > 0, p > a lower bound of the attraction. density(p, T): the gas (largest v) where there
+// are several. Shock slope (Gamma + 1)/2, that of the dilute gas.
 #pragma once
 #include <array>
 

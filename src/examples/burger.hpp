@@ -13,6 +13,8 @@
 //                                         Godunov's g(l, r) = max(max(l, 0)^2, min(r, 0)^2) / 2
 //   4. step:                              u' = u - dt sum over d of (F_d(i + e_d) - F_d(i)) / dx_d
 //
+// Lengths in m, times in s, u in m/s.
+//
 // Limits: one level; dt = delt, or 1/2 / max sum |u| / dx_d where that is less.
 // E. F. Toro, Riemann Solvers and Numerical Methods for Fluid Dynamics (2009), section 14.4.
 #pragma once

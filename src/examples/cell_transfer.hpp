@@ -1,4 +1,4 @@
-// Where levels meet: plain numbers in cells, each the mean over its cell.
+// Where levels meet: plain numbers of any unit in cells, each the mean over its cell.
 //
 // Fine cells from coarse ones by a parabola in each direction, whose mean over the coarse cell is
 // its value: second derivatives of it are those of the coarse cells. Coarse cells are means.

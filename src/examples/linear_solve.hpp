@@ -2,7 +2,7 @@
 //
 //   sum over the deck's directions d of  2 x(i) - x(i - e_d) - x(i + e_d)  =  1 in cell (0, 0, 0),
 //                                                                           0 elsewhere
-// with x = 0 in the cells around the domain. x becomes `pressure`.
+// with x = 0 in the cells around the domain. x, without unit, becomes `pressure`.
 //
 // The step has two stages: a solve fills a work field, a sweep makes the new state from it. Each
 // solve begins with the pressure of the step before. The deck's <Solver> and <Parameters> choose
@@ -19,7 +19,7 @@
 namespace sluice::examples {
 
 struct SolverTestScene {
-  double dt = 0;                     // <delt>
+  double dt = 0;                     // <delt>, s
   std::array<bool, 3> directions{};  // <X_Laplacian>, <Y_Laplacian>, <Z_Laplacian>
   solve::SolverSettings solver;
 };

@@ -1,4 +1,4 @@
-// Where levels meet: numbers on nodes.
+// Where levels meet: numbers of any unit on nodes.
 //
 // Fine nodes from coarse ones by the straight lines between these, direction by direction: fine
 // nodes on coarse ones copy them. Coarse nodes copy the fine node in the same place.

@@ -1,7 +1,7 @@
 // poisson1 and benchmark: Laplace's equation by one sweep of Jacobi's method a step, on nodes.
 //
 //   phi'(i) = sum over d of (phi(i - e_d) + phi(i + e_d)) / dx_d^2  /  sum over d of 2 / dx_d^2
-//   residual = sum over inner nodes of (phi' - phi)^2
+//   residual = sum over inner nodes of (phi' - phi)^2                            (no units)
 //
 // With equal spacings that is the mean of the six neighbours (four in two dimensions). Nodes on the
 // sides of the domain hold the values that the deck gives; inner nodes start at 0.

@@ -1,4 +1,4 @@
-// <Poisson> and the values of phi on the sides of the domain.
+// <Poisson> and the values of phi, which has no unit, on the sides of the domain.
 #pragma once
 #include <array>
 #include <vector>
@@ -9,8 +9,8 @@
 namespace sluice::examples {
 
 struct PoissonScene {
-  double dt = 0;                       // <delt>
-  double max_residual = 0;             // <maxresidual>
+  double dt = 0;                       // <delt>, s
+  double max_residual = 0;             // <maxresidual>, without unit
   std::array<double, 6> side_value{};  // of phi, by Side; periodic sides have none
 };
 

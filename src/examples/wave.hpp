@@ -11,6 +11,8 @@
 //
 // Euler: phi' = phi + dt pi, then pi' = pi + dt Laplacian(phi'); with the old phi it would grow.
 //
+// Lengths, and times with the wave speed 1, in m.
+//
 // A side of the domain is a mirror. dt = the smallest spacing, times the deck's multiplier, or the
 // longest stable step where that is less. On several levels cells are refined where the change of
 // phi from cell to cell exceeds <refine_threshold>.
@@ -25,9 +27,9 @@
 namespace sluice::examples {
 
 struct WaveScene {
-  double radius = 0;  // r0
+  double radius = 0;  // r0, m
   bool runge_kutta = true;
-  double refine_threshold = 0;  // 0: nothing is refined
+  double refine_threshold = 0;  // change of phi from cell to cell, 1/m^3; 0: nothing is refined
 };
 
 struct WaveLabels {

@@ -17,7 +17,8 @@ class ElementKeeper {
  public:
   explicit ElementKeeper(const Mechanism& mechanism);
 
-  // c: concentrations at the end, none negative; change: less those of the start. Both corrected.
+  // c: concentrations at the end by species, mol/m^3, none negative; change: less those of the
+  // start. Both corrected.
   void correct(double* c, double* change);
 
  private:

@@ -5,6 +5,7 @@
 //   lg F = lg Fc/(1 + f^2),  f = x/(n - 0.14 x),  x = lg P + c,
 //   c = -0.4 - 0.67 lg Fc,  n = 0.75 - 1.27 lg Fc,
 //   Fc = (1 - a) exp(-T/T***) + a exp(-T/T*) + exp(-T**/T), the last where T** is given
+// P, F and Fc have no units; T is in K.
 // Reference: Gilbert, Luther, Troe, Ber. Bunsenges. Phys. Chem. 87 (1983) 169.
 #pragma once
 #include <algorithm>

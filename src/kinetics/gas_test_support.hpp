@@ -1,5 +1,5 @@
 // Gases for tests: stoichiometric hydrogen and air, gases of hand-made species, the equilibrium of
-// a gas by another way than through reactions.
+// a gas by another way than through reactions. kg/m^3, Pa, K, J/kg, mol/m^3; Y: mass fractions.
 #pragma once
 #include <array>
 #include <cmath>

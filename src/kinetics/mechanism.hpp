@@ -51,8 +51,8 @@ struct Falloff {
   Arrhenius low;             // k0, at the limit of low pressure
   bool troe = false;         // Lindemann's form otherwise
   double a = 0;              // Troe's alpha
-  double T3 = 0, T1 = 0;     // T***, T*
-  std::optional<double> T2;  // T**
+  double T3 = 0, T1 = 0;     // T***, T*, K
+  std::optional<double> T2;  // T**, K
 };
 
 struct Reaction {

@@ -1,4 +1,5 @@
-// Values of the XML of a mechanism, read strictly; what is wrong throws InputError with its place.
+// Values of the XML of a mechanism, in the units of the file, read strictly; what is wrong throws
+// InputError with its place.
 #pragma once
 #include <cstddef>
 #include <map>

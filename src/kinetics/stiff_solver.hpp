@@ -8,6 +8,7 @@
 //
 // References: Hindmarsh et al., ACM Trans. Math. Softw. 31 (2005) 363; Dormand and Prince, J.
 // Comput. Appl. Math. 6 (1980) 19; Reynolds et al., ACM Trans. Math. Softw. 49 (2023) 19.
+// Each unknown y has a unit of its own, f that of y per s.
 #pragma once
 #include <cstddef>
 #include <memory>

@@ -36,6 +36,7 @@ struct ModelRow {
   std::vector<std::string> (*labels)(const DeckNode& parameters) = nullptr;
   bool mixes_gas = false;
   bool transports_scalar = false;  // by the flow
+  // The largest value that it brings, Pa s or W/(m K).
   std::optional<double> (*coefficient)(const DeckNode& parameters, Coefficient) = nullptr;
   // The tag that names the material of which this model may be written once alone, and why.
   const char* once_for = nullptr;

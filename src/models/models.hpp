@@ -49,7 +49,8 @@ struct ModelList {
 bool mixes_gas(const std::string& type);
 // Whether it brings a scalar that the flow transports.
 bool transports_scalar(const DeckNode& model);
-// The largest value that a model brings of a coefficient; infinity where only its table tells.
+// The largest value that a model brings of a coefficient (Pa s, W/(m K)); infinity where only its
+// table tells.
 // Nothing: the material's own holds.
 std::optional<double> own_coefficient(const DeckNode& model, Coefficient coefficient);
 

@@ -1,4 +1,4 @@
-// Histories of solids: sums over all particles, a number a step.
+// Histories of solids: sums over all particles, a number for each step, in the unit of its label.
 #pragma once
 #include "framework/run/component/component.hpp"
 #include "mpm/budgets/history_sums.hpp"

@@ -37,7 +37,8 @@ class CommandOption {
   CLI::Option* option_;
 };
 
-// A name without dashes is a positional argument. The values must live until the command runs.
+// A name without dashes is a positional argument. The values must live until the command runs; the
+// text of an option says their units.
 class Command {
  public:
   explicit Command(CLI::App* app, int& exit_status) : app_(app), exit_status_(exit_status) {}

@@ -13,7 +13,7 @@ namespace sluice {
 
 struct DeckReference {
   std::unique_ptr<exact::ExactSolution> solution;
-  double specific_heat = 1;  // of the first ICE material, for temperatures
+  double specific_heat = 1;  // of the first ICE material, J/(kg K), for temperatures
 };
 
 // Nothing when the deck has no <Meta><exact_solution>; InputError when it makes no sense.

@@ -32,7 +32,7 @@ using MaterialsOfLabels = std::map<Label, std::set<int>>;
 void add_outputs(const TaskList& list, MaterialsOfLabels& materials);
 std::set<Label> output_labels(const TaskList& list);
 
-// Components of the state, over all slots.
+// How many components the state has, over all slots.
 double state_components(const Component& component);
 
 }  // namespace sluice

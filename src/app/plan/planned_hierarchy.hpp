@@ -16,8 +16,8 @@ struct PlannedLevel {
   Level level;  // with the boxes of the start; none when they are not known
   IntVec3 tile{};
   int substeps = 1;        // in a coarse step
-  double share() const;    // of the domain
-  double updates() const;  // in a coarse step
+  double share() const;    // of the domain, 0 to 1
+  double updates() const;  // of cells, in a coarse step
 };
 
 // A rule of the deck: for people, with the line that says so.
@@ -38,11 +38,12 @@ struct PlannedHierarchy {
 
   // Those that the run begins with.
   std::vector<Level> grid() const;
+  // Of cells, in a coarse step.
   double updates() const;
   double uniform_updates() const;  // everywhere as fine as the finest of them
 };
 
-// `most_cells`: a coarsest level with more is not set and flagged.
+// `max_cells`: a coarsest level with more is not set and flagged.
 PlannedHierarchy plan_hierarchy(const LoadedScene& loaded, int ranks, int threads,
                                 std::int64_t max_cells);
 

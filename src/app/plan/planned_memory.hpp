@@ -12,7 +12,7 @@
 
 namespace sluice {
 
-// Of the rank that needs most, and the peaks of all ranks added up.
+// Of the rank that needs most, and the peaks of all ranks added up; bytes.
 struct PlannedMemory {
   double particles = 0;  // of a rank, those of the start
   double base = 0, states = 0, outputs = 0, scratch = 0, initial_fill = 0, messages = 0;
@@ -41,7 +41,7 @@ struct MemoryRequest {
   MaterialsOfLabels materials;
 };
 
-// What is kept of a label: it is for every material that has it.
+// How many components are kept of a label: it is for every material that has it.
 double stored_components(const MaterialsOfLabels& materials, Label label);
 
 std::pair<PlannedMemory, PlannedMessages> plan_memory(const MemoryRequest& request);

@@ -35,7 +35,7 @@ struct PlannedParticles {
 // Kinds and counts alone, without making a particle.
 PlannedParticles count_particles(const LoadedScene& loaded);
 
-// A coarsest level with more than `most_cells` cells is not set, nor are particles that would take
+// A coarsest level with more than `max_cells` cells is not set, nor are particles that would take
 // more than half of the memory that there is: they are counted.
 PlannedParticles plan_particles(const LoadedScene& loaded, std::int64_t max_cells);
 

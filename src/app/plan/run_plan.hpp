@@ -31,11 +31,11 @@ struct PlanOptions {
 
 struct PlannedOutput {
   std::string label;
-  std::string made;           // how: "stored in the step", "from the state", "history"
-  double bytes_per_cell = 0;  // in the archive, of all its materials
-  int materials = 1;          // that are saved
-  double memory_per_cell = 0;
-  double bytes = 0;  // in the archive, of what is not in cells
+  std::string made;            // how: "stored in the step", "from the state", "history"
+  double bytes_per_cell = 0;   // in the archive, of all its materials
+  int materials = 1;           // that are saved
+  double memory_per_cell = 0;  // bytes
+  double bytes = 0;            // in the archive, of what is not in cells
   Location where;
 };
 
@@ -77,9 +77,9 @@ struct RunPlan {
   std::string skipping_reason;
   Location skipping_where;
   std::vector<PlannedLimit> limits;
-  std::optional<double> first_dt;
+  std::optional<double> first_dt;  // s
   std::string first_dt_reason;
-  double estimated_steps = 0;
+  double estimated_steps = 0;  // how many
   PlannedMemory memory;
   std::string dot;
 };

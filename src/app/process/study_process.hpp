@@ -15,7 +15,7 @@ struct ProcessRequest {
 // The exit status, or 128 + signal. SystemError when it cannot be started.
 int run_process(const ProcessRequest& request);
 
-// The path of this very executable.
+// The path of this very executable; SystemError where the system does not tell it.
 std::filesystem::path own_executable();
 
 // The last lines of a text file, for messages.

@@ -12,7 +12,7 @@
 // as CSV with 17 digits, small enough for the repository: one table for each variable, material and
 // level. Two values differ when they are further apart than the tolerance times the largest
 // magnitude of their column, so that round-off around zero does not count; steps must be equal,
-// times equal within the tolerance.
+// times (s) equal within the tolerance. Values have the units of the variables.
 #pragma once
 #include <array>
 #include <cstdint>

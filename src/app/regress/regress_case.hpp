@@ -18,7 +18,7 @@ struct RegressCase {
   std::string name;
   std::filesystem::path deck, golden;
   std::vector<std::string> overrides, variables;
-  double tolerance = 1e-9;
+  double tolerance = 1e-9;     // a share, see golden.hpp
   int restart = 0, ranks = 0;  // 0: not checked
   std::string boxes;           // empty: not checked
 };

@@ -25,8 +25,8 @@ struct StudyReport {
 struct Cost {
   std::string setting;
   bool is_default = false;
-  double cells = 0, seconds = 0;
-  bool measured = false;  // the coarsest run has it already: cells and seconds are its own
+  double cells = 0, seconds = 0;  // along the longest direction; of the steps
+  bool measured = false;          // the coarsest run has it already: cells and seconds are its own
 };
 // Settings that reach the target, cheapest first.
 std::vector<Cost> costs_of_target(const StudyReport& report, double target);

@@ -24,7 +24,7 @@ struct StudyResult {
   double spread = 0;        // of the repeats, relative; 0 of a single one
   int repeats = 0;
   exact::ErrorNorms norms;
-  double error = 0;  // in the study's norm
+  double error = 0;  // in the study's norm: unit of the variable; none of relative_l1, lost energy
 
   bool done() const { return status == "done"; }
   // Timing too uneven, or not repeated.
@@ -50,7 +50,7 @@ struct StudyRunner {
   std::filesystem::path reference_;  // archive
 };
 
-// Middle of the values, and (third quartile - first quartile) / middle.
+// Middle of the values (s), and (third quartile - first quartile) / middle, a ratio.
 struct Timing {
   double median = 0, spread = 0;
 };

@@ -22,7 +22,8 @@ std::string short_name(const solve::SolverSettings& settings);
 std::vector<solve::SolverSettings> solver_candidates(const solve::SolverSettings& deck,
                                                      const CapturedSystems& systems);
 
-// That tolerance, rounded down to one digit; the deck's own where it is of this kind already.
+// That tolerance, a share of the right-hand side, rounded down to one digit; the deck's own where
+// it is of this kind already.
 double relative_tolerance(const solve::SolverSettings& deck, const CapturedSystems& systems);
 
 }  // namespace sluice

@@ -16,16 +16,16 @@ struct TuneReport {
   std::vector<std::size_t> right_sides;  // of each
   std::int64_t unknowns = 0;             // of the last system
   int levels = 1;
-  std::size_t ranked_by = 1;  // systems, counted from the last
-  double seconds = 0, budget = 0;
+  std::size_t ranked_by = 1;         // systems, counted from the last
+  double seconds = 0, budget = 0;    // spent and allowed, s
   std::vector<TunedSolver> ranking;  // as TuneSearch::run gives it
   std::vector<ResidualCurve> curves;
-  double curve_goal = 0;
+  double curve_goal = 0;  // residual as a share of the right-hand side, L2
 
   const TunedSolver& own_result() const;
   // The fastest that met the goal everywhere; null: none, not even the deck's own.
   const TunedSolver* best() const;
-  // Time of the deck's own over that of the best, at least 1; 0 where either has failed.
+  // Ratio of the time of the deck's own to that of the best, at least 1; 0 where either has failed.
   double gain() const;
   // Is the best worth a change of the deck: faster by more than 5 %, or the deck's own fails.
   bool worth_it() const;

@@ -55,7 +55,7 @@ class TuneSearch {
   std::vector<TunedSolver> run();
   std::size_t systems_done() const { return systems_done_; }  // by which all are ranked
   // The deck's own and the fastest, then others, at most `most` in all; of these none begins after
-  // `until` on the clock.
+  // `until` (s) on the clock. `tolerance`: share of the right-hand side, L2.
   std::vector<ResidualCurve> curves(const std::vector<TunedSolver>& ranking, double tolerance,
                                     std::size_t most, double until) const;
 

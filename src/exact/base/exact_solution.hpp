@@ -1,4 +1,5 @@
-// What a flow should be: the exact (or reference) solution of a case at any point and time.
+// What a flow should be: the exact (or reference) solution of a case at any point and time. All
+// solutions are in SI units: kg/m^3, m/s, Pa, K, m, s.
 #pragma once
 #include <optional>
 

@@ -1,4 +1,5 @@
-// One fluid at one point: a state of any equation of state, and the ways to make one.
+// One fluid at one point: a state of any equation of state, and the ways to make one. SI units:
+// kg/m^3, m/s, Pa, K.
 #pragma once
 #include "eos/eos.hpp"
 

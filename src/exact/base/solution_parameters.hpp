@@ -1,4 +1,5 @@
-// The named values from which an exact solution is made, read with the number rules of a deck.
+// The named values from which an exact solution is made, in SI units, read with the number rules of
+// a deck.
 #pragma once
 #include <map>
 #include <set>

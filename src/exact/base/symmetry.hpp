@@ -1,4 +1,4 @@
-// Distance and outward direction from a plane, an axis or a point.
+// Distance (m) and outward direction from a plane, an axis or a point.
 #pragma once
 #include <cmath>
 

@@ -5,6 +5,7 @@
 // Reference: W. F. Noh, Errors for calculations of strong shocks using an artificial viscosity and
 // an artificial heat flux, J. Comput. Phys. 72 (1987) 78-120, section 2.
 // Limit: the pressure ahead is taken as zero in the shock relations (error of order 1/Mach^2).
+// SI units: kg/m^3, m/s, Pa, m, s.
 #pragma once
 #include "exact/base/exact_solution.hpp"
 

@@ -20,14 +20,15 @@ class RadialEuler {
  public:
   explicit RadialEuler(RadialProblem problem);
 
-  void advance_to(double t);  // from the present time on
+  void advance_to(double t);  // from the present time on, s
   double time() const { return time_; }
   const RadialProblem& problem() const { return problem_; }
   int steps() const { return steps_; }
 
   // Linear between cell centres.
   RadialState at(double r) const;
-  // Integrals over the domain, per unit of area, angle or solid angle.
+  // Integrals over the domain, kg and J per m^2 of area, rad of angle and m of length, or solid
+  // angle.
   double total_mass() const;
   double total_energy() const;
 

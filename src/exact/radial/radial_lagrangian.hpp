@@ -21,13 +21,14 @@ class RadialLagrangian {
  public:
   explicit RadialLagrangian(RadialProblem problem);
 
-  void advance_to(double t);  // from the present time on
+  void advance_to(double t);  // from the present time on, s
   double time() const { return time_; }
   const RadialProblem& problem() const { return problem_; }
 
   // Linear between cell centres.
   RadialState at(double r) const;
-  // Integral over the domain, per unit of area, angle or solid angle.
+  // Integrals over the domain, J and kg per m^2 of area, rad of angle and m of length, or solid
+  // angle.
   double total_energy() const;
   double total_mass() const;
 

@@ -1,4 +1,5 @@
-// A start with planar, cylindrical or spherical symmetry, from which the radial solvers run.
+// A start with planar, cylindrical or spherical symmetry, from which the radial solvers run. SI
+// units: kg/m^3, m/s, Pa, m; momentum kg/(m^2 s) and energy J/m^3 of means.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -23,7 +24,7 @@ struct RadialProblem {
   std::vector<Piece> pieces;
 
   // Internal energy on top of it, spread as exp(-(r/radius)^2) about the origin: both sides of a
-  // plane, per length of an axis, in all.
+  // plane (J/m^2), per length of an axis (J/m), in all (J).
   struct Deposit {
     double energy = 0, radius = 1;
     friend bool operator==(const Deposit&, const Deposit&) = default;
@@ -44,13 +45,15 @@ struct RadialMeans {
 // Throws InputError for a problem without sense.
 void check(const RadialProblem& problem);
 
-// Volume between two radii, per unit of area, angle or solid angle.
+// Volume between two radii, per unit of area (m), of angle and length (m^2), or of solid angle
+// (m^3).
 double radial_volume(double low, double high, int dimension);
 
 // Mean of the start between two radii: edges may lie inside.
 RadialMeans start_means(const RadialProblem& problem, double low, double high);
 
-// Slope of two one-sided differences: `central` at most twice the smaller one (van Leer).
+// Slope of two one-sided differences, of any quantity: `central` at most twice the smaller one (van
+// Leer).
 inline double limited_slope(double a, double b, double central) {
   const double size = std::min(std::abs(central), 2 * std::min(std::abs(a), std::abs(b)));
   return a * b > 0 ? std::copysign(size, a) : 0.0;

@@ -3,7 +3,7 @@
 // The shock stands at R = (E t^2 / (alpha rho0))^(1/(j+2)), j = 1, 2, 3; the profile behind it is
 // Sedov's closed form in the similarity variable V, and alpha follows from the energy integral.
 // E is the energy released on both sides of the plane (j = 1), per length of the axis (j = 2), in
-// all (j = 3).
+// all (j = 3): J/m^2, J/m, J; alpha has no unit.
 // References: L. I. Sedov, Similarity and Dimensional Methods in Mechanics (Academic Press, 1959),
 // ch. IV; J. R. Kamm and F. X. Timmes, On efficient generation of numerically robust Sedov
 // solutions, LA-UR-07-2849 (2007), "standard case" of uniform density.
@@ -17,6 +17,7 @@ namespace sluice::exact {
 
 class SedovProfile {
  public:
+  // InputError for a gamma that is none of these, or 2.
   SedovProfile(int dimension, double gamma);
 
   // alpha of the shock radius, both sides counted when planar.
@@ -51,8 +52,8 @@ class Sedov final : public ExactSolution {
   };
   explicit Sedov(Blast blast);
 
-  double shock_radius(double t) const;
-  double shock_speed(double t) const;
+  double shock_radius(double t) const;  // m
+  double shock_speed(double t) const;   // m/s
   State at(Vec3 x, double t) const override;
 
  private:

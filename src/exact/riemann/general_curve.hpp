@@ -1,4 +1,5 @@
-// Wave curve of any law: shocks by a search for their density, rarefactions by integration.
+// Wave curve of any law: shocks by a search for their density, rarefactions by integration. Units
+// as in wave_curve.hpp.
 #pragma once
 #include <cmath>
 

@@ -6,7 +6,7 @@
 // is one more step from the upper one, so that all states are as accurate as the nodes.
 // Reference: Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I, 2nd ed.
 // (Springer, 1993), section II.9.
-// Limit: the isentrope ends where c^2 is no longer positive (the law's own end).
+// Limit: the isentrope ends where c^2 is no longer positive (the law's own end). Pa and m/s.
 #pragma once
 #include <algorithm>
 #include <array>

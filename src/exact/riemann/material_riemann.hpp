@@ -4,7 +4,8 @@
 // velocity that a side's wave to p gives it (wave_curve.hpp); Newton's iteration in a bracket.
 // References: E. F. Toro, Riemann Solvers and Numerical Methods for Fluid Dynamics, 3rd ed.
 // (Springer, 2009), ch. 4; R. Menikoff and B. J. Plohr, Rev. Mod. Phys. 61 (1989) 75, section V.
-// Limits: no void between the materials (for ideal gases see riemann.hpp); convex laws.
+// Limits: no void between the materials (for ideal gases see riemann.hpp); convex laws. SI units:
+// Pa, m/s, K.
 #pragma once
 #include <memory>
 

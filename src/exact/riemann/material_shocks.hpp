@@ -1,7 +1,7 @@
 // Shocks in one material, waves that a moving wall makes, and a shock that meets an interface.
 //
 // Directions: 1 a wave that runs to higher x, -1 to lower x. Velocities and speeds are those of the
-// frame in which the state ahead is given.
+// frame in which the state ahead is given. SI units: Pa, m/s, m, s, K.
 // Reference: L. D. Landau and E. M. Lifshitz, Fluid Mechanics, 2nd ed. (Pergamon, 1987), sections
 // 85, 99, 100.
 #pragma once
@@ -16,7 +16,9 @@ struct Wave {
   double head = 0, tail = 0;  // equal for a shock
 };
 
-// The wave into `ahead.state` that leaves this pressure behind it.
+// The wave into `ahead.state` that leaves this pressure behind it. This and the next two throw
+// InputError for another direction, a Mach number not above 1, and a wall so fast that a void
+// opens.
 Wave wave_to_pressure(const MaterialSide& ahead, double pressure, int direction);
 // A shock at this multiple (> 1) of the speed of sound ahead.
 Wave shock_of_mach(const MaterialSide& ahead, double mach, int direction);

@@ -18,7 +18,7 @@ namespace sluice::exact {
 
 // Where a one-dimensional flow lies in space, and which materials of the deck its two sides are.
 struct Placement {
-  double position = 0;  // along the direction
+  double position = 0;  // along the direction, m
   Vec3 direction{1, 0, 0};
   std::array<int, 2> materials{0, 1};
 };

@@ -6,6 +6,7 @@
 //   f(p) = 2 c_K/(g-1) ((p/p_K)^((g-1)/2g) - 1)                                   (rarefaction)
 // Reference: E. F. Toro, Riemann Solvers and Numerical Methods for Fluid Dynamics, 3rd ed.
 // (Springer, 2009), sections 4.2-4.6, eqs. 4.5-4.8, 4.46-4.50, 4.56, 4.63, 4.74-4.82.
+// SI units: kg/m^3, m/s, Pa; gamma is the ratio of specific heats.
 #pragma once
 
 namespace sluice::exact {

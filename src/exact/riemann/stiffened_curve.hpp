@@ -1,4 +1,5 @@
-// Wave curve of a stiffened gas, or an ideal one (pinf = 0), in closed form.
+// Wave curve of a stiffened gas, or an ideal one (pinf = 0), in closed form. Units as in
+// wave_curve.hpp.
 #pragma once
 #include "exact/riemann/wave_curve.hpp"
 

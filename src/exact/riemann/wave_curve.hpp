@@ -8,7 +8,8 @@
 // isentrope.
 // References: E. F. Toro, Riemann Solvers and Numerical Methods for Fluid Dynamics, 3rd ed.
 // (Springer, 2009), ch. 4; R. Menikoff and B. J. Plohr, Rev. Mod. Phys. 61 (1989) 75.
-// Limit: laws that are convex along the curve (no phase changes, no split waves).
+// Limit: laws that are convex along the curve (no phase changes, no split waves). Pressures in Pa,
+// speeds in m/s.
 #pragma once
 #include <memory>
 
@@ -22,7 +23,7 @@ class WaveCurve {
 
   struct Point {
     FluidState state;
-    double slope = 0;  // du/dp along the curve
+    double slope = 0;  // du/dp along the curve, m^2 s/kg
   };
   // The state behind the wave to this pressure. Throws InputError where the curve does not reach.
   // Not const: a curve without formula keeps what it integrated.

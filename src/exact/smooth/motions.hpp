@@ -1,4 +1,4 @@
-// Manufactured motions of solids: where each of their points is.
+// Manufactured motions of solids: where each of their points is. m and s.
 //
 // Reference: K. Kamojjala, R. Brannon, A. Sadeghirad, J. Guilkey, Eng. Comput. 31 (2015) 193-213.
 #pragma once
@@ -14,7 +14,7 @@ class Motion : public ExactSolution {
 };
 
 // Circles of a ring of mean radius 1 turn about the axis z by (A/2)(1 - cos 2 pi t) h(R),
-// h = (16 (R - 1)^2 - 1)^2.
+// h = (16 (R - 1)^2 - 1)^2; A in rad.
 class VortexRing final : public Motion {
  public:
   explicit VortexRing(double amplitude) : amplitude_(amplitude) {}
@@ -24,7 +24,7 @@ class VortexRing final : public Motion {
   double amplitude_;
 };
 
-// u_d = +-A sin(2 pi X_d) sin(c pi t) along the first `directions`, - along y.
+// u_d = +-A sin(2 pi X_d) sin(c pi t) along the first `directions`, - along y; A in m, c in 1/s.
 class AxisAligned final : public Motion {
  public:
   AxisAligned(double amplitude, double speed, int directions)

@@ -15,9 +15,9 @@ namespace sluice::exact {
 class IsentropicVortex final : public ExactSolution {
  public:
   struct Stream {
-    double strength = 5, gamma = 1.4;
-    Vec3 velocity, centre;
-    double period = 0;  // of the square domain; 0 without
+    double strength = 5, gamma = 1.4;  // b and the ratio of specific heats, without unit
+    Vec3 velocity, centre;             // in those units
+    double period = 0;                 // of the square domain, in core radii; 0 without
   };
   explicit IsentropicVortex(Stream stream) : stream_(stream) {}
   State at(Vec3 x, double t) const override;

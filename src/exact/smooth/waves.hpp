@@ -2,7 +2,8 @@
 // at rest in gravity.
 //
 // Waves vary as cos(2 pi k.(x - origin) ...) with the wave vector k in periods per unit length, so
-// that right- and left-going waves are mirror images about the origin.
+// that right- and left-going waves are mirror images about the origin. Amplitudes have no unit, all
+// else is in SI units.
 // Reference: G. B. Whitham, Linear and Nonlinear Waves (Wiley, 1974), section 6.8 (simple waves).
 #pragma once
 #include "exact/base/exact_solution.hpp"

@@ -1,4 +1,5 @@
-// Fields of a refined level whose values tell their cell, and samples of them as if on many ranks.
+// Fields of a refined level whose values, without unit, tell their cell, and samples of them as if
+// on many ranks.
 #pragma once
 #include "framework/analysis/sampler.hpp"
 

@@ -12,12 +12,12 @@
 
 namespace sluice {
 
-// Cells around a point and how much each counts.
+// Cells around a point and how much each counts: shares, which sum to 1.
 struct ProbeStencil {
   std::vector<IntVec3> cells;
   std::vector<double> weights;
 };
-// None outside of the domain.
+// None outside of the domain; position in m.
 ProbeStencil stencil_around(Vec3 position, const Level& level);
 
 // What the levels of a module share: files, and the values of the sample under way.
@@ -26,7 +26,8 @@ class Probes {
   Probes(const std::vector<AnalysedPoint>& points, const std::vector<AnalysedQuantity>& quantities);
 
   const std::vector<AnalysedPoint>& points() const { return points_; }
-  // A finer level comes after a coarser one and takes its place.
+  // A finer level comes after a coarser one and takes its place. `values`: all components of all
+  // quantities in their order, in the units of their labels.
   void set(std::size_t point, int level, std::vector<double> values);
   void end_sample(int step, double time);
   void flush(const std::filesystem::path& folder);

@@ -1,7 +1,8 @@
 // A text file that an analysis appends to: header lines with #, then one line a sample.
 //
 // Lines are kept in memory until flush(), which the run calls before each output and checkpoint
-// and at its end. A restarted run copies the file of the earlier archive up to the restart.
+// and at its end. A restarted run copies the file of the earlier archive up to the restart. Times
+// in s.
 #pragma once
 #include <filesystem>
 #include <string>

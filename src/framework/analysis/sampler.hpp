@@ -1,7 +1,8 @@
 // What one analysis takes from one level: numbers of this rank, lines of the files on rank 0.
 //
 // A sample goes: lay_out() whenever boxes have changed, pack() on every rank, write() on rank 0,
-// which reads the numbers of all ranks in the order in which each rank has packed its own.
+// which reads the numbers of all ranks in the order in which each rank has packed its own. Values
+// have the units of their labels, places are in m, `time` is that at the end of the step in s.
 #pragma once
 #include <cstddef>
 #include <filesystem>
@@ -31,7 +32,7 @@ class RankNumbers {
   explicit RankNumbers(const std::vector<std::string>& packed);
 
   int ranks() const { return static_cast<int>(numbers_.size()); }
-  // The next `count` numbers of a rank.
+  // The next `count` numbers of a rank; std::logic_error where it has packed fewer.
   const double* take(int rank, std::size_t count);
 
  private:

@@ -10,7 +10,7 @@
 
 namespace sluice {
 
-// The first line of every file: when it was.
+// The first line of every file: when it was, s.
 std::string snapshot_head(double time);
 
 class SnapshotFiles {

@@ -1,4 +1,5 @@
-// Exact sums in the numbers that ranks pack, and what is computed of them with twice the digits.
+// Exact sums in the numbers that ranks pack, and what is computed of them with twice the digits; of
+// numbers of any unit.
 #pragma once
 #include <vector>
 

@@ -24,8 +24,8 @@ struct FieldInfo {
   int components() const { return component_count(type); }
 };
 
-// Values over a box of indices, x fastest; `present` is 0 where no value is stored (a finer level
-// does not cover everything).
+// Values over a box of indices, by component, x fastest, in the unit of the field; `present` is 0
+// where no value is stored (a finer level does not cover everything).
 struct DenseField {
   IndexBox cells;
   std::vector<std::vector<double>> components;
@@ -55,7 +55,8 @@ class ArchiveStep {
   // The same of particles: those of one material and level are in one order in all variables.
   const std::vector<FieldInfo>& particle_fields() const { return particle_fields_; }
   const FieldInfo* find_particles(std::string_view name, int material, int level) const;
-  std::vector<std::vector<double>> read_particles(const FieldInfo& field) const;  // by component
+  // By component and particle, in the unit of the field.
+  std::vector<std::vector<double>> read_particles(const FieldInfo& field) const;
 
   // All indices that hold a value of the field (face labels reach one beyond the cells).
   IndexBox range(const FieldInfo& field) const;

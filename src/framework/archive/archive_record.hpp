@@ -15,7 +15,7 @@
 
 namespace sluice {
 
-// The scalars of one archived state. Doubles survive to the last bit.
+// The scalars of one archived state. Doubles survive to the last bit. Times in s.
 struct StepInfo {
   int step = 0;                              // number of steps taken
   double time = 0;                           // at the end of the step
@@ -24,7 +24,7 @@ struct StepInfo {
   std::map<std::string, std::string> state;  // what components need for a restart, as UTF-8 text
 };
 
-// A line of index.xml.
+// A line of index.xml; times as in StepInfo.
 struct StepEntry {
   int step = 0;
   double time = 0;
@@ -93,6 +93,8 @@ struct StepRecord {
 XmlElement to_xml(const ArchiveIndex&);
 XmlElement to_xml(const StepRecord&);
 XmlElement to_xml(const DataFileRecord&);
+// DamageError where a number, a name or a size is not one that an archive has; of parse_index
+// InputError where it is the index of another format.
 ArchiveIndex parse_index(const XmlElement&, const std::string& context);
 StepRecord parse_step(const XmlElement&, const std::string& context);
 DataFileRecord parse_data_file(const XmlElement&, const std::string& context);
@@ -101,7 +103,8 @@ DataFileRecord parse_data_file(const XmlElement&, const std::string& context);
 // not there.
 void require_referenced_archive(const StepEntry&, const std::filesystem::path& archive);
 
-// A box of indices as read from a file: not empty, and small enough to compute with.
+// A box of indices as read from a file: not empty, and small enough to compute with; else
+// DamageError.
 IndexBox checked_box(IntVec3 lower, IntVec3 upper, const std::string& context);
 
 std::string step_folder_name(int step);  // t00012

@@ -1,4 +1,4 @@
-// Fields and folders for the tests of this room.
+// Fields and folders for the tests of this room. Numbers have no unit.
 #pragma once
 #include <cmath>
 #include <deque>

@@ -73,7 +73,8 @@ class ArchiveWriter {
   WriteReport write_checkpoint(const StepInfo& info, const Grid& grid,
                                std::span<const FieldPiece> pieces);
 
-  // Histories are written by rank 0; calls on other ranks do nothing.
+  // Histories are written by rank 0; calls on other ranks do nothing. `time`: s; `value`: in the
+  // unit of the label.
   void history(const std::string& label, int material, int step, double time, double value);
   void history(const std::string& label, int material, int step, double time, Vec3 value);
 

@@ -1,7 +1,8 @@
 // Comparing two archives, whatever their boxes and ranks. Particles are paired by their ids.
 //
 // Two numbers differ when |a - b| > abs and |a - b| > rel max(|a|, |b|); both bounds are 0 unless
-// given, so that any difference counts. NaN differs from everything, -0 equals +0.
+// given, so that any difference counts. NaN differs from everything, -0 equals +0. a, b and abs
+// have the unit of the label, rel has none.
 // Archives are not comparable when grids, times, labels, materials or covered cells differ.
 #pragma once
 #include <cstdint>
@@ -23,7 +24,7 @@ struct CompareOptions {
 
 struct Difference {
   int step = 0;
-  double time = 0;
+  double time = 0;  // s
   std::string label;
   int level = 0, material = 0, component = 0, components = 1;
   IntVec3 index{};

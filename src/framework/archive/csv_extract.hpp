@@ -19,7 +19,7 @@ struct ExtractOptions {
   std::string label;
   std::optional<int> material;   // none: all that the label has
   int level = -1;                // < 0: all
-  std::optional<Vec3> from, to;  // closed box that must hold the point
+  std::optional<Vec3> from, to;  // closed box that must hold the point, m
 };
 
 // Hands successive pieces of CSV text to `write`; returns the number of rows after the header.

@@ -10,6 +10,7 @@
 
 namespace sluice {
 
+// Throws DamageError where a size or a checksum does not fit.
 class FieldFileReader {
  public:
   // Reads the record (pNNNNN.xml) and checks the size of the data file beside it.

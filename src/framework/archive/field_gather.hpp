@@ -18,6 +18,8 @@ struct GatherResult {
 };
 
 // Calls `emit(bytes, count)` with successive chunks of the piece as stored (x fastest, no ghosts).
+// PhysicsError where an integer label holds no integer, std::logic_error for a piece that reaches
+// outside its view.
 GatherResult gather(const FieldPiece& piece, StoredType stored,
                     const std::function<void(const void*, std::size_t)>& emit);
 

@@ -23,6 +23,7 @@ struct HistoryControl {
   bool selects(int step) const { return frequency <= 1 || step % frequency == on_step % frequency; }
 };
 
+// `time`: s; `value`: in the unit of the label.
 class HistoryFile {
  public:
   // An existing file is continued.

@@ -20,11 +20,11 @@ struct NormsOptions {
 };
 
 struct NormsRow {
-  double time = 0;
+  double time = 0;  // s
   int level = 0, material = 0;
   std::string label;  // vectors: label.x and so on
   std::int64_t points = 0;
-  double l1 = 0, l2 = 0, linf = 0;
+  double l1 = 0, l2 = 0, linf = 0;  // in the unit of the label
 };
 
 struct NormsResult {

@@ -14,8 +14,8 @@ inline constexpr const char* particle_position_name = "p.x";
 inline constexpr const char* particle_id_name = "p.particleID";
 
 struct ParticleColumn {
-  FieldInfo info;  // level: the lowest
-  std::vector<std::vector<double>> components;
+  FieldInfo info;                               // level: the lowest
+  std::vector<std::vector<double>> components;  // by component and particle, in the field's unit
 };
 
 struct ParticleTable {
@@ -26,12 +26,13 @@ struct ParticleTable {
 
   std::size_t size() const { return ids.size(); }
   const ParticleColumn* find(std::string_view name) const;
-  Vec3 position(std::size_t n) const;
+  Vec3 position(std::size_t n) const;  // m
 };
 
 // Materials of which the step holds particles, ascending.
 std::vector<int> particle_materials(const ArchiveStep& step);
-// Columns that the filter selects, and positions.
+// Columns that the filter selects, and positions. DamageError where columns have other lengths than
+// the ids, or positions and ids are missing.
 ParticleTable read_particles(const ArchiveStep& step, int material, const LabelFilter& labels = {});
 
 }  // namespace sluice

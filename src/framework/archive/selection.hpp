@@ -8,7 +8,7 @@
 
 namespace sluice {
 
-// Where index c of a label lies: cells at centres, faces on their planes, nodes at corners.
+// Where index c of a label lies, m: cells at centres, faces on their planes, nodes at corners.
 Vec3 position(const Level& level, Centring centring, IntVec3 c);
 // The indices of a label of this centring over the whole domain of a level.
 IndexBox index_range(const Level& level, Centring centring);

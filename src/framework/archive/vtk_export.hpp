@@ -35,7 +35,7 @@ struct ExportOptions {
 };
 
 // Writes into `folder` (made when absent) and returns the .pvd file (that of particles where
-// nothing else is asked for).
+// nothing else is asked for). InputError where a step holds no label that was asked for.
 std::filesystem::path export_vtk(const Archive& archive, const std::filesystem::path& folder,
                                  const ExportOptions& options);
 

@@ -15,7 +15,7 @@ struct VtkArray {
   VtkType type = VtkType::real;
   bool on_points = false;
   int components = 1;
-  std::vector<double> values;  // component fastest, then x, y, z
+  std::vector<double> values;  // component fastest, then x, y, z; in the unit of what is named
 };
 
 // With `from_zero` the extent starts at 0 and the origin at the box's corner (what AMR data sets
@@ -23,7 +23,7 @@ struct VtkArray {
 void write_vti(const std::filesystem::path& path, const Level& level, const IndexBox& cells,
                bool from_zero, const std::vector<VtkArray>& arrays);
 
-// Points with values; `positions` has three components.
+// Points with values; `positions` has three components, m.
 void write_vtp(const std::filesystem::path& path, const VtkArray& positions,
                const std::vector<VtkArray>& arrays);
 

@@ -41,6 +41,7 @@ struct XmlElement {
   std::string need_attribute(std::string_view attribute_name, const std::string& context) const;
 };
 
+// DamageError for what is not XML.
 XmlElement parse_xml(std::string_view text, const std::string& context);
 std::string to_text(const XmlElement& root);
 
@@ -49,9 +50,10 @@ std::string seal(std::string xml);
 // has been written, and replaces a file that is read.
 void write_sealed(const std::filesystem::path& path, const XmlElement& root);
 void publish_sealed(const std::filesystem::path& path, const XmlElement& root);
+// DamageError where the last line does not fit the rest.
 XmlElement read_sealed(const std::filesystem::path& path);
 
-// Numbers as the archive writes them: 17 digits, "[1, 2, 3]".
+// Numbers as the archive writes them: 17 digits, "[1, 2, 3]". DamageError for other text.
 std::string real_text(double value);
 std::string triple_text(IntVec3 v);
 std::string triple_text(Vec3 v);

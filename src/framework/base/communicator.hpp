@@ -27,6 +27,7 @@ class Communicator {
   bool uses_mpi() const { return uses_mpi_; }
 
   // For a library that needs MPI in a serial run as well; no effect when MPI runs already.
+  // SystemError when it cannot be started.
   void start_mpi();
   // Collective, at the good end of main. After it the run is serial.
   void finalize();
@@ -36,7 +37,8 @@ class Communicator {
   [[noreturn]] void exit_together(ExitStatus status);
 
   void barrier();
-  // Replaces every slot by its value over all ranks: one MPI call. All ranks hold equal slots.
+  // Replaces every slot by its value over all ranks: one MPI call. All ranks hold equal slots, else
+  // SystemError.
   void reduce(Reduction& reduction);
   // Replaces every number by its sum over all ranks, modulo 2^64: no order changes a bit.
   void sum(std::uint64_t* numbers, std::size_t count);

@@ -37,7 +37,7 @@ class TextTable {
   };
 
   explicit TextTable(std::vector<Column> columns) : columns_(std::move(columns)) {}
-  // As many cells as there are columns.
+  // As many cells as there are columns; else std::logic_error.
   void row(std::vector<std::string> cells);
   bool empty() const { return rows_.empty(); }
   // Title line, rows, each with the indent before it and ending in a newline.

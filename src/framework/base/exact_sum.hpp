@@ -1,4 +1,4 @@
-// Exact, order-independent sum of doubles: the only sum that may reach a result.
+// Exact, order-independent sum of doubles, of any unit: the only sum that may reach a result.
 //
 // A small superaccumulator: a fixed-point number that spans all doubles, held as 67 chunks of
 // 32 bits in int64 words with deferred carries. Adding is integer arithmetic, so the sum has no

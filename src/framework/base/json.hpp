@@ -53,6 +53,7 @@ class Json {
   static Json array();
   static Json object();
   enum class Comments { refused, skipped };
+  // JsonError for a text that is no JSON.
   static Json parse(const std::string& text, Comments comments = Comments::refused);
   // null instead of an error.
   static Json parse_or_null(const std::string& text);
@@ -68,13 +69,14 @@ class Json {
   bool is_array() const { return kind_ == Kind::array; }
   bool is_object() const { return kind_ == Kind::object; }
 
-  // bool, a number, std::string, or std::vector or std::array of such.
+  // bool, a number, std::string, or std::vector or std::array of such. JsonError for another kind.
   template <class T>
   T get() const {
     return read(static_cast<T*>(nullptr));
   }
 
-  // Entries of an array, members of an object (in the order they were given).
+  // Entries of an array, members of an object (in the order they were given). JsonError for one
+  // that is not there, or of another kind of value.
   std::size_t size() const;
   bool empty() const { return size() == 0; }
   const Json& at(std::size_t n) const;

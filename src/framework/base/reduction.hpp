@@ -1,4 +1,5 @@
 // What the ranks agree upon once a step: minima, maxima, exact sums, counts, flags; one message.
+// Values may have any unit.
 //
 //   Reduction step;
 //   auto dt = step.add_minimum(local_dt, limit_id);

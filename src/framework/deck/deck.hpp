@@ -3,7 +3,7 @@
 // A Deck is what remains after includes are resolved, overrides applied, obsolete tags mapped, and
 // the schema has checked everything and filled in defaults. Code that reads it may therefore ask
 // for any value that the schema describes; asking for one that it does not is a programming error
-// and throws std::logic_error.
+// and throws std::logic_error. Numbers have the units that the schema says, SI units in all.
 #pragma once
 #include <memory>
 #include <optional>

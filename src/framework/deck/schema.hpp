@@ -42,6 +42,7 @@ std::string to_string(TagType);  // "real number", "[i,j,k]", ...
 
 enum class Need { optional, once, multiple, at_least_once };
 
+// In the unit of the value.
 struct Range {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();

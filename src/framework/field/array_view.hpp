@@ -1,4 +1,5 @@
-// A three-dimensional view of numbers that belong to someone else: pointer and strides.
+// A three-dimensional view of numbers, of any unit, that belong to someone else: pointer and
+// strides.
 //
 // Indices are the level's cell indices. A direction that is not active has stride 0, so that a
 // stencil reaching across it finds the one layer that exists. The first active direction has unit

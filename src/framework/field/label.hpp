@@ -50,7 +50,7 @@ class Label {
   constexpr explicit Label(int id) : id_(id) {}
   constexpr int id() const { return id_; }
   constexpr bool valid() const { return id_ >= 0; }
-  const LabelInfo& info() const;
+  const LabelInfo& info() const;  // std::logic_error before it was declared
   const std::string& name() const { return info().name; }
   constexpr friend bool operator==(Label, Label) = default;
   constexpr friend auto operator<=>(Label, Label) = default;

@@ -1,4 +1,5 @@
-// Storage of all fields of one time level, for the boxes of one level that this rank owns.
+// Storage of all fields of one time level, for the boxes of one level that this rank owns. Numbers
+// have the units of their labels.
 //
 // A *slot* is one label of one material. Every slot holds, for every local box, one array a
 // component: the interior cells plus the slot's ghost layers (none in inactive directions). Those

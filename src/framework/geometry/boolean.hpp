@@ -1,4 +1,5 @@
-// Unions, intersections and differences of pieces.
+// Unions, intersections and differences of pieces. Points in m. A union or an intersection of none
+// is an InputError.
 #pragma once
 #include "framework/geometry/piece.hpp"
 

@@ -1,4 +1,5 @@
-// Pieces with flat faces: box, parallelepiped, convex polyhedron.
+// Pieces with flat faces: box, parallelepiped, convex polyhedron. Points in m; normals of any
+// length. Constructors throw InputError for a piece without volume or of infinite extent.
 #pragma once
 #include <array>
 

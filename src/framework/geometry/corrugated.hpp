@@ -3,7 +3,7 @@
 // The plate fills [xymin, xymax] in x and y and `thickness` along z from xymin.z. Points at the
 // distance u from the corrugated edge (of the width W across) are shifted along that edge's normal
 // by  A (1 - u/W) sin(2 pi s / lambda),  s the coordinate along the edge (cos for curve "cos"): the
-// full amplitude A at the edge, nothing at the opposite one.
+// full amplitude A at the edge, nothing at the opposite one. Points and lengths in m.
 #pragma once
 #include "framework/geometry/piece.hpp"
 
@@ -20,6 +20,7 @@ struct CorrugatedPlate {
 
 class CorrugatedPiece final : public GeometryPiece {
  public:
+  // InputError for a plate without volume, or an amplitude as large as the plate.
   explicit CorrugatedPiece(const CorrugatedPlate& plate);
   bool inside(Vec3 p) const override;
   Bounds bounds() const override { return bounds_; }

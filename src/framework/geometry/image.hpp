@@ -1,4 +1,5 @@
-// The image piece: voxels of a file of bytes whose grey value lies between two thresholds.
+// The image piece: voxels of a file of bytes whose grey value lies between two thresholds. Points
+// in m.
 #pragma once
 #include <string>
 
@@ -27,7 +28,7 @@ class ImagePiece final : public GeometryPiece {
   Bounds box_;
 };
 
-// Voxels of a file, gzipped or not.
+// Voxels of a file, gzipped or not. InputError where it cannot be opened, or as above.
 PiecePtr read_image(const std::string& file, IntVec3 res, int least, int most, const Bounds& box);
 
 }  // namespace sluice

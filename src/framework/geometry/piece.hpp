@@ -1,4 +1,4 @@
-// A region of space: what a deck's <geom_object> is made of.
+// A region of space: what a deck's <geom_object> is made of. Points and lengths in m.
 //
 // Rule for points on the surface: every piece is closed (the surface belongs to it), with two
 // exceptions that the format prescribes: the torus is open, and the parallelepiped is open on the

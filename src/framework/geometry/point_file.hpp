@@ -2,6 +2,7 @@
 //
 // A row holds x y z and then the listed variables: p.volume, p.temperature, p.color one number
 // each, p.externalforce, p.fiberdir, p.rvec1 to p.rvec3, p.velocity, p.loadCurveID, p.normal three.
+// Points in m, values in SI units: m^3, K, N, m/s.
 #pragma once
 #include <map>
 #include <string>
@@ -29,6 +30,7 @@ PointFile read_point_file(const std::string& file, PointFormat format,
 // widened by 1e-5 as the format has it.
 class PointFilePiece final : public GeometryPiece {
  public:
+  // InputError where there are no points.
   explicit PointFilePiece(PointFile file);
   bool inside(Vec3 p) const override { return bounds_.contains(p); }
   Bounds bounds() const override { return bounds_; }

@@ -1,4 +1,4 @@
-// The line_segment piece: a closed polygon in the x-y plane, extruded along all of z.
+// The line_segment piece: a closed polygon in the x-y plane, extruded along all of z. Points in m.
 //
 // A point is inside when the ray towards larger x crosses the polygon an odd number of times
 // (half-open rule on y), and when it lies on an edge.
@@ -18,6 +18,7 @@ std::vector<PolygonPoint> read_polygon(const std::string& file);
 
 class PolygonPiece final : public GeometryPiece {
  public:
+  // InputError for fewer than three corners.
   explicit PolygonPiece(std::vector<PolygonPoint> corners);
   bool inside(Vec3 p) const override;
   Bounds bounds() const override { return bounds_; }

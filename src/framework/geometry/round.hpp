@@ -1,4 +1,5 @@
-// Pieces with curved faces: sphere, ellipsoid, cylinder, cone, torus.
+// Pieces with curved faces: sphere, ellipsoid, cylinder, cone, torus. Points and lengths in m.
+// Constructors throw InputError for radii and axes that leave no volume.
 //
 // Cylinders and cones are measured from the middle of their axis, so that the piece with bottom and
 // top exchanged, and its mirror image, give the same answer to the bit.

@@ -1,4 +1,4 @@
-// How much of a cell a piece fills, by counting sub-points.
+// How much of a cell a piece fills, by counting sub-points. Points and spacings in m.
 //
 // Sub-point s (0 <= s < res) of cell i lies at  centre(i) + (2 s + 1 - res) dx / (2 res), with
 // centre(i) = anchor + (i + 1/2) dx. The offset changes sign when s and res-1-s change places, so

@@ -3,7 +3,7 @@
 //
 // Angles are in degrees and counted from a reference direction normal to the axis n = top - bottom:
 // e1 = (0,1,0) x n when the axis is not along y, else (1,0,0); e2 = n x e1. For the usual axis +z,
-// e1 = +x and e2 = +y. End caps lengthen the cylinder at both ends.
+// e1 = +x and e2 = +y. End caps lengthen the cylinder at both ends. Points and lengths in m.
 #pragma once
 #include <string>
 

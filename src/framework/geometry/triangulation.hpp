@@ -1,4 +1,4 @@
-// The tri piece: what a closed triangulated surface encloses.
+// The tri piece: what a closed triangulated surface encloses. Points in m.
 //
 // A point is inside when rays along at least two of the three axes cross the surface an odd number
 // of times beyond it; a point on the surface is inside. Which triangles a ray meets is decided edge
@@ -24,6 +24,7 @@ Triangulation read_triangulation(const std::string& stem);
 
 class TriangulationPiece final : public GeometryPiece {
  public:
+  // InputError for fewer than four triangles.
   explicit TriangulationPiece(Triangulation surface);
   bool inside(Vec3 p) const override;
   Bounds bounds() const override { return bounds_; }

@@ -2,7 +2,8 @@
 //
 // A *box* is the unit of storage (one array with ghost cells, owned by one rank). Results never
 // depend on how a level is cut into boxes. Cell i of direction d has its centre at
-// anchor[d] + (i + 1/2) spacing[d] on every level; the anchor is the low corner of level 0.
+// anchor[d] + (i + 1/2) spacing[d] on every level; the anchor is the low corner of level 0. Lengths
+// are in m, volumes in m^3.
 #pragma once
 #include <array>
 #include <cstdint>

@@ -3,7 +3,7 @@
 // A box of cells owns the nodes at the low corners of its cells. Those on its high sides are nodes
 // of the next box, and lie in its first ghost layer; on the high sides of the domain nobody owns
 // them, and a component's boundary fills them (the nodes that close the domain). In a direction
-// that is not active there is one layer of nodes.
+// that is not active there is one layer of nodes. Positions in m.
 #pragma once
 #include <algorithm>
 

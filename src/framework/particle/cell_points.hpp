@@ -4,7 +4,7 @@
 // sequence that fills the cell evenly whatever its length: point n is frac(1/2 + (n + 1) a_d) along
 // the d-th active direction, a_d = g^-(d + 1), g the positive root of g^(D+1) = g + 1 (Roberts'
 // generalisation of the golden section). What a number has beyond its whole part is the share of
-// cells, chosen by a hash of their index, that get one more.
+// cells, chosen by a hash of their index, that get one more. Points in m.
 #pragma once
 #include <cstdint>
 

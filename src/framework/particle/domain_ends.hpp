@@ -1,4 +1,4 @@
-// What becomes of a particle that a step has taken out of the domain.
+// What becomes of a particle that a step has taken out of the domain. Points in m.
 #pragma once
 #include <functional>
 

@@ -1,4 +1,4 @@
-// Where on the levels a position lives: in the box of the finest level that holds its cell.
+// Where on the levels a position (m) lives: in the box of the finest level that holds its cell.
 #pragma once
 #include <vector>
 

@@ -1,4 +1,5 @@
-// The particles of one kind in one box, as a structure of arrays.
+// The particles of one kind in one box, as a structure of arrays: positions in m, attributes in the
+// units of their labels.
 //
 // Kept sorted by cell, then by id, so that what particles take from cells and give to them streams
 // through memory, and so that the order depends on neither ranks nor history.

@@ -10,13 +10,14 @@ namespace sluice {
 struct PointStencil {
   IntVec3 cell{};   // that holds the point
   IntVec3 aside{};  // to the neighbour on the point's side of the centre; 0: direction not active
-  Vec3 share{};     // of the neighbour, 0 to 1/2
+  Vec3 share{};     // weight of the neighbour, 0 to 1/2
 
   IndexBox cells() const {
     return {min(cell, cell + aside), max(cell, cell + aside) + IntVec3::all(1)};
   }
 };
 
+// `point`: m.
 inline PointStencil stencil_at(const Level& level, Vec3 point) {
   PointStencil s;
   s.cell = cell_at(level, point);

@@ -1,4 +1,5 @@
-// Sums of the fine faces of each coarse face of a patch, the same bits in mirrored scenes.
+// Sums of the fine faces of each coarse face of a patch, the same bits in mirrored scenes. Of any
+// quantity, in its unit; a scale is a factor.
 //
 // Along one tangential direction neighbours are added, then neighbours of these sums; along two,
 // the diagonals of 2 x 2 blocks, then the blocks alike: (a + d) + (b + c). Exchanged axes then give
@@ -15,7 +16,7 @@ class FaceFold {
  public:
   FaceFold() = default;
   // Values lie row by row over `fine_faces`, x fastest; a coarse face holds faces_each of them
-  // (1, 2 or 4 a direction; 1 across the face).
+  // (1, 2 or 4 a direction; 1 across the face), else std::logic_error.
   FaceFold(const IndexBox& fine_faces, IntVec3 faces_each);
 
   // Adds scale * (sum of fine values) to the value of each coarse face, x fastest.

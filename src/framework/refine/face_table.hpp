@@ -1,4 +1,5 @@
-// Values at faces of a level where fluxes are recorded, found by row without a search.
+// Values at faces of a level where fluxes are recorded, found by row without a search: what passes
+// in a step, per volume of a cell of the level, in the component's quantities.
 #pragma once
 #include <span>
 #include <vector>
@@ -38,6 +39,7 @@ class FaceTable {
   IndexBox cells_with_faces(int box, int axis, const IndexBox& block) const;
   // Faces that belong to cells of this block, in any axis: such a block must not sleep.
   bool touches(int box, const IndexBox& block) const;
+  // Of all faces, by slot.
   double* values(int quantity) { return values_.data() + quantity * faces_; }
   const double* values(int quantity) const { return values_.data() + quantity * faces_; }
   void clear();  // all values zero
@@ -45,6 +47,7 @@ class FaceTable {
 
   // Appends the faces of `cells` (one layer thick along the axis; low or high faces) of a local
   // box; the first slot. Rows of the region follow each other, x fastest. seal() ends building.
+  // std::logic_error for cells that are not such a layer of the box.
   std::ptrdiff_t add(int box, int axis, bool high, const IndexBox& cells);
   void seal();
 

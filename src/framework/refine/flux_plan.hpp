@@ -50,7 +50,7 @@ CellFaces by_cell(std::vector<CellFace>& faces);
 struct FluxPeer {
   int rank = 0;
   std::vector<std::size_t> fine_here, coarse_here;
-  std::vector<double> fine_buffer, coarse_buffer;
+  std::vector<double> fine_buffer, coarse_buffer;  // values as in FaceTable
 };
 
 struct FluxPlan {
@@ -63,8 +63,8 @@ struct FluxPlan {
   std::vector<FluxPatch> patches;
   std::vector<FluxPeer> peers;
   std::size_t sum_count = 0;            // coarse faces whose fine cells are here
-  double volume_ratio = 1;              // of a fine cell to a coarse cell
-  BySide back{};                        // coarse volume over that of the fine cells at a face
+  double volume_ratio = 1;              // ratio of a fine cell to a coarse cell
+  BySide back{};                        // ratio: coarse volume over that of fine cells at a face
   std::vector<CellFaces> coarse_cells;  // by local box
   std::size_t fine_boxes = 0;           // local ones
 

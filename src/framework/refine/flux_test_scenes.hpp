@@ -1,4 +1,4 @@
-// Scenes of two levels, states and fluxes for the tests of the flux register.
+// Scenes of two levels, states and fluxes for the tests of the flux register. Numbers have no unit.
 #pragma once
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
-// Two levels of a scalar with known fluxes, for the tests of the flux register.
+// Two levels of a scalar with known fluxes, for the tests of the flux register. Numbers have no
+// unit.
 #pragma once
 #include <algorithm>
 #include <cmath>

@@ -28,7 +28,7 @@ std::vector<int> local_numbers(const Level& level, int rank);
 // to = from at the cells of `region` (indices of `to`); `shift` leads to the cells of `from`.
 void copy_state(const StateViews& to, const IndexBox& region, const StateViews& from,
                 IntVec3 shift);
-// to = (1 - share) a + share b.
+// to = (1 - share) a + share b, share from 0 to 1.
 void blend_state(const StateViews& to, const IndexBox& region, const StateViews& a,
                  const StateViews& b, double share, IntVec3 shift);
 

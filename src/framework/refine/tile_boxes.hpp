@@ -7,7 +7,7 @@
 namespace sluice {
 
 // Owners by cells along the space-filling curve of assign_owners(). No box of several tiles has
-// more than `most_cells` cells (0: no limit of that kind).
+// more than `max_cells` cells (0: no limit of that kind).
 std::vector<GridBox> boxes_of_tiles(const TileLayout& layout, const FlagField& tiles, int ranks,
                                     int threads, std::int64_t max_cells = 0);
 

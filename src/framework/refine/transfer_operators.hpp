@@ -31,7 +31,7 @@ struct Prolongation {
 };
 
 // Changes of conserved quantities in a list of cells: mass, momentum components and total energy of
-// each material per volume of those cells.
+// each material per volume of those cells: kg/m^3, kg/(m^2 s), J/m^3.
 struct ConservedChange {
   std::vector<IntVec3> cells;
   std::vector<std::vector<double>> amount;  // by quantity, by cell

@@ -1,4 +1,5 @@
-// Levels, states and operators with an obvious reference, for the tests of transfers.
+// Levels, states and operators with an obvious reference, for the tests of transfers. Numbers have
+// no unit.
 //
 // States hold numbers that depend on the cell alone, with all bits of the mantissa in use: a value
 // from a wrong cell, or one that was summed in another order, is not equal.

@@ -1,4 +1,5 @@
-// The deck's <DataAnalysis>: what is looked at while the run goes on.
+// The deck's <DataAnalysis>: what is looked at while the run goes on. Places and lengths in m,
+// times in s.
 #pragma once
 #include <array>
 #include <optional>
@@ -77,8 +78,8 @@ struct AnalysisModule {
   std::string weight;                        // label of the weight of Weighting::mass
   std::optional<AnalysedVariable> velocity;  // of planeAvgTurbFluxes
   bool higher_order = false;                 // computeHigherOrderStats
-  double energy_factor = 1;                  // engy_convt_factor
-  double colour_threshold = 0;               // colorThreshold of particleExtract
+  double energy_factor = 1;                  // engy_convt_factor, on energies in J
+  double colour_threshold = 0;               // colorThreshold of particleExtract, without unit
   IntVec3 average_cells{1, 1, 1};            // avgBoxCells, odd
   // Where cells have averages: all, those whose box is whole, or the others.
   enum class AverageWhere { everywhere, interior, boundaries };

@@ -34,6 +34,7 @@ struct Condition {
   std::string variable;   // Pressure, Density, Temperature, Velocity, SpecificVol, Symmetric, ...
   int material = -1;      // -1: all
   bool has_value = false;
+  // In the SI unit of the variable; neumann: per m.
   double value = 0;  // scalars; of a vector: unused
   Vec3 vector{};     // of a scalar: the scalar in every component
   bool is_vector = false;
@@ -45,6 +46,7 @@ struct Condition {
   }
 };
 
+// Points and lengths in m.
 struct RegionShape {
   enum class Kind { side, circle, annulus, ellipse, rectangle, rectangulus };
   Kind kind = Kind::side;

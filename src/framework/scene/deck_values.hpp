@@ -1,4 +1,5 @@
-// Short ways to read a deck's values and to collect what is wrong with them.
+// Short ways to read a deck's values, in the units that decks have, and to collect what is wrong
+// with them.
 #pragma once
 #include <optional>
 #include <string>

@@ -25,7 +25,7 @@ struct ActiveDirection {
 };
 
 struct DirectionFacts {
-  Vec3 gravity{};
+  Vec3 gravity{};                // m/s^2
   std::array<bool, 3> moving{};  // a start or boundary value of the velocity is not zero
   std::array<Location, 3> moving_where;
   bool force_all = false;  // every direction active

@@ -1,4 +1,5 @@
-// Formulas of x, y, z (and named constants) that decks use for initial states.
+// Formulas of x, y, z in m (and named constants) that decks use for initial states; the value has
+// the unit of what it replaces.
 //
 // Operators + - * / ^, comparisons, && ||, ?:, functions sin cos tan asin acos atan atan2 sinh cosh
 // tanh exp log log10 sqrt abs min max sign floor ceil; constants pi and e; angles in radians.

@@ -15,8 +15,9 @@ namespace sluice {
 struct GeomObject {
   PiecePtr piece;  // nullptr only when a fault was reported
   IntVec3 res{1, 1, 1};
-  Vec3 velocity{};
-  std::map<std::string, double> values;  // density, temperature, volumeFraction, ... by tag
+  Vec3 velocity{};  // m/s
+  // density, temperature, volumeFraction, ... by tag, in SI units.
+  std::map<std::string, double> values;
   std::map<std::string, Location> value_where;
   Location where;
 

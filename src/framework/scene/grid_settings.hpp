@@ -3,7 +3,7 @@
 // The low corner of all level-0 boxes is the anchor of every level: node i of a level lies at
 // anchor + i dx. Box corners must lie on nodes of their level; boxes of a level share one spacing
 // and do not overlap; a finer level lies inside the next coarser one, its spacing an integral
-// fraction of the coarser one's.
+// fraction of the coarser one's. Lengths in m.
 #pragma once
 #include <array>
 #include <optional>

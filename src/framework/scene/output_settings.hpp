@@ -1,4 +1,4 @@
-// The deck's <DataArchiver>: what is kept, when and how.
+// The deck's <DataArchiver>: what is kept, when and how. Intervals of time in s.
 #pragma once
 #include <optional>
 #include <string>

@@ -28,8 +28,8 @@ struct ErrorCriterion {
 
 // Refine around the interfaces of a material, up to a level.
 struct InterfaceCriterion {
-  int material = -1;  // -1: of every one
-  double distance = 0;
+  int material = -1;    // -1: of every one
+  double distance = 0;  // m
   int finest_level = 1;
   Location where;
 };
@@ -57,7 +57,7 @@ struct RefinementSettings {
   std::vector<RefinedRegion> regions;
   std::vector<ErrorCriterion> errors;
   std::vector<InterfaceCriterion> interfaces;
-  double balance_gain = 0.05;  // least gain for which boxes change ranks
+  double balance_gain = 0.05;  // least gain for which boxes change ranks: share of the work
   Location where, reflux_where;
 };
 

@@ -31,8 +31,8 @@ struct MaterialEntry {
 };
 
 struct PhysicalConstants {
-  Vec3 gravity{};
-  double reference_pressure = 0;
+  Vec3 gravity{};                 // m/s^2
+  double reference_pressure = 0;  // Pa
   Location gravity_where;
 };
 

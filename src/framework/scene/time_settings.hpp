@@ -1,4 +1,5 @@
-// The deck's <Time> block: when a run starts and ends and what bounds its step.
+// The deck's <Time> block: when a run starts and ends and what bounds its step. Times and steps in
+// s.
 #pragma once
 #include "framework/deck/deck.hpp"
 

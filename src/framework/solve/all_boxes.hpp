@@ -1,4 +1,4 @@
-// The numbers of all boxes of a level, on all ranks.
+// The numbers of all boxes of a level, on all ranks; of any unit.
 #pragma once
 #include <string>
 #include <vector>

@@ -28,7 +28,8 @@ class CapturedSystem {
   virtual int levels() const = 0;
   virtual std::int64_t unknowns() const = 0;
   virtual std::size_t right_sides() const = 0;
-  // The norm of each right-hand side that is not 0 (of a singular system: without its mean).
+  // The norm, in its unit, of each right-hand side that is not 0 (of a singular system: without its
+  // mean).
   virtual std::vector<double> norms(Norm kind) const = 0;
   // `goal`: whose norm and tolerances the residuals must meet, whatever the solver measures itself.
   // `most`: right-hand sides, the first ones. Never throws for what a solver refuses: that is the

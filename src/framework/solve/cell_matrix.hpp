@@ -5,7 +5,8 @@
 // A coupling is held once, by the cell above its face. It is 0 where there is no neighbour: at the
 // sides of the domain (what they do is in diagonal and right-hand side), beside cells of other
 // levels, and in directions that are not active. In a periodic direction low_d of the first cell
-// is its coupling with the last one.
+// is its coupling with the last one. Units are those of the equation that is solved: x may have
+// any, b that of a coefficient times x.
 #pragma once
 #include <array>
 #include <vector>

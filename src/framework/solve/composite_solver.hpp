@@ -27,7 +27,7 @@ class CompositeSolver {
 
   // Both collective. Throws PhysicsError as CompositeSystem; the levels must stay.
   void set_up(std::span<const LevelCoefficients> levels);
-  // From 0; b summed over the volume of each cell, 0 in covered ones.
+  // From 0; b summed over the volume of each cell, 0 in covered ones. Units as in cell_matrix.hpp.
   SolveReport solve(const CompositeVector& b, CompositeVector& x);
   const CompositeSystem& system() const { return *system_; }
 

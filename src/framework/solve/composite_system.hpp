@@ -5,7 +5,7 @@
 // cell behind it, by the fine level's own coefficient over the longer distance of the two centres:
 //   w 2/(r + 1),  w that of two fine cells, r the ratio along the face's normal
 // so that the matrix stays symmetric; what a two-point difference lacks there is up to who
-// corrects the defect.
+// corrects the defect. Units as in cell_matrix.hpp; norms have that of a right-hand side.
 #pragma once
 #include <array>
 #include <span>
@@ -65,7 +65,7 @@ class CompositeSystem {
   // The number of a covered cell into all cells above it: from `level` up; others as they are.
   void spread(CompositeVector& v, std::size_t level) const;
   void clear_covered(CompositeVector& v) const;
-  // The part of a correction of a level that a cycle may take.
+  // The share of a correction of a level that a cycle may take.
   double step_share(std::size_t level) const;
 
  private:

@@ -3,7 +3,8 @@
 // The window is the bounding box of the level's boxes; cells of it that are in no box have the
 // diagonal 1 and no coupling. So nothing that a solver computes depends on boxes or ranks. The
 // window's directions are put into the order that suits the solver (DenseShape). Where it pays each
-// rank has a slab of it (Slabs), else the whole.
+// rank has a slab of it (Slabs), else the whole. Units as in cell_matrix.hpp; norms and sums have
+// that of a vector.
 #pragma once
 #include <array>
 #include <string>

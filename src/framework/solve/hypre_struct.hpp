@@ -28,14 +28,14 @@ struct StructMethod {
   Precondition precondition;             // none: takes no preconditioner
 };
 
-// By its name in decks.
+// By its name in decks; InputError for another one.
 const StructMethod& struct_method(const std::string& name);
 
 // A preconditioner of a singular system: without the mean of what it returns, which else grows
 // until it hides the residual.
 struct MeanFree {
   HYPRE_StructVector ones = nullptr;  // 1 in every unknown
-  double unknowns = 0;
+  double unknowns = 0;                // how many
   StructMethod::Work set_up = nullptr, solve = nullptr;
   HYPRE_StructSolver solver = nullptr;
 };

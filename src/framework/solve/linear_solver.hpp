@@ -1,5 +1,5 @@
 // What every linear solver offers, and what is checked around each: before it, that the system is
-// one; after it, what is left of it.
+// one; after it, what is left of it. Units as in cell_matrix.hpp; norms have that of b.
 #pragma once
 #include <memory>
 #include <optional>

@@ -28,10 +28,11 @@ class Multigrid {
  public:
   Multigrid(DenseEquations finest, const MultigridSettings& settings);
 
-  // The right-hand side to fill before a cycle, and the correction that it leaves.
+  // The right-hand side to fill before a cycle, and the correction that it leaves: by place of the
+  // window (DenseShape), units as in cell_matrix.hpp.
   Real* right_side() { return levels_.front().grid.right_side(); }
   const Real* correction() { return levels_.front().grid.solution(); }
-  double scale() const { return scale_; }  // of the equations: a cycle solves scale A x = b
+  double scale() const { return scale_; }  // factor of the equations: a cycle solves scale A x = b
   void cycle() { cycle_from(0); }
 
   std::size_t grids() const { return levels_.size(); }

@@ -11,6 +11,8 @@
 
 namespace sluice::solve {
 
+// Units as in cell_matrix.hpp, vectors by place of the window (DenseShape).
+//
 // A grid's equations in full precision while the hierarchy is made: the couplings (positive) with
 // the cell below in each direction, and what a row sums to.
 struct DenseEquations {

@@ -38,7 +38,7 @@ class Slabs {
   // All slices to all ranks.
   template <class T>
   void gather(const DenseShape& shape, T* x) const;
-  // A number for each slice.
+  // A number, of any unit as all below, for each slice.
   void gather_numbers(double* of_slices) const;
   double total(const ExactSum& own) const;
   double largest(double own) const;  // a NaN wins

@@ -1,4 +1,5 @@
 // Systems for tests of solvers: diffusion on a cube of cells, with densities and sides as asked.
+// Numbers have no unit.
 #pragma once
 #include <cmath>
 #include <functional>

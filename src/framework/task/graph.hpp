@@ -52,7 +52,8 @@ void check(const TaskList& list, const EffectList& effects);
 std::vector<bool> prune(const TaskList& list, const std::vector<VariableId>& wanted,
                         bool reduces = true);
 
-// Pass 4. Indices of the tasks that stay, producers before consumers.
+// Pass 4. Indices of the tasks that stay, producers before consumers. std::logic_error where tasks
+// wait for each other in a circle.
 std::vector<int> order(const TaskList& list, const std::vector<bool>& keep);
 
 // Passes 5 to 7 for tasks in execution order.

@@ -6,7 +6,8 @@
 
 namespace sluice {
 
-// Numbers of one part among the sums (or the maxima) of a step; an empty group: none.
+// Numbers of one part, in its units, among the sums (or the maxima) of a step; an empty group:
+// none.
 template <class Kind>
 class ReductionGroup {
  public:

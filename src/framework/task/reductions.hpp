@@ -1,4 +1,5 @@
 // What a sweep accumulates besides fields: maxima, exact sums, counts and inadmissible cells.
+// Maxima and sums have the units of the part that registered them.
 //
 // Every thread has its own; merging them (and those of other ranks) gives the same bits in any
 // order, because maxima, exact sums, integer counts and "the lowest cell" do not depend on order.
@@ -21,7 +22,7 @@ struct CellFault {
   int level = 0;
   int material = 0;
   int kind = 0;        // which check failed; the component knows the words
-  double value = 0.0;  // what was found
+  double value = 0.0;  // what was found, in the unit of StepFacet::describe_fault
 };
 bool before(const CellFault& a, const CellFault& b);
 

@@ -47,12 +47,12 @@ struct RowStarts {
 
 // Constants of the step that kernels need, set once before a sweep.
 struct StepConstants {
-  double time = 0.0;      // start of the step
-  double dt = 0.0;        // length of the step
-  Vec3 spacing{1, 1, 1};  // of the level
+  double time = 0.0;      // start of the step, s
+  double dt = 0.0;        // length of the step, s
+  Vec3 spacing{1, 1, 1};  // of the level, m
   int level = 0;
   bool rates = true;       // whether the rates of the new state are asked for
-  double dt_before = 0.0;  // length of the step before; 0: there was none
+  double dt_before = 0.0;  // length of the step before, s; 0: there was none
 };
 
 class Row {

@@ -21,8 +21,8 @@ namespace sluice {
 // Where a node runs. The scope of a fine substep knows the coarser step that it is part of.
 struct StepScope {
   int level = 0;
-  double time = 0;  // start
-  double dt = 0;
+  double time = 0;                     // start, s
+  double dt = 0;                       // s
   int substep = 0, substeps = 1;       // within the coarser step
   const StepScope* coarser = nullptr;  // null on the coarsest level
 

@@ -24,7 +24,7 @@ IntVec3 balanced_block_extents(IntVec3 extents, const Level& level,
                                const std::vector<GridBox>& boxes, int threads);
 
 // Blocks that follow each other along the last active direction (of two or three) and share cells
-// across, in order, by number: each block is in one stack. A stack holds `most_cells` or less (a
+// across, in order, by number: each block is in one stack. A stack holds `max_cells` or less (a
 // block that has more is one), and are not much wider than their widest block.
 std::vector<std::vector<std::size_t>> stack_blocks(const std::vector<Block>& blocks,
                                                    const Level& level, std::int64_t max_cells);

@@ -13,7 +13,7 @@ namespace sluice {
 struct AbsentSlot {
   Label label;
   int material = 0;
-  double value = 0;
+  double value = 0;  // in the unit of the label
   bool output = false;
   IntVec3 closing{};
 };

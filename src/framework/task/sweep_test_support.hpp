@@ -1,4 +1,4 @@
-// Random task graphs with an obvious reference, for the tests of the sweep.
+// Random task graphs with an obvious reference, for the tests of the sweep. Numbers have no unit.
 //
 // Every written value is a weighted sum of values that its task reads at shifted places; the
 // reference computes it cell by cell, recursively, with nothing of windows, rings or blocks.

@@ -60,7 +60,7 @@ class BoundaryFill {
       : BoundaryFill(scene, std::span(&material, 1), slots, level, conditions) {}
 
   // Ghost cells outside the domain of all local boxes: every value depends on cells of the domain
-  // only, whatever the boxes and threads.
+  // only, whatever the boxes and threads. `time`: s.
   // `sums`: what add_sums gives for all boxes of the coarsest level; none: no face has a carrier.
   void fill(Warehouse& state, const ThreadTeam& team, double time = 0,
             std::span<const double> sums = {}) const;
@@ -76,7 +76,7 @@ class BoundaryFill {
   bool has_walls(Side side) const { return has_walls_[index_of(side)]; }
   // `cell`: any cell with the transverse indices of the face.
   bool is_wall(Side side, IntVec3 cell) const { return rule(side, cell).mirrored(); }
-  Vec3 wall_velocity(Side side, IntVec3 cell) const;
+  Vec3 wall_velocity(Side side, IntVec3 cell) const;  // m/s
   const WallHeat& wall_heat(Side side, IntVec3 cell, int material = 0) const;
   // Has a wall's gas another temperature than the wall (slip)?
   bool has_heat_slip() const { return has_heat_slip_; }
@@ -94,11 +94,12 @@ class BoundaryFill {
   bool holds_velocities() const;
   bool holds_velocities(Side side) const { return holds_[index_of(side)]; }
   bool holds_velocity(Side side, IntVec3 cell) const { return rule(side, cell).holds_velocity(); }
-  // On the face at a time; `in_ghost`: what the ghost cell has, of conditions that do not swing.
+  // On the face at a time (s), m/s; `in_ghost`: what the ghost cell has, of conditions that do not
+  // swing.
   double held_velocity(Side side, IntVec3 cell, double in_ghost, double time) const;
   // Of an open face: what its pressure is drawn to, how strongly, over which length.
   struct FarPressure {
-    double pressure, sigma, length;
+    double pressure, sigma, length;  // Pa; a factor without unit; m
   };
   FarPressure far_pressure(Side side, IntVec3 cell) const;
 

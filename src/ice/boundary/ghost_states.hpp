@@ -12,8 +12,9 @@
 
 namespace sluice::ice {
 
-// State arrays of one box; by material, momentum by component. No volumes with one material. Slip
-// by material and component, where each material has a velocity of its own.
+// State arrays of one box; by material, momentum by component, all per volume of the cell (kg/m^3,
+// kg/(m^2 s), J/m^3; volume: a fraction). No volumes with one material. Slip (momentum relative to
+// the mixture) by material and component, where each material has a velocity of its own.
 struct BoundaryViews {
   std::vector<RealView> mass, energy, volume, momentum, slip;
   std::vector<RealView> composition;  // of a gas that is a mixture: its fractions

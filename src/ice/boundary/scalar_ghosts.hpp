@@ -20,7 +20,7 @@ namespace sluice::ice::scalars {
 struct GhostRule {
   enum class Kind { copy, fixed, gradient, of_fraction };
   Kind kind = Kind::copy;
-  double value = 0;
+  double value = 0;  // of the scalar, in its unit; of Kind::gradient per m
 };
 
 // Of one region, for each scalar. InputError for conditions that are not built.
@@ -34,7 +34,7 @@ struct GhostViews {
 };
 
 // One ghost cell; `there`: it holds some of the material; `source`: the cell that it looks at,
-// `distance`: between their centres.
+// `distance`: between their centres, m.
 void fill(const GhostRule& rule, const RealView& scalar, bool there, IntVec3 ghost, IntVec3 source,
           bool mirrored, double distance);
 

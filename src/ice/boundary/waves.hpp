@@ -24,12 +24,13 @@ namespace sluice::ice {
 //   WaveGhosts.KeepDensityAndPressurePositiveBehindSteepSlopes
 constexpr double max_change_by_waves = 0.5;
 
-// A cell in the frame of the face: component 0 along the outward normal, then tangents.
+// A cell in the frame of the face: component 0 along the outward normal, then tangents. kg/m^3, Pa
+// and m/s; of slopes the same per m.
 struct WaveState {
   double rho = 0, p = 0, u[3] = {0, 0, 0};
 };
 
-// (b - a) * scale.
+// (b - a) * scale, scale in 1/m.
 inline WaveState slope_from(const WaveState& a, const WaveState& b, double scale) {
   return {(b.rho - a.rho) * scale,
           (b.p - a.p) * scale,
@@ -37,13 +38,13 @@ inline WaveState slope_from(const WaveState& a, const WaveState& b, double scale
 }
 
 struct WaveCell {
-  WaveState here, normal, along[2];  // the state; its derivatives outward and along two tangents
-  double sound_speed = 1;
+  WaveState here, normal, along[2];     // the state; its derivatives outward and along two tangents
+  double sound_speed = 1;               // m/s
   double spacing = 1, domain_size = 1;  // along the normal, m
   // The flow far away: its pressure always; where it is given the rest, which inflow is drawn to.
   bool far_known = false;
   WaveState far;
-  double pull = 0;  // sigma
+  double pull = 0;  // sigma, a factor without unit
   // What carries vortices (its velocity alone): the flow far away, or means.
   bool carrier_known = false;
   WaveState carrier;
@@ -52,14 +53,14 @@ struct WaveCell {
 // Functions of one cell choose between numbers, never between ways: rows of cells vectorise.
 
 // c - (U - U0). The flow in a cell may be far from what carries vortices, as in a jet beside its
-// mean or behind a shock: it makes the wave at most twice as strong.
+// mean or behind a shock: it makes the wave at most twice as strong. m/s.
 inline double speed_past(const WaveCell& cell) {
   const double c = cell.sound_speed, U = cell.here.u[0];
   const double past = std::max(c - (U - cell.carrier.u[0]), 0.5 * c);
   return cell.carrier_known ? past : c;
 }
 
-// What the flow along the face adds to G-.
+// What the flow along the face adds to G-, Pa/m.
 inline double transverse_part(const WaveCell& cell) {
   const WaveState& s = cell.here;
   const double c = cell.sound_speed;
@@ -74,9 +75,9 @@ inline double transverse_part(const WaveCell& cell) {
 
 // What is the same all the way out to the ghosts.
 struct LeavingWaves {
-  double out = 0, in = 0;  // G+; G- without its transverse part
+  double out = 0, in = 0;  // G+; G- without its transverse part; Pa/m
   double hears = 0;        // 1 where that part counts
-  double entropy = 0;      // rho' without p'
+  double entropy = 0;      // rho' without p', kg/m^4
   double all_leave = 0;    // 1 where the flow is faster than sound: slopes stay as they are inside
   WaveState inside;        // slopes; shear only where it leaves
 };
@@ -106,7 +107,7 @@ inline LeavingWaves leaving_waves(const WaveCell& cell) {
 }
 
 // Derivatives along the outward normal with which ghosts continue a cell of this density and sound
-// speed; `transverse`: that part of G- on the way to them.
+// speed; `transverse`: that part of G- on the way to them, Pa/m.
 inline WaveState outward_slopes(const LeavingWaves& w, double rho, double c, double transverse) {
   const double heard = transverse + w.in, in = w.hears != 0 ? heard : w.in;
   const double p = w.out + in, u = (w.out - in) / (rho * c), of_density = w.entropy + p / (c * c);

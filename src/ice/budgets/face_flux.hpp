@@ -3,7 +3,7 @@
 //   mass F, momentum F U + l p_f n - l t, total energy l p_f u_f + F |U|^2/2 + G - l t . u + l q,
 // l = dt/dx, t the viscous stress, u the velocity between the two cells, q the flux of heat. Shear
 // along strong shocks (step/shock_shear.hpp) passes like l t.
-// Positive along the axis.
+// Positive along the axis; kg/m^3, kg/(m^2 s) and J/m^3.
 #pragma once
 #include "ice/fluid/face_mean.hpp"
 #include "ice/fluid/limiters.hpp"
@@ -76,7 +76,7 @@ inline FaceFluxHandles read_face_fluxes(TaskBuilder& task, const FaceFluxInput& 
   return h;
 }
 
-// Velocity of the fluid on a face on which friction works, component c.
+// Velocity of the fluid on a face on which friction works, component c, m/s.
 inline double rubbed_velocity(const Row& row, const FaceFluxHandles& h, const SchemeOptions& o,
                               int axis, int shift, int i, int c) {
   const double a = row(h.velocity, c, axis, shift - 1)[i], b = row(h.velocity, c, axis, shift)[i];
@@ -102,7 +102,7 @@ inline int alone_at_face(const Row& row, const FaceFluxHandles& h, const SchemeO
 }
 
 // What materials with velocities of their own carry along component c: momentum sum F_m U_m and
-// twice the kinetic energy, sum F_m U_m^2.
+// twice the kinetic energy, sum F_m U_m^2, both per volume of a cell.
 struct SeparateVelocityFlux {
   double momentum = 0, square = 0;
 };

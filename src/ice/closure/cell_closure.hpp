@@ -22,7 +22,7 @@ class CellClosure {
   }
 
   bool exchanges_heat() const { return heat_.on(); }
-  // Of mass `density` per volume, after a step of dt.
+  // Of mass `density` per volume (kg/m^3), after a step of dt (s).
   Equilibration::Result close(const Equilibration::Cell& cell, double density, double dt,
                               const HeatExchange::Surface& surface) const;
 

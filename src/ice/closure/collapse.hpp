@@ -19,12 +19,12 @@ class Collapse {
 
   // Are there gases and liquids.
   bool possible() const { return possible_; }
-  // Before the relaxation of a cell of this density: the gases with so little mass.
+  // Before the relaxation of a cell of this density (kg/m^3): the gases with so little mass.
   std::uint64_t traces_of_gas(const Equilibration::Cell& cell, double density) const;
-  // The pressures of the traces, in their places.
+  // The pressures of the traces, in their places: by material, Pa.
   void remember(const Equilibration::Cell& cell, std::uint64_t traces, double* before) const;
-  // After it: `before` is the pressure of each gas as it was. True: something passed, and one
-  // pressure is to be found again.
+  // After it: `before` is the pressure of each gas as it was, q the pressure found (Pa). True:
+  // something passed, and one pressure is to be found again.
   bool settle(const Equilibration::Cell& cell, std::uint64_t traces, const double* before,
               double q) const;
 

@@ -33,9 +33,9 @@ struct ContactSide {
   const double* share;             // 0: absent
   const double* temperature;       // K
   const double* max_conductivity;  // W/(m K)
-  const double* conductivity;
-  const double* density;  // own; where exchange varies with it
-  double jump = 0;        // h of the gas that slips, W/(m^2 K)
+  const double* conductivity;      // W/(m K)
+  const double* density;           // own, kg/m^3; where exchange varies with it
+  double jump = 0;                 // h of the gas that slips, W/(m^2 K)
 };
 
 class HeatContacts {
@@ -44,8 +44,8 @@ class HeatContacts {
                std::optional<MultiVelocityExchange> slip = {},
                std::optional<ConvectiveExchange> convective = {});
 
-  // Heat per area and time along the axis: what each material of the low side gives, and what each
-  // of the high side takes.
+  // Heat per area and time along the axis, W/m^2, by material: what each of the low side gives, and
+  // what each of the high side takes.
   void conduct(const ContactSide& low, const ContactSide& high, double dx, double* given,
                double* taken) const;
 

@@ -26,24 +26,24 @@ namespace sluice::ice::mixture {
 struct DragCell {
   int count = 0;
   int index[max_materials];
-  double M[max_materials], V[max_materials];  // per volume of the cell
-  double total = 0;                           // mass
-  double lock = 0;                            // of an interface
-  double bind[max_materials];                 // of each material to the mixture
+  double M[max_materials], V[max_materials];  // per volume of the cell: kg/m^3, 1
+  double total = 0;                           // mass, kg/m^3
+  double lock = 0;                            // strength s/(1 - s) of an interface, without unit
+  double bind[max_materials];                 // of each material to the mixture, without unit
   // Of the surface along which a gas slips.
   double surface = 0;                  // share of the cell that is nothing but one
   double passes = 0;                   // along it for a unit of slip, kg/(m^3 s)
   double normal[3] = {0.0, 0.0, 0.0};  // by direction
 };
 
-// Velocities or momenta of the materials present, by direction of the state.
+// Velocities (m/s) or momenta (kg/(m^2 s)) of the materials present, by direction of the state.
 using ByMaterial = double[max_materials];
 
-// Of a volume fraction: 0 where it is so small that the material moves with the mixture, 1 where it
-// need not.
+// Of a volume fraction, a factor: 0 where it is so small that the material moves with the mixture,
+// 1 where it need not.
 double freedom(double volume);
-// How strongly a material of which a cell holds little is bound to the mixture. `courant`: how many
-// cells it moves against the mixture in a step.
+// How strongly a material of which a cell holds little is bound to the mixture, as DragCell::bind.
+// `courant`: how many cells it moves against the mixture in a step.
 double binding(const DragCell& cell, int i, double courant);
 
 class Drag {
@@ -51,9 +51,11 @@ class Drag {
   explicit Drag(const PairCoefficients& K, const std::optional<MultiVelocityExchange>& slip = {})
       : K_(K), slip_(slip) {}
 
-  // Velocities w relative to the mixture, sum M w = 0, after a time: `part` of the step dt.
+  // Velocities w (m/s) relative to the mixture, sum M w = 0, after a time: the share `part` of the
+  // step dt (s).
   void decay(const DragCell& cell, double dt, double part, int directions, ByMaterial* w) const;
-  // What a push (momentum by material over that time, evenly; sum 0) has given to them from rest.
+  // What a push (momentum by material over that time, evenly, kg/(m^2 s); sum 0) has given to them
+  // from rest.
   void respond(const DragCell& cell, double dt, double part, int directions, const ByMaterial* push,
                ByMaterial* w) const;
   // The same of one direction, across the surface where there is one.
@@ -63,12 +65,13 @@ class Drag {
   void respond(const DragCell& cell, double dt, double part, const double* push, double* w) const {
     respond_one(cell, dt, part, false, push, w);
   }
-  // What a pressure impulse dp along a direction pushes apart: momentum by material, sum 0.
+  // What a pressure impulse dp along a direction pushes apart: momentum by material, sum 0; both
+  // kg/(m^2 s).
   static void push(const DragCell& cell, double dp, double* momentum);
   // 1/inertia of what sound moves where nothing but pressure binds the materials: no less than that
-  // of the mixture.
+  // of the mixture. m^3/kg.
   static double inverse_inertia(const DragCell& cell);
-  // Kinetic energy of the velocities relative to the mixture.
+  // Kinetic energy of the velocities relative to the mixture, J/m^3.
   static double energy(const DragCell& cell, const double* w);
 
  private:
@@ -83,7 +86,8 @@ class Drag {
   std::optional<MultiVelocityExchange> slip_;
 };
 
-// The materials that a cell holds; i: its place in the rows.
+// The materials that a cell holds; mass (kg/m^3) and volume (fraction): rows by material; i: the
+// place of the cell in the rows.
 void find_present(int materials, const double* const* mass, const double* const* volume, int i,
                   DragCell& cell);
 

@@ -34,13 +34,13 @@ class Equilibration {
   void set_law(int m, const Fluid& fluid);
 
   struct Cell {
-    double* M;  // mass, volume, energy of each material, per volume of the cell
-    double* V;
-    double* E;
+    double* M;  // mass, volume, energy of each material, per volume of the cell: kg/m^3,
+    double* V;  // fraction,
+    double* E;  // J/m^3
   };
   struct Result {
-    double pressure = 0;
-    double modulus = 0;          // of the mixture
+    double pressure = 0;         // Pa
+    double modulus = 0;          // rho c^2 of the mixture, Pa
     int failed = -1;             // the material without a state, or -1
     bool is_cavitating = false;  // a liquid bears no more: the weakest material holds a cavity open
   };

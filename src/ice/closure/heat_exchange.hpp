@@ -21,9 +21,9 @@ class HeatExchange {
   void set_law(int m, const Fluid& fluid) { fluids_[m] = fluid; }
 
   bool on() const { return on_; }
-  // Over a step of dt at fixed volumes; energies sum to what they were. True: something passed.
+  // Over a step of dt (s) at fixed volumes; energies sum to what they were. True: something passed.
   struct Surface {
-    double share = 0, heat = 0;
+    double share = 0, heat = 0;  // of the cell, 0 to 1; what passes, W/(m^3 K)
   };
   bool exchange(const Equilibration::Cell& cell, double dt, const Surface& surface) const;
   bool exchange(const Equilibration::Cell& cell, double dt) const {

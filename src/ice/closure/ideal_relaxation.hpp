@@ -11,7 +11,8 @@
 
 namespace sluice::ice::mixture {
 
-// Rows of one material; absent means that all three are zero.
+// Rows of one material, per volume of the cell (kg/m^3, fraction, J/m^3); absent means that all
+// three are zero.
 struct GasRows {
   const double* M;
   double *V, *E;
@@ -24,8 +25,8 @@ class IdealRelaxation {
   explicit IdealRelaxation(const std::vector<Fluid>& fluids);
   // All materials are ideal gases.
   bool applies() const { return applies_; }
-  // Pressure and modulus (rho c^2) of `n` cells. False, and nothing changed, where a gas of one of
-  // them has no state.
+  // Pressure and modulus (rho c^2) of `n` cells, Pa. False, and nothing changed, where a gas of one
+  // of them has no state.
   bool relax(int n, const GasRows* gases, double* pressure, double* modulus) const;
 
  private:

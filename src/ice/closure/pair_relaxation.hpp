@@ -12,13 +12,14 @@
 
 namespace sluice::ice::mixture {
 
-// `k`: dt k_mn, row by row, n * n; changed. `gain`: C_m (v_m' - v_m), which sums to zero. All
-// capacities above zero; 2 <= n <= most_materials. `push`, where given, is what each gets besides
-// over the step, evenly in time; it sums to zero.
+// `k`: dt k_mn, row by row, n * n, in the unit of C; changed. `gain`: C_m (v_m' - v_m), which sums
+// to zero. All capacities above zero; 2 <= n <= max_materials. `push`, where given, is what each
+// gets besides over the step, evenly in time, in the unit of `gain`; it sums to zero. Units: C in
+// J/(m^3 K) with v in K, or kg/m^3 with m/s.
 void relax_pairs(int n, const double* capacity, const double* value, double* k, double* gain,
                  const double* push = nullptr);
 
-// (C + K) v = right, in place; `k` as above.
+// (C + K) v = right, in place of `right`; C and `k` as above.
 void solve_pairs(int n, const double* capacity, double* k, double* right);
 
 }  // namespace sluice::ice::mixture

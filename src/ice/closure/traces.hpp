@@ -1,4 +1,5 @@
-// What is too little of a material to be reckoned with, per volume of the cell.
+// What is too little of a material to be reckoned with, per volume of the cell: M, V and E are the
+// mass (kg/m^3), the volume fraction and the energy (J/m^3) of a material in it.
 #pragma once
 #include <cmath>
 #include <limits>

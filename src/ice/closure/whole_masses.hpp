@@ -19,7 +19,8 @@ inline double power_of_two_below(double x) {
   return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) & exponent);
 }
 
-// `low`, `high`: masses of the two cells; `drains`: the donor gives most of what it has.
+// F, `low`, `high`: what passes and the masses of the two cells, all per volume of a cell (kg/m^3);
+// `drains`: the donor gives most of what it has.
 inline double whole_mass(double F, double low, double high, bool drains) {
   // threshold: ratio of the masses of two cells above which the mass that passes is rounded to the
   //   digits of the larger one; unit: 1; test: CompactSupport.FragmentsStayTogether

@@ -25,14 +25,15 @@ struct GhostRule {
   Vec3 velocity_gradient{};  // copy, along the inward normal, 1/s
   bool fixed_density = false, fixed_pressure = false, fixed_temperature = false;
   double density = 0, pressure = 0, temperature = 0;  // kg/m^3, Pa, K
-  double specific_volume = 0;  // given with the density; 0: what fills the cell follows from it
+  double specific_volume = 0;  // m^3/kg, given with the density; 0: what fills the cell follows
   std::shared_ptr<const PrescribedFlow> velocity_flow;  // of Velocity::flow
   std::shared_ptr<const PrescribedFlow> pressure_flow;  // null: another rule gives the pressure
   bool creep = false;                                   // slip: towards warmer gas along the wall
   bool waves = false;  // boundary/waves.hpp; what is fixed stays so
   int open_face = -1;  // of those without a velocity far away: boundary/open_faces.cpp
   WallHeat heat;       // of walls, through conduction only; not of symmetry planes
-  double density_gradient = 0, pressure_gradient = 0, temperature_gradient = 0;  // per m
+  // Along the inward normal: kg/m^4, Pa/m, K/m.
+  double density_gradient = 0, pressure_gradient = 0, temperature_gradient = 0;
 
   bool mirrored() const {
     return velocity_kind == Velocity::mirror || velocity_kind == Velocity::wall ||

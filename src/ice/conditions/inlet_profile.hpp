@@ -14,10 +14,10 @@ struct FaceCondition;
 
 struct InletProfile {
   int vertical = 1;
-  double exponent = 0;
+  double exponent = 0;           // of the power law, without unit
   std::optional<double> height;  // H, m; the domain's without it
   double roughness = 0;          // z0, m
-  double von_karman = 0.4;       // kappa
+  double von_karman = 0.4;       // kappa, without unit
 };
 
 class ProfileFlow : public PrescribedFlow {
@@ -33,7 +33,7 @@ class ProfileFlow : public PrescribedFlow {
   }
 
  protected:
-  // Of the velocity given.
+  // Factor of the velocity given, without unit.
   virtual double share(const GhostPlace& at) const = 0;
   InletProfile profile_;
 };

@@ -11,8 +11,8 @@ struct FaceCondition;
 
 struct LodiSettings {
   double press_infinity = 0;              // far away, Pa
-  double sigma = 0.27;                    // how fast the pressure goes back to it
-  double scale = 1;                       // of all that comes in
+  double sigma = 0.27;                    // how fast the pressure goes back to it, without unit
+  double scale = 1;                       // factor of all that comes in
   std::optional<Vec3> velocity_infinity;  // m/s
   std::optional<double> rho_infinity;     // kg/m^3
   Location where;

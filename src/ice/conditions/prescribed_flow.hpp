@@ -26,8 +26,8 @@ class PrescribedFlow {
   virtual Vec3 velocity(const GhostPlace& at, Vec3 value, double rho) const = 0;
   // Pa; asked only where the condition is one of the pressure.
   virtual double pressure(const GhostPlace& at, double rho) const = 0;
-  // The component along `direction` of the velocity on the face at a time; `in_ghost`: that of the
-  // ghost next to it.
+  // The component along `direction` of the velocity (m/s) on the face at a time (s); `in_ghost`:
+  // that of the ghost next to it.
   virtual double on_face(int direction, Vec3 value, double in_ghost, double time) const = 0;
 };
 

@@ -24,7 +24,7 @@ struct FaceCondition;
 struct SlipSettings {
   enum class Model { first_order, deissler, karniadakis_beskok };
   Model model = Model::first_order;
-  double momentum_accommodation = 1, thermal_accommodation = 1;  // a, a_T
+  double momentum_accommodation = 1, thermal_accommodation = 1;  // a, a_T: shares, 0 to 1
   bool creep = false;                                            // at all its walls
   Vec3 force{};  // that drives the gas beside gravity, N/m^3
 
@@ -36,25 +36,25 @@ double mean_free_path(double viscosity, double rho, double p);
 
 // The cell next to the wall, and one direction along it.
 struct SlipCell {
-  double rho = 1, p = 1, temperature = 1, viscosity = 0;
-  double spacing = 1;   // across the wall
-  double velocity = 0;  // along it
-  double wall_velocity = 0;
-  double pull = 0;     // dp/ds - rho g, Pa/m
-  double warming = 0;  // dT/ds, K/m
+  double rho = 1, p = 1, temperature = 1, viscosity = 0;  // kg/m^3, Pa, K, Pa s
+  double spacing = 1;                                     // across the wall, m
+  double velocity = 0;                                    // along it, m/s
+  double wall_velocity = 0;                               // m/s
+  double pull = 0;                                        // dp/ds - rho g, Pa/m
+  double warming = 0;                                     // dT/ds, K/m
 };
 
 // The same for heat.
 struct SlipHeat {
-  double rho = 1, p = 1, temperature = 1;
-  double specific_heat = 1;  // cv
-  double viscosity = 0, conductivity = 0;
-  double spacing = 1;
-  double wall_temperature = 1;
-  double shear = 0;  // u'^2, 1/s^2
+  double rho = 1, p = 1, temperature = 1;  // kg/m^3, Pa, K
+  double specific_heat = 1;                // cv, J/(kg K)
+  double viscosity = 0, conductivity = 0;  // Pa s, W/(m K)
+  double spacing = 1;                      // across the wall, m
+  double wall_temperature = 1;             // K
+  double shear = 0;                        // u'^2, 1/s^2
 };
 
-// `creep`: with thermal creep.
+// On the wall, m/s and K. `creep`: with thermal creep.
 double slip_velocity(const SlipSettings& settings, const SlipCell& cell, bool creep);
 double slip_temperature(const SlipSettings& settings, const SlipHeat& cell);
 

@@ -13,11 +13,11 @@ struct TagSpec;
 namespace sluice::ice {
 
 // How much larger than its coefficient the exchange of a pair is where it varies with the masses
-// of the two (linearVariation), r = max(M_m/M_n, M_n/M_m): r^2/1e5, from 1 to 1e7. With the
-// coefficient 1e5 that is r^2 between 1e5 and 1e12.
+// of the two (linearVariation), a factor, r = max(M_m/M_n, M_n/M_m): r^2/1e5, from 1 to 1e7. With
+// the coefficient 1e5 that is r^2 between 1e5 and 1e12.
 double growth_with_mass_ratio(double M_m, double M_n);
 
-// Symmetric coefficients of pairs; zero on the diagonal.
+// Symmetric coefficients of pairs; zero on the diagonal. Of momentum kg/(m^3 s), of heat W/(m^3 K).
 class PairCoefficients {
  public:
   PairCoefficients() = default;
@@ -33,7 +33,7 @@ class PairCoefficients {
   // linearVariation: the coefficients are those of equal masses.
   void vary_with_mass() { varies_ = true; }
   bool varies() const { return varies_; }
-  // Between masses above zero.
+  // Between masses above zero, per volume of the cell (kg/m^3).
   double between(int m, int n, double M_m, double M_n) const {
     const double k = (*this)(m, n);
     return varies_ && k > 0.0 ? k * growth_with_mass_ratio(M_m, M_n) : k;
@@ -52,7 +52,7 @@ class PairCoefficients {
 // Slip of a rarefied gas at the surface of a solid, or of what takes the place of one.
 struct MultiVelocityExchange {
   int fluid = 0, solid = 1;
-  double momentum_accommodation = 1, thermal_accommodation = 1;
+  double momentum_accommodation = 1, thermal_accommodation = 1;  // shares, 0 to 1
   bool use_slip_coefficients = true;
   Location where;
 
@@ -60,7 +60,8 @@ struct MultiVelocityExchange {
     return (a == fluid && b == solid) || (a == solid && b == fluid);
   }
   // What passes the surface, per area: momentum by the difference of the velocities along it,
-  // kg/(m^2 s), and heat by that of the temperatures, W/(m^2 K).
+  // kg/(m^2 s), and heat by that of the temperatures, W/(m^2 K). rho in kg/m^3, T in K, cv in
+  // J/(kg K).
   double momentum_transfer(const Fluid& gas, double rho, double T) const;
   double heat_transfer(const Fluid& gas, double rho, double T, double cv) const;
 };
@@ -87,7 +88,7 @@ struct ExchangeSettings {
 // Relaxation then takes 1e-10 s in gases of 1 kg/m^3 and 1e-7 s where one of the two is a liquid,
 // less than any step of such a deck.
 // threshold: momentum exchange coefficient from which on a pair of materials has one velocity;
-//   unit: m^3/(kg s); test: Effects.OneVelocityNeedsEveryPair
+//   unit: kg/(m^3 s); test: Effects.OneVelocityNeedsEveryPair
 inline constexpr double one_velocity_coefficient = 1e10;
 
 // The block of a deck whose tags the schema has checked. Without a block nothing is exchanged.

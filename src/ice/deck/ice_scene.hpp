@@ -44,7 +44,7 @@ struct FormulaFill {
 
 struct RefinementCriterion {
   std::string label;  // a cell variable that is a function of the state
-  double value = 0;   // threshold of the gradient's magnitude
+  double value = 0;   // threshold of the gradient's magnitude: unit of the variable, per m
   int material = 0;
 };
 
@@ -55,9 +55,9 @@ struct IceScene {
   bool compatible_fluxes = true;
   bool shears_shocks = true;  // shearAlongShocks
   std::optional<ImplicitSettings> implicit;
-  double cfl = 0.4;
-  double sound_speed_factor = 1;
-  double diffusion_factor = 1;
+  double cfl = 0.4;                     // Courant number
+  double sound_speed_factor = 1;        // weight of c in the deck's time-step rule
+  double diffusion_factor = 1;          // weight of diffusion in it
   bool conservative_time_step = false;  // Scheme_for_delT_calc
   bool hydrostatic_start = true;
   std::vector<IceMaterial> materials;

@@ -18,7 +18,7 @@ namespace sluice::ice {
 struct Sutherland {
   double a = 0, b = 0;  // kg/(m s K^1/2), K
 
-  double viscosity(double T) const {
+  double viscosity(double T) const {  // Pa s, T in K
     const double positive = T > 0 ? T : 0;
     return a * std::sqrt(positive) * (positive / (positive + b + min_divisor));
   }
@@ -40,6 +40,7 @@ struct ViscosityModels {
 
 // Subgrid viscosity, mu_t = rho C Delta^2 |S| with |S| = sqrt(2 S:S) and Delta the filter width.
 struct Turbulence {
+  // Numbers without unit.
   bool dynamic = false;          // C from the flow (Germano), else constant^2
   double constant = 0;           // C_s of Smagorinsky
   double filter_width = 1;       // Delta over the cell's
@@ -51,9 +52,9 @@ struct Turbulence {
 // Friction on a side of the domain from the velocity in the cells next to it.
 struct WallShear {
   Side side = Side::x_minus;
-  bool smooth = false;   // the logarithmic law of smooth walls, else of rough ones
-  double roughness = 0;  // z0, m
-  double von_karman = 0.4;
+  bool smooth = false;      // the logarithmic law of smooth walls, else of rough ones
+  double roughness = 0;     // z0, m
+  double von_karman = 0.4;  // without unit
   Location where;
 };
 
@@ -61,7 +62,7 @@ struct WallShear {
 struct TransportModels {
   struct Sponge {
     IndexBox cells;
-    double viscosity = 0;
+    double viscosity = 0;  // Pa s
   };
   std::optional<Sutherland> sutherland;
   std::vector<Sponge> sponges;

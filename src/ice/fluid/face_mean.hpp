@@ -14,7 +14,7 @@ inline double harmonic_mean(double a, double b) {
 
 // Where the same stress acts on both halves of what lies between two cells, the velocity between
 // them is (mu_a u_a + mu_b u_b)/(mu_a + mu_b) = (u_a + u_b)/2 + tilt (u_b - u_a); 0 where the
-// viscosities are equal.
+// viscosities are equal. tilt, from -1/2 to 1/2, has no unit.
 inline double velocity_tilt(double mu_a, double mu_b) {
   return 0.5 * (mu_b - mu_a) / (mu_a + mu_b + min_divisor);
 }

@@ -1,4 +1,4 @@
-// The fractions of a mixed gas along a row of cells (models/gases/mixed_gas.hpp).
+// The mass fractions of a mixed gas along a row of cells (models/gases/mixed_gas.hpp).
 #pragma once
 #include <array>
 #include <cstddef>

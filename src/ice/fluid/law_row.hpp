@@ -42,12 +42,12 @@ class LawRow {
   void temperature(int n, const double* rho, const double* rho_e, double* T) const;
   void heat_capacity(int n, const double* rho, const double* rho_e, double* cv) const;
   void heat_capacity_ratio(int n, const double* rho, const double* rho_e, double* ratio) const;
-  // Of the molecules; `given`: what the deck gives a material with a plain law, or species that do
-  // not spread. Those of species that do: transport/species_transport.hpp.
+  // Of the molecules, Pa s and W/(m K); `given`: what the deck gives a material with a plain law,
+  // or species that do not spread. Those of species that do: transport/species_transport.hpp.
   void viscosity(int n, double given, double* mu) const;
   void conductivity(int n, double given, double* k) const;
   double conductivity(int i, double given) const;
-  // k + cp mu_t/Pr_t.
+  // k + cp mu_t/Pr_t, W/(m K); mu_t in Pa s, Pr_t without unit.
   void conductivity_with_eddies(int n, double given, double prandtl, const double* rho,
                                 const double* rho_e, const double* mu_t, double* k) const;
 

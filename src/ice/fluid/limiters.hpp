@@ -1,4 +1,5 @@
-// Slope limiters of the conservative scheme; odd and mirror-exact, no division.
+// Slope limiters of the conservative scheme; odd and mirror-exact, no division. Differences and
+// slopes of any quantity, in its unit per cell; nu and B have no unit.
 #pragma once
 #include <cmath>
 

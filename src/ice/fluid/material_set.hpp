@@ -1,4 +1,4 @@
-// Sets of materials as numbers in cells.
+// Sets of materials as numbers in cells, without unit.
 #pragma once
 #include <bit>
 #include <cstdint>

@@ -5,6 +5,9 @@
 // largest gamma and the lowest specific heat of all. What is carried is bounded alike, so that
 // where pressure, temperature and velocity are uniform, density, energy and rho f are linear in
 // each other on every face and stay so: no waves start where the gases meet.
+//
+// Rows: f mixture fraction, rho kg/m^3, w = 1/rho m^3/kg, E internal energy per
+// volume J/m^3, p and K = rho c^2 Pa, c m/s, T K.
 #pragma once
 #include <cstddef>
 
@@ -36,6 +39,7 @@ void mixed_modulus_row(const models::MixedGas& gas, int n, const double* f, cons
 // T = E/(rho cv).
 void mixed_temperature_row(const models::MixedGas& gas, int n, const double* f, const double* rho,
                            const double* E, double* T);
+// A number of the table (MixedGas::Node, in its unit) in each cell.
 void property_row(const models::MixedGas& gas, double models::MixedGas::Node::*property, int n,
                   const double* f, double* values);
 

@@ -5,12 +5,14 @@
 
 namespace sluice::ice {
 
-// b - a between two cells that both hold the material; 0 otherwise.
+// b - a, of any quantity, between two cells that both hold the material (masses in kg/m^3); 0
+// otherwise.
 inline double difference(double a, double b, double mass_a, double mass_b) {
   return mass_a > 0.0 && mass_b > 0.0 ? b - a : 0.0;
 }
 
-// Mass per volume through which a scalar spreads from one cell to the other: the harmonic mean.
+// Mass per volume (kg/m^3) through which a scalar spreads from one cell to the other: the harmonic
+// mean.
 inline double shared_mass(double a, double b) {
   return 2.0 * (a * b) / larger(a + b, min_divisor);
 }

@@ -5,6 +5,7 @@
 // reconstructed values at the cell's corners; S = 1e-100 is added on either side alike, so that
 // mirrored values give mirrored slopes. All slopes of the cell are scaled by the same phi. With
 // compatible fluxes the deviation of a corner is weighted by rho over the corner's own density.
+// q is any quantity, in its unit; slopes are per cell; phi has none.
 // Limits: bounds are not kept in several dimensions, and an extremum is flattened.
 // Reference: W. B. VanderHeyden and B. A. Kashiwa, Compatible fluxes for van Leer advection,
 // J. Comput. Phys. 146 (1998) 1-28.
@@ -16,8 +17,8 @@ namespace sluice::ice::internal_energy_form {
 // What the fluxes of mass carry with them: the density and its limited slopes.
 template <int D>
 struct MassSlopes {
-  double rho = 1;
-  double slope[D] = {};
+  double rho = 1;        // kg/m^3
+  double slope[D] = {};  // kg/m^3 per cell
 };
 
 inline double limiter(double q, double low, double high, double corner_low, double corner_high) {

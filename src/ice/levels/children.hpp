@@ -14,7 +14,7 @@
 
 namespace sluice::ice {
 
-// to[i] = from[i * step].
+// to[i] = from[i * step], of any quantity.
 inline void copy_strided(const double* __restrict from, std::ptrdiff_t step, int n,
                          double* __restrict to) {
   // Known when it is compiled: vectors are loaded and sorted.

@@ -18,10 +18,10 @@ constexpr double min_kept_by_corrections = 0.1;
 constexpr double correction_shares[] = {1.0, 0.5, 0.25, 0.125};
 
 struct GasCell {
-  double rho, m[3], E;
+  double rho, m[3], E;  // kg/m^3; momentum by component, kg/(m^2 s); energy, J/m^3
 };
 
-// Change of |m|^2/(2 rho) when share * change is added.
+// Change of |m|^2/(2 rho) when share * change is added, J/m^3.
 inline double kinetic_change(const GasCell& s, const GasCell& change, double share,
                              int components) {
   const double drho = share * change.rho;

@@ -10,7 +10,7 @@ namespace sluice::ice {
 
 constexpr int pair_axes[3][2] = {{0, 1}, {0, 2}, {1, 2}};
 
-// How much curvature the differences of a cell allow.
+// How much curvature the differences a and b of a cell allow, in their unit.
 inline double smoothness(double a, double b) {
   const double least = smaller(std::fabs(a), std::fabs(b));
   const double most = larger(std::fabs(a), std::fabs(b));
@@ -58,6 +58,7 @@ struct PolynomialBasis {
     return sum;
   }
 
+  // By child and term, and the largest of all children; lengths in coarse cells, so without unit.
   double value[Children::max_in(D)][terms];
   double most[terms];
 };

@@ -20,7 +20,8 @@ class RowMean {
   // Of the fine cells over `cells` coarse ones.
   int row_length(int cells) const { return ratio_[0] * cells; }
 
-  // mean[i] of the children of n coarse cells; fine[y + ratio * z] are the rows above them.
+  // mean[i] of the children of n coarse cells; fine[y + ratio * z] are the rows above them. Of any
+  // quantity, in its unit.
   void operator()(const double* const* fine, int n, double* mean) {
     const double* part[max_rows];
     std::copy_n(fine, rows(), part);

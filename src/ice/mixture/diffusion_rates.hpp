@@ -13,10 +13,10 @@
 
 namespace sluice::ice::mixture {
 
-// State of a row of cells, by material.
+// State of a row of cells, by material, per volume of the cell: kg/m^3, fraction, J/m^3.
 struct MaterialRows {
   const double *mass[max_materials], *volume[max_materials], *energy[max_materials];
-  // Where they vary: of the mixture, and of each material that it holds.
+  // Where they vary: of the mixture (Pa s), and of each material that it holds (W/(m K)).
   const double *viscosity = nullptr, *conductivity[max_materials] = {};
 };
 
@@ -27,7 +27,7 @@ class DiffusionRates {
   bool on() const { return viscous_ || conducting_; }
   bool viscosity_varies() const { return viscosity_varies_; }
   bool conductivity_varies() const { return conductivity_varies_; }
-  // Of n cells, 1/s.
+  // Of n cells, 1/s; spacing in m.
   double largest(const MaterialRows& state, int n, const Vec3& spacing) const;
 
  private:

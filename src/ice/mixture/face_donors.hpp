@@ -10,7 +10,8 @@
 
 namespace sluice::ice::mixture {
 
-// A cell variable in both cells of each face. Left without values when declared: there are many.
+// A cell variable in both cells of each face, in its unit. Left without values when declared: there
+// are many.
 struct Pair {
   const double *a, *b;
   // Both are loaded: a choice between addresses would keep rows from vectorising.
@@ -39,20 +40,25 @@ MaterialHandles read_materials(TaskBuilder& task, const DonorsInput& v, const Sc
 void read_blends(TaskBuilder& task, const BlendInput& v, int axis, const SchemeOptions& o,
                  MaterialHandles& h);
 
-// The rows of one material, looked up once for all faces of a row.
+// The rows of one material, looked up once for all faces of a row. V: fraction, M: kg/m^3 and E:
+// J/m^3 are per volume of the cell, densities and energies of the material itself per its own
+// volume. Pairs are the low and the high cell of each face.
 struct MaterialFaceRows {
   const double* V[6];         // volume fraction of cells -3 .. 2
   const double *M[4], *E[4];  // state of cells -2 .. 1
   Around r, e;                // density and energy per own volume, of blends alone
+  // After the Lagrangian phase: energy per cell and per own volume, the scale (p + pi)/G; J/m^3.
   const double *energy_L[2], *eps_L[2], *scale[2];
-  const double *base_V[2], *base_r[2], *base_e[2];
-  const double* alike[2];           // of a mixed gas, else null
-  const double *strain[2], *iJ[2];  // where the materials of a cell relax before, else null
-  double *FV, *FM, *FE;
+  const double *base_V[2], *base_r[2], *base_e[2];  // offered to the remap: fraction, kg/m^3, J/m^3
+  const double* alike[2];                           // 0 or 1, of a mixed gas, else null
+  // Where the materials of a cell relax before, else null: r_m, 1/(J r_m), without unit.
+  const double *strain[2], *iJ[2];
+  double *FV, *FM, *FE;  // what passes, per volume of a cell: fraction, kg/m^3, J/m^3
 };
 
 class MaterialFaces {
  public:
+  // l: dt/dx along the axis, s/m.
   MaterialFaces(const Row& row, const RemapFluxHandles& common, const MaterialHandles& materials,
                 Out flux, const SchemeOptions& options, int axis, double l);
 

@@ -27,11 +27,12 @@ struct SurfaceParts {
 // The contact of gas and solid at a face between two cells.
 struct FaceOfSurface {
   double gas[2], solid[2];  // shares of the cells
-  double transfer[2];       // momentum_per_area
+  double transfer[2];       // momentum_per_area, kg/(m^2 s)
 
   double contact() const;       // share of the face
-  double left_to_face() const;  // of that contact, by what the cells hold of the surface
-  // Of the friction without slip, with spacing dx and viscosity mu: 1/(1 + mu/(h dx)).
+  double left_to_face() const;  // share of that contact, by what the cells hold of the surface
+  // Share of the friction without slip, with spacing dx (m) and viscosity mu (Pa s):
+  // 1/(1 + mu/(h dx)).
   double passes(double dx, double mu) const {
     const double h = gas[0] > gas[1] ? transfer[0] : transfer[1];
     return h * dx / (h * dx + mu);

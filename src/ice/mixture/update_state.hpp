@@ -82,7 +82,8 @@ bool update_alone(const Row& row, const UpdateState& h, const SchemeOptions& o, 
   return false;
 }
 
-// Tells the step what is not admissible about the new state of cell i. `E`: of each material.
+// Tells the step what is not admissible about the new state of cell i. rho: kg/m^3; inverse_J: 1/J,
+// a ratio of volumes; `E`: energy of each material per volume of the cell, J/m^3.
 void tell_faults(const Row& row, const Axes& axes, int i, double rho, double inverse_J,
                  const Equilibration::Result& closed, const double* E);
 

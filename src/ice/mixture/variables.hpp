@@ -100,7 +100,8 @@ struct MaterialStates {
 struct StateReads {
   std::vector<In> mass, volume, energy;
 
-  // True density and energy per volume of material m, which is in all cells of the row.
+  // True density (kg/m^3) and energy per volume (J/m^3) of material m, which is in all cells of the
+  // row.
   void divide(const Row& row, int m, double* density, double* energy_density) const;
 };
 StateReads read_state(TaskBuilder& task, const MaterialStates& v);

@@ -160,7 +160,7 @@ struct Bonds {
 };
 Bonds read_bonds(TaskBuilder&, const BondsInput&, const SchemeOptions&);
 
-// What friction pushes apart: momentum by material, sum 0.
+// What friction pushes apart: momentum by material per volume of the cell, kg/(m^2 s); sum 0.
 struct FrictionOnSlip {
   bool on = false;
   Axes axes;

@@ -23,11 +23,11 @@ namespace sluice::ice {
 IntVec3 leaving_depth(const Level& level);
 
 struct PressureRows {
-  const double *minus, *plus;  // pressure of the two neighbours along the axis
-  const double *rho, *sound;
+  const double *minus, *plus;  // pressure of the two neighbours along the axis, Pa
+  const double *rho, *sound;   // kg/m^3, m/s
 };
 
-// The slopes of pressure along one axis, one row.
+// The slopes of pressure along one axis, one row: changed; Pa per cell.
 void damp_leaving_shocks(const Row& row, const InterfaceDistance& ends, int axis,
                          const PressureRows& q, double* slope);
 

@@ -1,4 +1,4 @@
-// Rows of one quantity in a cell and its neighbours along every axis.
+// Rows of one quantity, in its unit, in a cell and its neighbours along every axis.
 #pragma once
 #include "framework/task/row.hpp"
 

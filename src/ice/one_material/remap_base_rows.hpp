@@ -18,7 +18,7 @@ struct RemapBaseHandles {
   In rho_L, energy_L, velocity_L, energy_scale;
   bool solved = false;  // the pressure is solved for: read these
   std::array<In, 3> face_pressure;
-  Vec3 force;
+  Vec3 force;  // N/m^3
   std::array<Out, 3> base;
 };
 
@@ -26,8 +26,8 @@ struct RemapBaseHandles {
 template <int D, bool Masked>
 struct BaseContext {
   int n = 0;
-  double h[D];
-  const double *u[D], *mask = nullptr;
+  double h[D];                          // dt/(2 dx), s/m
+  const double *u[D], *mask = nullptr;  // m/s; 0 or 1
 
   BaseContext(const Row& row, const RemapBaseHandles& handles, const Axes& axes)
       : n(row.whole_vectors()) {
@@ -37,7 +37,7 @@ struct BaseContext {
     }
     if (Masked) mask = row(handles.mask);
   }
-  // Change of q across the half step by advection along axis t.
+  // Change of q, in its unit, across the half step by advection along axis t.
   double advected(const Quantity& q, int t, int i) const {
     return h[t] * u[t][i] * central_slope(q.before(t, i), q.after(t, i));
   }

@@ -23,7 +23,7 @@ struct RemapFluxHandles {
   Out flux;
 };
 
-// The four old values around a face: two on either side.
+// The four old values of a quantity around a face, in its unit: two on either side.
 struct Around {
   const double *mm, *m, *p, *pp;
   Around from(int first) const { return {mm + first, m + first, p + first, pp + first}; }
@@ -49,7 +49,7 @@ inline double donor_slope(const Around& q, int i, bool left, double nu, double B
 // What the bounds of a flux's energy and density follow from.
 enum class RemapLaw { ideal, ideal_by_energy, scaled };
 
-// Compiled once, in remap_fluxes.cpp, for all that remap: these are many kernels.
+// Compiled once, in remap_fluxes.cpp, for all that remap: these are many kernels. l: dt/dx, s/m.
 template <int D, int C>
 void flux_row_of(const Row& row, const RemapFluxHandles& h, int axis, double l,
                  const SchemeOptions& o, RemapLaw law);

@@ -39,12 +39,14 @@ class MotionRows {
     }
   }
 
+  // What comes in through all faces, kg/m^3.
   double mass(int i) const {
     double sum = 0;
     for (int d = 0; d < D; ++d) sum += Fm[d][i] - Fp[d][i];
     return sum;
   }
-  // Writes m' of cell i. `passed`(d): what else to add for direction d, G- - G+.
+  // Writes m' of cell i. `passed`(d): what else to add for direction d, G- - G+ (J/m^3). rho and
+  // w = 1/rho: of the new state. The energy beside E*, J/m^3.
   template <class Passed>
   double heat(int i, double rho, double w, Passed passed) const {
     double gain = 0;

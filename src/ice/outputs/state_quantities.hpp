@@ -18,7 +18,7 @@ struct DiagnosticQuantity {
 // Declares the tasks that compute them from the old state.
 std::vector<DiagnosticQuantity> declare_quantities(TaskList& list, const SchemeOptions& options);
 
-// The one of a name and material that must be among them.
+// The one of a name and material that must be among them, else std::logic_error.
 const DiagnosticQuantity& quantity(const std::vector<DiagnosticQuantity>& quantities,
                                    const std::string& label, int material);
 

@@ -87,8 +87,8 @@ void declare_face_labels(TaskList&, const OutputInput&, const SchemeOptions&,
 void declare_source_pressure(TaskList&, const OutputInput&, const SchemeOptions&,
                              const MaterialsOfStep&, int effect);
 
-// Temperature of a material from mass, volume and energy per volume of the cell; `f`: of a gas
-// whose properties are mixed.
+// Temperature (K) of a material from mass (kg/m^3), volume (fraction) and energy (J/m^3) per volume
+// of the cell; `f`: mixture fraction of a gas whose properties are mixed.
 struct TemperatureFunction {
   Fluid fluid;
   const models::MixedGas* gas;

@@ -28,6 +28,7 @@ inline ErrorReads read_error(TaskBuilder& task, const ErrorInput& v, const Schem
   return h;
 }
 
+// R has no unit; dp and K = rho c^2 in Pa.
 template <int D>
 class ErrorRows {
  public:
@@ -49,7 +50,7 @@ class ErrorRows {
   double at(int i, double dp, double K) const {
     return (s_.old_share * (p_[i] - X_[i]) + s_.al * (dp - carried(i)) - d_[i]) / (s_.al * K);
   }
-  // V R of a cell of which the fluid has V, and of that so much more in the step.
+  // V R of a cell of which the fluid has the fraction V, and of that so much more in the step.
   double beside_solids(int i, double V, double growth, double K) const {
     const double rest = s_.old_share * (p_[i] - X_[i]) - s_.al * carried(i) - d_[i];
     return (V * rest) / (s_.al * K) - growth;

@@ -14,20 +14,22 @@
 
 namespace sluice::ice::pressure {
 
-// The cell inside: velocity along the axis, X- without d.
+// The cell inside: kg/m^3, m/s; velocity along the axis, m/s; X- without d, Pa.
 struct OpenCell {
   double rho, c, u, work;
 };
 
 struct OpenFace {
-  double D, Z, far, u_a;  // far: pt; u_a: outward
+  double D, Z, far, u_a;  // m^2 s/kg; kg/(m^2 s); pt, Pa; outward, m/s
   double sign;            // of outward along the axis
 
+  // m/s, from u* (m/s) and X (Pa).
   double velocity(double star, double X) const {
     return sign * (sign * star + D * (X - far + Z * u_a)) / (1.0 + D * Z);
   }
+  // Pa, from u_f (m/s).
   double pressure(double u) const { return far + Z * (sign * u - u_a); }
-  // d u_f/d X.
+  // d u_f/d X, m^2 s/kg.
   double slope() const { return D / (1.0 + D * Z); }
 };
 

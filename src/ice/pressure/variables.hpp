@@ -20,6 +20,7 @@ namespace sluice::ice::pressure {
 
 // r = dt_before/dt; the first step has none. g1 damps what X- and p disagree about, s1 the waves
 // that no step resolves; both cost phase error of second order (measured: .177 (w dt)^2).
+// Factors without unit.
 struct SolveConstants {
   double old_share;  // 1 - g1 (of this step)
   double al, A;      // (1 + g1 r)/2, 1/2 + s

@@ -55,7 +55,7 @@ inline void begin_release(const Row& row, const ReleaseHandles& h, const SchemeO
   add_sources_of_one(row, h.sources, o, h.end.next.rho, h.end.next.momentum, h.end.next.energy);
 }
 
-// Where heat is booked: of the gas, and of all.
+// Where heat is recorded: of the gas, and of all; per volume of the cell, J/m^3.
 struct HeatBudget {
   double *of_gas, *of_all;
 

@@ -72,7 +72,7 @@ inline void add_tasks(TaskList& list, const FlowOfScalars& v, const SchemeOption
   scalars::add_update(list, v, o, effect);
 }
 
-// 2 D sum 1/dx^2 of the most diffusive scalar of the scene, with a margin: a cell between two
+// 2 D sum 1/dx^2, 1/s, of the most diffusive scalar of the scene, with a margin: a cell between two
 // heavier ones, through whose faces twice as much spreads, bears the step too.
 double diffusion_rate(const SchemeOptions& o, Vec3 spacing);
 double diffusion_rate_of(double D, const SchemeOptions& o, Vec3 spacing);  // D: m^2/s

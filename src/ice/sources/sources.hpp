@@ -39,9 +39,10 @@ struct SourceRows {
   Out change;
   SourceChange layout;
   int first_material = 0;  // of those in the graph
-  // By material of the graph; volume null: it fills the cell.
+  // By material of the graph, per volume of the cell: kg/m^3, fraction, J/m^3; volume null: it
+  // fills the cell.
   std::array<double*, most> mass{}, volume{}, energy{};
-  double* momentum[3] = {nullptr, nullptr, nullptr};
+  double* momentum[3] = {nullptr, nullptr, nullptr};  // by component, kg/(m^2 s)
   // Momentum of each material relative to the mixture, by component; null: one velocity.
   std::array<std::array<double*, 3>, most> slip{};
   bool multi_velocity() const { return slip[0][0] != nullptr; }

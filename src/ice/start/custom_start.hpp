@@ -6,18 +6,18 @@ namespace sluice::ice {
 
 // One material in one cell.
 struct CellStart {
-  Vec3 centre{};
-  double density = 1, temperature = 0;
-  Vec3 velocity{};
-  double viscosity = 0;
-  double pressure = 0;
+  Vec3 centre{};                        // m
+  double density = 1, temperature = 0;  // kg/m^3, K
+  Vec3 velocity{};                      // m/s
+  double viscosity = 0;                 // Pa s
+  double pressure = 0;                  // Pa
   bool pressure_given = false;  // by a start: the pressure is not that of density and temperature
 };
 
 // What a start may ask besides the cell.
 struct CustomPlace {
   const Level& coarsest;
-  double reference_pressure = 0;
+  double reference_pressure = 0;  // Pa
 };
 
 void apply(const CustomStart& start, const CustomPlace& place, CellStart& cell);

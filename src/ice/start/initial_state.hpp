@@ -7,7 +7,7 @@
 
 namespace sluice::ice {
 
-// Primitive values over a box of cells, x fastest.
+// Primitive values over a box of cells, x fastest: kg/m^3, K, Pa; m/s by direction.
 struct PrimitiveFill {
   IndexBox cells;
   std::vector<double> density, temperature, pressure;

@@ -14,14 +14,14 @@ struct ObjectState {
     for (int d = 0; d < 3; ++d) fill.velocity[d][n] = velocity[d];
   }
 
-  double density, temperature;
-  Vec3 velocity;
+  double density, temperature;  // kg/m^3, K
+  Vec3 velocity;                // m/s
 };
 
 void size_fill(const IndexBox& cells, PrimitiveFill& fill);  // all zero
 
 // What of gravity a pressure at the start can balance: none along a direction that repeats, where
-// nothing carries the weight and all falls.
+// nothing carries the weight and all falls. m/s^2.
 Vec3 carried_gravity(const PhysicalConstants& constants, const Level& level);
 bool is_hydrostatic(const IceScene& scene, const PhysicalConstants& constants, const Level& level);
 // Under gravity from the bottom of the domain on, as the pressure is a sum from there.
@@ -29,7 +29,9 @@ IndexBox cells_to_fill(const IceScene& scene, const PhysicalConstants& constants
                        const Level& level, const IndexBox& cells);
 
 // What a pressure given beside density and temperature leaves: the temperature of a liquid or solid
-// if law and deck agree on its density, the density otherwise. A function of the deck's values.
+// if law and deck agree on its density, the density otherwise. A function of the deck's values, in
+// kg/m^3, K and Pa; DeckError where law and density disagree and the pressure knows the density
+// alone.
 enum class Keeps { density, temperature };
 Keeps what_is_kept(const IceMaterial& m, double density, double temperature,
                    double reference_pressure);
@@ -42,7 +44,7 @@ void apply_mixture(const models::ModelList& models, int material, const Level& l
 // Density, temperature and velocity are there; pressure, named starts and formulas follow.
 void apply_starts(const IceScene& scene, const PhysicalConstants& constants, const IceMaterial& m,
                   const Level& coarsest, const Level& level, PrimitiveFill& fill);
-// g times the distance of the lowest cell from that of the coarsest level.
+// g (m/s^2) times the distance of the lowest cell from that of the coarsest level, m^2/s^2.
 double depth_below_reference(Vec3 g, const Level& coarsest, const Level& level);
 void apply_hydrostatics(const PhysicalConstants& constants, const IceMaterial& m,
                         const Level& coarsest, const Level& level, PrimitiveFill& fill);

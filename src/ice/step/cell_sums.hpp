@@ -8,6 +8,7 @@
 
 namespace sluice::ice {
 
+// m^3.
 inline double cell_volume(const Row& row) {
   const Vec3 dx = row.step().spacing;
   return dx.x * dx.y * dx.z;
@@ -30,7 +31,7 @@ void for_uncovered(const Row& row, const SchemeOptions& o, Use&& use) {
   for_uncovered(row, o, 0, row.count(), use);
 }
 
-// Adds value(i) of the cells first to end - 1 to a sum of the step.
+// Adds value(i) of the cells first to end - 1, in any unit, to a sum of the step.
 template <class Value>
 void add_to_sum(ExactSum& sum, int first, int end, Value value) {
   constexpr int chunk = 256;

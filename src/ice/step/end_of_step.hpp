@@ -19,7 +19,7 @@ namespace sluice::ice {
 
 // A row that must be above zero and finite everywhere, and what a fault of it is called.
 struct PositiveRow {
-  const double* values = nullptr;
+  const double* values = nullptr;  // in any unit
   int kind = fault_density;
   double (*told)(double) = nullptr;  // what the message shows; null: the value itself
   const double* shown = nullptr;     // the row that the message shows instead; null: this one
@@ -67,11 +67,11 @@ struct RateHandles {
 };
 
 struct RateConstants {
-  double inverse_dx[3] = {0, 0, 0};
+  double inverse_dx[3] = {0, 0, 0};  // by axis, 1/m
   double sound_speed_factor = 1;
-  double gravity_speed = 0;  // sqrt(sum dx |g|), conservative rule only
+  double gravity_speed = 0;  // sqrt(sum dx |g|), m/s; conservative rule only
   bool conservative = false;
-  double sum_share = 0;  // of the sum over directions that counts as the rate of sound
+  double sum_share = 0;  // share of the sum over directions that counts as the rate of sound
 };
 
 inline RateConstants rate_constants(const SchemeOptions& o, const StepConstants& step) {
@@ -89,7 +89,7 @@ inline RateConstants rate_constants(const SchemeOptions& o, const StepConstants&
   return x;
 }
 
-// `modulus`(i): rho c^2 of cell i.
+// `modulus`(i): rho c^2 of cell i, Pa. Rates are in 1/s.
 template <int D, class Modulus>
 void rate_row(const Row& row, const RateHandles& h, const RateConstants& x, Modulus modulus) {
   const int n = row.count();
@@ -248,7 +248,7 @@ void rates_of_row(const Row& row, const RateHandles& h, const SchemeOptions& o) 
   other_rates_of_row<D>(row, h, o, x);
 }
 
-// The same where the modulus is known; h.rho is the density of the mixture.
+// The same where the modulus (Pa) is known; h.rho is the density of the mixture.
 template <int D>
 void rates_of_mixture(const Row& row, const RateHandles& h, const SchemeOptions& o,
                       const double* modulus) {

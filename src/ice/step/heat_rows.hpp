@@ -1,5 +1,5 @@
 // Friction and conduction in the Lagrangian phase, the same rows whether solids are near or not: no
-// bit may depend on it.
+// bit may depend on it. Work and heat are per volume of the cell, J/m^3; w: 1/mass, m^3/kg.
 #pragma once
 #include <array>
 

@@ -17,7 +17,7 @@ inline bool holds_velocities(const SchemeOptions& o) {
   return o.grid.boundary != nullptr && o.grid.boundary->holds_velocities();
 }
 
-// `u`: given, along the axis; the fluid enters with the sound speed of the ghost cell.
+// `u`: given, along the axis; the fluid enters with the sound speed of the ghost cell. m/s.
 inline bool is_subsonic(double u, bool plus, double c_inside, double c_outside) {
   const double inward = plus ? -u : u;
   return inward < c_outside && -inward < c_inside;

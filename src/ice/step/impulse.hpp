@@ -16,9 +16,9 @@ struct ImpulseHandles {
 };
 
 struct ImpulseConstants {
-  double l[3] = {0, 0, 0};     // dt/dx by component; the first are the axes
-  double kick[3] = {0, 0, 0};  // dt g by component
-  double push[3] = {0, 0, 0};  // dt f
+  double l[3] = {0, 0, 0};     // dt/dx by component, s/m; the first are the axes
+  double kick[3] = {0, 0, 0};  // dt g by component, m/s
+  double push[3] = {0, 0, 0};  // dt f by component, kg/(m^2 s)
 };
 
 inline ImpulseConstants impulse_constants(const SchemeOptions& o, const StepConstants& step) {

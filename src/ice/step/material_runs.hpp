@@ -1,4 +1,5 @@
 // Which materials the cells of a row hold: runs of one material, and what rows remember of them.
+// Keys are numbers of materials, -1 for several, kept as numbers of cells.
 #pragma once
 #include <algorithm>
 #include <cstddef>
@@ -82,7 +83,7 @@ void for_each_full(const double* cut, int first, int count, F&& f) {
 }
 
 // The values of a material: its own where the neighbourhood (`pure`) is mixed, those of the mixture
-// where it is alone, nothing where another is. No row overlaps `to`.
+// where it is alone, nothing where another is; of any quantity. No row overlaps `to`.
 inline void pick_row(int n, const double* __restrict pure, int material,
                      const double* __restrict own, const double* __restrict mixture,
                      double* __restrict to) {

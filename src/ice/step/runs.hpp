@@ -1,4 +1,5 @@
 // Parts of a row in which a key is the same: the materials of a cell change seldom along a row.
+// Keys are whole numbers kept as doubles, and so are the counts of cells beside them.
 #pragma once
 #include <bit>
 #include <cstdint>

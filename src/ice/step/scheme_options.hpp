@@ -49,13 +49,13 @@ struct GridOptions {
 
 // The materials of the scene, what they exchange, and those of a graph.
 struct MaterialOptions {
-  Fluid fluid;                // of the one material that this graph is for
-  int index = 0;              // of that material
-  bool mixture = false;       // the graph of blocks with several materials
-  std::vector<Fluid> fluids;  // of all materials
-  PairCoefficients heat_exchange;
-  bool multi_velocity = false;  // several materials that move apart: multi_velocity/tasks.hpp
-  PairCoefficients drag;        // K, kg/(m^3 s)
+  Fluid fluid;                     // of the one material that this graph is for
+  int index = 0;                   // of that material
+  bool mixture = false;            // the graph of blocks with several materials
+  std::vector<Fluid> fluids;       // of all materials
+  PairCoefficients heat_exchange;  // H, W/(m^3 K)
+  bool multi_velocity = false;     // several materials that move apart: multi_velocity/tasks.hpp
+  PairCoefficients drag;           // K, kg/(m^3 s)
   std::optional<MultiVelocityExchange> multi_velocity_exchange;  // at the surface of one material
   std::optional<ConvectiveExchange> convective;
   std::span<const models::TransportedScalar> scalars;  // of all materials
@@ -79,7 +79,7 @@ struct MethodOptions {
   bool compatible_fluxes = true;  // of the classic form
   bool masked = false;            // a redo: slopes vanish where the mask says so
   FaceDensityLimiter density_bound = FaceDensityLimiter::sharp;
-  double cfl = 0.4;
+  double cfl = 0.4;                     // Courant number
   double sound_speed_factor = 1;        // weight of c in the deck's time-step rule
   double diffusion_factor = 1;          // weight of diffusion in it
   bool conservative_time_step = false;  // Scheme_for_delT_calc
@@ -101,7 +101,7 @@ struct TransportOptions {
   bool viscous = false, viscosity_varies = false;
   double conductivity = 0;  // W/(m K)
   bool conducting = false, conductivity_varies = false;
-  std::vector<double> viscosities, conductivities;  // of all materials
+  std::vector<double> viscosities, conductivities;  // of all materials, Pa s and W/(m K)
   TransportModels models;                       // what fills these fields, and friction on walls
   std::vector<TransportModels> models_of_each;  // of all materials
   bool spreads_species = false;                 // mu, k and D of each cell from its species
@@ -152,8 +152,8 @@ struct SchemeOptions {
   }
 };
 
-// Of a scene, on the coarsest level; FluidPart::at_level() and graph_options() say what differs on
-// others and in each graph.
+// Of a scene, on the coarsest level; FluidPart::at_level() and FluidStep::options_of() say what
+// differs on others and in each graph.
 SchemeOptions scheme_options(const Scene& scene, const IceScene& ice);
 // Whether faces along strong shocks exchange shear: step/shock_shear.hpp.
 bool shears_shocks(const Scene& scene, const IceScene& ice);

@@ -107,7 +107,9 @@ void for_each_sheared_part(const Row& row, const ShockShearReads& h, F&& f) {
   for_each_marked_part(row, sheared_rows<D>(row, h), 0, f);
 }
 
-// The faces of a part of a row of cells along one axis.
+// The faces of a part of a row of cells along one axis: marks (0 or 1) and strengths k (without
+// unit) of low and high faces; densities of the cell, of the one below and of the one above,
+// kg/m^3.
 struct ShearedFaces {
   const double *mm, *mp, *km, *kp, *r, *rm, *rp;
 
@@ -120,6 +122,7 @@ struct ShearedFaces {
         r(row(h.rho)),
         rm(row(h.rho, 0, axis, -1)),
         rp(row(h.rho, 0, axis, 1)) {}
+  // k min(rho_a, rho_b) of the low and of the high face, kg/m^3.
   double below(int i) const {
     const double k = km[i] * smaller(rm[i], r[i]);
     return mm[i] != 0.0 ? k : 0.0;
@@ -158,7 +161,7 @@ void take_shear(const Row& whole, const ShockShearReads& h) {
   });
 }
 
-// The heat of it, into E, in a part of a row; w: 1/mass.
+// The heat of it, into E (J/m^3), in a part of a row; w: 1/mass, m^3/kg.
 template <int D, int C>
 void add_heat_of_shear(const Row& row, const ShockShearReads& h, const double* w,
                        double* __restrict energy) {

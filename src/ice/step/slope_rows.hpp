@@ -5,7 +5,8 @@
 
 namespace sluice::ice {
 
-// By axis: slopes of the normal velocity and of the pressure; transverse advection of the former.
+// By axis: slopes of the normal velocity and of the pressure (m/s and Pa per cell); transverse
+// advection of the former (m/s).
 struct SlopeOutputs {
   Out velocity, pressure, transverse;
 };

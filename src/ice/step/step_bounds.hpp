@@ -11,7 +11,7 @@ constexpr double max_in_one_direction = 0.8;
 // threshold: dt (|u| + c)/dx summed over directions, at most; unit: 1; test: SmallWaves.DoNotGrow
 constexpr double max_in_all = 1.0;
 
-// Share of the sum that counts as the rate of sound.
+// Share (0 to 1) of the sum that counts as the rate of sound.
 inline double sound_sum_share(const SchemeOptions& o) {
   return o.scheme.internal_energy_form ? 0.0 : max_in_one_direction / max_in_all;
 }

@@ -5,9 +5,9 @@
 
 namespace sluice::ice {
 
-// V, V_L: volume of the fluid in the cell before and after the Lagrangian phase; E_L: its energy;
-// H: what flows out. What old states give beyond what the cell has its neighbours lend; on a side
-// of the domain it might have none.
+// V, V_L: volume of the fluid before and after the Lagrangian phase, as a fraction of the cell;
+// E_L: its energy per volume of the cell, J/m^3; H: what flows out, as V. What old states give
+// beyond what the cell has its neighbours lend; on a side of the domain it might have none.
 inline bool gives_new_state(double V, double V_L, double E_L, double H, bool on_side) {
   // threshold: share of a cell that fluid fills, from which on it gives the remap its new state;
   //   unit: 1; test: none

@@ -25,7 +25,7 @@ class FlowAtPoints {
   FlowAtPoints(const Warehouse& state, int box, int material, const FlowStorage& flow,
                const Warehouse& walls);
 
-  // Linear between cell centres. False: too far outside the box.
+  // Linear between cell centres; m and m/s. False: too far outside the box.
   bool velocity(Vec3 point, Vec3& u) const {
     const PointStencil stencil = stencil_at(*level_, point);
     if (!known_.contains(stencil.cells())) return false;

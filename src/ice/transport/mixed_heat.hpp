@@ -17,6 +17,7 @@ struct SpreadingHandles {
 };
 SpreadingHandles read_spreading(TaskBuilder& task, TaskList& list, VariableId rho,
                                 const SchemeOptions& o, int axis);
+// Adds to q, W/m^2.
 void add_carried_enthalpy(const Row& row, const SpreadingHandles& h, In temperature,
                           const SchemeOptions& o, int axis, double* q);
 

@@ -47,7 +47,8 @@ struct TransportInput {
 };
 void add_species_transport(TaskList&, const TransportInput&, const SchemeOptions&, int effect);
 
-// The largest of mu, lambda/cv and rho D_k of one state, Pa s: what bounds the first step.
+// The largest of mu, lambda/cv and rho D_k of one state (kg/m^3, J/m^3), Pa s: what bounds the
+// first step.
 double species_coefficient(const kinetics::SpeciesGas& gas, kinetics::Transport& transport,
                            double rho, double rho_e, const FractionRows& Y);
 

@@ -1,4 +1,4 @@
-// Central differences of the velocity in a row of cells, and the rate of strain.
+// Central differences of the velocity in a row of cells, and the rate of strain, 1/s.
 #pragma once
 #include "ice/step/variables.hpp"
 
@@ -24,7 +24,7 @@ class VelocityRows {
     return t < D ? (plus_[c][t][i] - minus_[c][t][i]) * half_[t] : 0.0;
   }
   double strain(int a, int b, int i) const { return 0.5 * (slope(a, b, i) + slope(b, a, i)); }
-  // 2 S:S. Carried components apart: no order of two axes shows in the bits.
+  // 2 S:S, 1/s^2. Carried components apart: no order of two axes shows in the bits.
   double strain_squared(int i) const {
     double along = 0, across = 0, carried = 0;
     for (int a = 0; a < C; ++a) {

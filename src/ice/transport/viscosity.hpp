@@ -24,10 +24,11 @@ struct TransportTask {
   std::string name;
 };
 
-// Molecular viscosity of a row of cells that one material fills or shares; rho, rho e: its own.
+// Molecular viscosity mu (Pa s) of a row of cells that one material fills or shares; rho (kg/m^3),
+// rho e (J/m^3): its own.
 struct MolecularViscosity {
   TransportModels models;
-  double constant = 0;  // <dynamic_viscosity>
+  double constant = 0;  // <dynamic_viscosity>, Pa s
   int along = 0;        // direction of rows
 
   // By Sutherland's law, else as the material's law has it; at least that of the layers.

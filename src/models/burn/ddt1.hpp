@@ -44,14 +44,14 @@ struct FlameSpread {
   double reference = 1;  // p_0, Pa
   double power = 0;      // F_c
 
-  // A; `cosine` of theta, of either sign.
+  // A, without unit; `cosine` of theta, of either sign.
   double share(double cosine) const {
     return head_on + (1 - head_on) * std::max(0.0, 1 - cosine * cosine);
   }
   double delay(double way, double pressure) const {
     return way / (speed * std::pow(pressure / reference, power));
   }
-  // After dt at this pressure.
+  // After dt (s) at this pressure (Pa).
   Ignition after(double dt, const Ignition& before, double pressure) const {
     Ignition now = before;
     const double tau = delay(before.way, pressure);
@@ -64,7 +64,7 @@ struct FlameSpread {
 struct Ddt1 {
   // Other intervals, once.
   struct Switch {
-    double pressure = 0;  // of any cell with explosive; 0: where any detonates
+    double pressure = 0;  // of any cell with explosive, Pa; 0: where any detonates
     OutputSwitch to;
   };
 
@@ -72,12 +72,13 @@ struct Ddt1 {
   SteadyBurn flame;
   int surface_product = 0;  // among the fluids: what surfaces become; else SolidBurn::product
   bool cracks = false;
-  double crack_constant = 8e8, crack_power = 2.84;  // C, n
+  double crack_constant = 8e8, crack_power = 2.84;  // C, m^2 Pa^n; n
   double crack_spacing = 0.002;                     // m
   double seen_in_cracks = 1e-14;      // fluid that fills no more of a cell is no hot gas to cracks
   std::optional<FlameSpread> spread;  // none: flames are there at once
   std::vector<Switch> switches;
 
+  // Pressures in Pa, radii in m.
   bool detonates(double pressure) const { return pressure > detonation.threshold_pressure; }
   bool deflagrates(double pressure) const {
     return pressure >= flame.threshold_pressure && !detonates(pressure);
@@ -86,7 +87,8 @@ struct Ddt1 {
     return cracks && pressure > 0 &&
            radius * radius * std::pow(pressure, crack_power) > crack_constant;
   }
-  // Share of explosive of this density that its cracks burn in dt; `filled`: what of it is left.
+  // Share of explosive of this density (kg/m^3) that its cracks burn in dt (s) at a mass flux
+  // (kg/(m^2 s)); `filled`: share of it that is left.
   // The walls' area stays until nothing is left between them.
   double burned_in_cracks(double dt, double flux, double density, double filled) const {
     return flux * dt / (crack_spacing * density * filled);

@@ -1,5 +1,6 @@
 // The front of a prescribed detonation (programmed burn, Wilkins 1964): it leaves a point, or a
-// plane to both sides. Cells (LightTime) and particles (program_burn) burn by it alike.
+// plane to both sides. Cells (LightTime) and particles (program_burn) burn by it alike. Places and
+// distances in m.
 #pragma once
 #include <cmath>
 

@@ -19,14 +19,14 @@ namespace sluice::models {
 struct JwlPp {
   static constexpr double max_in_a_step = 0.2;  // of rho0 times the volume of the cell
 
-  double max_burned = 0.99;  // F
-  double threshold_pressure = 0;
+  double max_burned = 0.99;       // F
+  double threshold_pressure = 0;  // Pa
   double min_volume_fraction = 0.01;
   double G = 0, b = 1;  // 1/(s Pa^b)
   double heat = 0;      // J/kg
-  double rho0 = 1;
+  double rho0 = 1;      // kg/m^3
 
-  // Burned share of reactant and product; densities per volume of the cell.
+  // Burned share of reactant and product; masses per volume of the cell, kg/m^3.
   static double share(double reactant_mass, double product_mass) {
     const double all = reactant_mass + product_mass;
     return all > 0 ? product_mass / all : 0.0;
@@ -34,8 +34,8 @@ struct JwlPp {
   bool burns(double pressure, double volume_fraction) const {
     return pressure > threshold_pressure && volume_fraction > min_volume_fraction;
   }
-  // Mass per volume of the cell that burns in dt: the step of the law solved exactly for constant
-  // p, 1 - F' = (1 - F) exp(-G p^b dt).
+  // Mass per volume of the cell, kg/m^3, that burns in dt (s) at a pressure (Pa): the step of the
+  // law solved exactly for constant p, 1 - F' = (1 - F) exp(-G p^b dt).
   double burned(double dt, double pressure, double reactant_mass, double product_mass) const {
     if (!(share(reactant_mass, product_mass) < max_burned)) return 0.0;
     const double all = reactant_mass * -std::expm1(-G * std::pow(pressure, b) * dt);

@@ -18,13 +18,13 @@ namespace sluice::models {
 
 struct LightTime {
   DetonationFront front;
-  double D = 1;     // speed of the front
+  double D = 1;     // speed of the front, m/s
   double heat = 0;  // J/kg
   bool in_mixed_cells = true;
   // Else cells burn that explosive and products fill by more than this.
   static constexpr double full = 0.99;
 
-  // F at a place and time, in cells of this edge.
+  // F at a place (m) and time (s), in cells of this edge (m).
   double share(Vec3 x, double time, double edge) const {
     const double F = (D * time - front.distance(x)) / (DetonationFront::width * edge);
     return F > DetonationFront::all ? 1.0 : F > 0 ? F : 0.0;

@@ -33,7 +33,7 @@ struct MassExchange {
   std::optional<JwlPp> by_pressure;   // in place of the constant rate
   std::optional<LightTime> by_front;  // likewise
 
-  // Of the mass at `time`, what has passed at time + dt.
+  // Share of the mass at `time` that has passed at time + dt (s).
   double share(double time, double dt) const;
 };
 

@@ -18,15 +18,15 @@ namespace sluice::models {
 struct SimpleBurn {
   static constexpr double exponent = 0.778;
 
-  double threshold_temperature = 0, threshold_pressure = 0;
-  double heat = 0;                // J/kg
-  double coefficient = 0;         // kg/(m^2 s)
-  double reference_pressure = 1;  // Pa
+  double threshold_temperature = 0, threshold_pressure = 0;  // K, Pa
+  double heat = 0;                                           // J/kg
+  double coefficient = 0;                                    // kg/(m^2 s)
+  double reference_pressure = 1;                             // Pa
 
   bool burns(double pressure, double hottest) const {
     return pressure > threshold_pressure && hottest > threshold_temperature;
   }
-  // Mass per area and time.
+  // Mass per area and time, kg/(m^2 s).
   double flux(double pressure) const {
     return coefficient * std::pow(pressure / reference_pressure, exponent);
   }

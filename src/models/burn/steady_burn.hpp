@@ -22,14 +22,14 @@ struct TagSpec;
 namespace sluice::models {
 
 struct SteadyBurn {
-  double gas_constant = 8.314;                    // R, J/(K mol)
-  double solid_rate = 0, activation = 1;          // A_c, 1/s; E_c, J/mol
-  double gas_rate = 0;                            // B_g, m^3/(kg s K)
-  double solid_heat = 0, gas_heat = 0;            // Q_c, Q_g, J/kg
-  double gas_conductivity = 0, conductivity = 0;  // K_g, K_c, W/(m K)
-  double specific_heat = 1;                       // c_p, J/(kg K)
-  double molar_mass = 1;                          // W, kg/mol
-  double threshold_pressure = 0, ignition_temperature = 0;
+  double gas_constant = 8.314;                              // R, J/(K mol)
+  double solid_rate = 0, activation = 1;                    // A_c, 1/s; E_c, J/mol
+  double gas_rate = 0;                                      // B_g, m^3/(kg s K)
+  double solid_heat = 0, gas_heat = 0;                      // Q_c, Q_g, J/kg
+  double gas_conductivity = 0, conductivity = 0;            // K_g, K_c, W/(m K)
+  double specific_heat = 1;                                 // c_p, J/(kg K)
+  double molar_mass = 1;                                    // W, kg/mol
+  double threshold_pressure = 0, ignition_temperature = 0;  // Pa, K
 
   double heat() const { return solid_heat + gas_heat; }
   bool burns(double pressure, double hottest) const {
@@ -40,7 +40,7 @@ struct SteadyBurn {
     if (!burns(at.pressure, at.hottest)) return {};
     return surface(at.pressure, at.solid_temperature, at.density);
   }
-  // At a pressure, for a solid of this temperature and density.
+  // At a pressure (Pa), for a solid of this temperature (K) and density (kg/m^3).
   BurningSurface surface(double pressure, double solid_temperature, double density) const;
 };
 

@@ -15,10 +15,11 @@
 namespace sluice::models {
 
 struct UnsteadyBurn : SteadyBurn {
-  double rate_power = 1;                  // B_m
-  double solid_delay = 0, gas_delay = 0;  // N_c, N_g
+  double rate_power = 1;                  // B_m, without unit
+  double solid_delay = 0, gas_delay = 0;  // N_c, N_g, without unit
 
-  // After a step; a surface that has not burned begins with the steady state.
+  // After a step of dt (s), of a solid of this temperature (K) and density (kg/m^3); a surface that
+  // has not burned begins with the steady state.
   SurfaceHistory after(double dt, const SurfaceHistory& before, const BurningSurface& steady,
                        double solid_temperature, double density) const;
   // Mass flux m, kg/(m^2 s).

@@ -10,8 +10,8 @@ namespace sluice::models {
 
 struct StartLine {
   int axis = 0;
-  std::vector<double> x;  // m, increasing, at least one
-  std::vector<double> values;
+  std::vector<double> x;       // m, increasing, at least one
+  std::vector<double> values;  // at these, in the SI unit of what they are of
 
   double at(Vec3 point) const {
     const double along = point[axis];

@@ -27,6 +27,7 @@ struct FlameStart {
 struct Combustion {
   std::shared_ptr<const kinetics::SpeciesGas> gas;
   bool reacts = true, diffuses = false;
+  // As kinetics::Tolerances: a share, K, a mass fraction.
   double relative_tolerance = 1e-8, temperature_tolerance = 1e-6, fraction_tolerance = 1e-14;
   std::optional<FlameStart> start;
 };

@@ -20,7 +20,7 @@ struct TagSpec;
 
 namespace sluice::models {
 
-// Q of the law above at its corners, f = 0, f_st, 1.
+// Q of the law above at its corners, f = 0, f_st, 1; heat_of_combustion: dH, J/kg.
 std::vector<MixedGas::Node> flame_sheet_nodes(double f_stoichiometric, double heat_of_combustion);
 
 TagSpec flame_sheet_tag();

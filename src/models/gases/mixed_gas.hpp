@@ -32,7 +32,7 @@ enum class Coefficient { viscosity, conductivity };
 class MixedGas {
  public:
   struct Node {
-    double f = 0;
+    double f = 0;                            // mass fraction
     double cv = 1, R = 1;                    // J/(kg K)
     double viscosity = 0, conductivity = 0;  // Pa s, W/(m K)
     double heat = 0;                         // Q, J/kg
@@ -45,6 +45,7 @@ class MixedGas {
       return low.*property + weight * (high.*property - low.*property);
     }
     double ratio() const { return (*this)(&Node::R) / (*this)(&Node::cv); }  // gamma - 1
+    // J/(kg K).
     double cp() const { return (*this)(&Node::R) + (*this)(&Node::cv); }
   };
 
@@ -55,11 +56,11 @@ class MixedGas {
   int material = 0;
   // Whether the model says them; otherwise they are those of the material.
   bool own_heat_capacity = false, own_viscosity = false, own_conductivity = false;
-  std::optional<std::array<double, 2>> start_density;     // of both gases apart
-  double oxidizer_temperature = 0, fuel_temperature = 0;  // that a flame sheet supposes; 0: none
+  std::optional<std::array<double, 2>> start_density;     // of both gases apart, kg/m^3
+  double oxidizer_temperature = 0, fuel_temperature = 0;  // K, that a flame sheet supposes; 0: none
   Location where;
 
-  // At least two, of increasing f.
+  // At least two, of increasing f, else std::logic_error.
   void set_nodes(std::vector<Node> nodes);
   const std::vector<Node>& nodes() const { return nodes_; }
   template <class Change>
@@ -83,7 +84,7 @@ class MixedGas {
   double highest_gamma() const;
   double lowest_specific_heat() const;
   double most(double Node::*property) const;
-  // 1/rho = f/rho_B + (1 - f)/rho_A: both keep their volumes.
+  // 1/rho = f/rho_B + (1 - f)/rho_A, kg/m^3: both keep their volumes.
   double density_at_start(double f) const;
 
   // Calls use(i, between) for a row of fractions; between two nodes alone without a search.

@@ -7,6 +7,7 @@
 //   for each column: the points of the first axis, then a line of values for each point of the
 //   second axis
 // The first axis is the mixture fraction; with a second one the table is taken at one value of it.
+// Values are in the units that the file has.
 #pragma once
 #include <map>
 #include <string>

@@ -1,4 +1,5 @@
 // Arithmetic on the columns of a property table: numbers, [column], {axis}, + - * / and brackets.
+// Units are those of the table; nobody checks them.
 #pragma once
 #include <functional>
 #include <string>

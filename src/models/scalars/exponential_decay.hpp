@@ -39,7 +39,7 @@ class CellNumbers {
 
 struct Decay {
   bool any = false;
-  double c1 = 0, c2 = 0, c3 = 0;
+  double c1 = 0, c2 = 0, c3 = 0;             // c1 c2 and c3: 1/s
   std::string file;                          // of a field; empty: c2 is the same everywhere
   std::shared_ptr<const CellNumbers> field;  // once it is read
   Location where;

@@ -24,13 +24,13 @@ namespace sluice::models {
 
 struct TracerRegion {
   PiecePtr piece;
-  double number = 0;  // a cell; of a source: a cell and second
+  double number = 0;  // particles per cell; of a source: per cell and second
 };
 
 // What each particle carries.
 struct TracerScalar {
-  std::string name;  // of its variable
-  double initial = 0;
+  std::string name;    // of its variable
+  double initial = 0;  // in any unit
   Decay decay;
   Label label() const;
   // With a decay: c2 where the particle is; (c1 c2 + c3) dt summed since it appeared.
@@ -45,7 +45,7 @@ struct TracerParticles {
   std::vector<TracerRegion> start, sources;
   std::optional<TracerScalar> scalar;
   std::vector<std::string> clones;  // variables of cells that particles have copies of
-  double refine_distance = -1;      // around particles; below 0: they ask for no finer level
+  double refine_distance = -1;      // around particles, m; below 0: they ask for no finer level
   Location where;
 };
 

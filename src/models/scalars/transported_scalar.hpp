@@ -1,6 +1,7 @@
 // Transported scalars, whatever model brings them. Plain data.
 //
-// A scalar q is an amount per mass of its material (a mass fraction, a mixture fraction, a dye):
+// A scalar q is an amount per mass of its material (a mass fraction, a mixture fraction, a dye), in
+// a unit of its own, which values at the start and bounds share:
 //   d(rho q)/dt + div(rho u q) = div(rho D grad q) + rho (r0 + r1 q - (c1 c2 + c3) q) + sources
 #pragma once
 #include <limits>
@@ -32,12 +33,13 @@ struct ScalarRegion {
   PiecePtr piece;
   ScalarProfile profile = ScalarProfile::constant;
   double value = 0;
-  Vec3 weight{};  // slope, freq or coeff; a direction with weight 0 takes no part
+  // slope and coeff in the unit of q, freq without unit; a direction with weight 0 takes no part.
+  Vec3 weight{};
 
   double at(Vec3 point) const;  // inside the region
 };
 
-// Adds `rate` a second to the scalar inside the piece, up to `most`.
+// Adds `rate` per second to the scalar inside the piece, up to `most`.
 struct ScalarSource {
   PiecePtr piece;
   double rate = 0, most = std::numeric_limits<double>::infinity();
@@ -51,7 +53,7 @@ struct TransportedScalar {
   bool plain_name = false;  // its variable is called so, not scalar-NAME: the energy above
   int material = 0;
   double diffusivity = 0;                  // m^2/s
-  double constant_rate = 0, own_rate = 0;  // r0, r1: 1/s
+  double constant_rate = 0, own_rate = 0;  // r0: unit of q, per s; r1: 1/s
   Decay decay;                             // c1 c2 + c3: 1/s
   std::vector<ScalarRegion> start;         // later ones overwrite earlier ones
   std::shared_ptr<const StartLine> line;   // in place of them
@@ -61,7 +63,7 @@ struct TransportedScalar {
   bool of_species = false;      // a mass fraction that reactions change at the end of a step
   bool spreads_by_law = false;  // with a diffusivity of each cell, in place of the number above
   bool by_volume = false;       // carried so that mixing at one pressure and temperature keeps both
-  double refine_above = -1;     // gradient that asks for refinement; below 0: none
+  double refine_above = -1;     // gradient, 1/m times q, that asks for refinement; below 0: none
   Location where, diffusivity_where;
 
   bool grows() const {

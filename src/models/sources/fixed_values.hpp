@@ -24,9 +24,9 @@ struct FixedValues {
 
   int material = 0;
   PiecePtr region;
-  double density = 0;  // of the material itself
-  Vec3 velocity{};
-  double temperature = 0;
+  double density = 0;      // of the material itself, kg/m^3
+  Vec3 velocity{};         // m/s
+  double temperature = 0;  // K
   TimeWindow when;
   Location where;
 };

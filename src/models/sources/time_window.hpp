@@ -1,4 +1,4 @@
-// When a source acts: from `start` to `stop`, also where these lie inside a step.
+// When a source acts: from `start` to `stop`, also where these lie inside a step. All times in s.
 #pragma once
 #include <algorithm>
 #include <limits>

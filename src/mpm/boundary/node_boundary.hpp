@@ -12,7 +12,7 @@ namespace sluice::mpm {
 // Given components of the velocity of a node.
 struct GivenVelocity {
   std::array<bool, 3> given{};
-  Vec3 value{};
+  Vec3 value{};  // m/s
   bool any() const { return given[0] || given[1] || given[2]; }
 };
 

@@ -34,7 +34,7 @@ class Contact {
   // Half widths of a material's particles in cells.
   const std::array<double, 3>& half(int material) const { return halves_[material]; }
 
-  void begin_step(double time, double dt);
+  void begin_step(double time, double dt);  // s
   // The motion of a master in this step, where a rule prescribes it.
   const MasterMotion* motion_of(int material) const;
 
@@ -58,7 +58,8 @@ class Contact {
   std::vector<double> friction_;                     // by rule
 };
 
-// mu of a rule; InputError when it varies by colour and the master has several colours.
+// mu of a rule, without unit; InputError when it varies by colour and the master has several
+// colours.
 double friction_of(const ContactRule& rule, const MpmScene& scene);
 
 }  // namespace sluice::mpm

@@ -27,7 +27,7 @@ struct Slip {
 // Surfaces nearer than this touch, in cells.
 inline constexpr double touching_gap = 0.1;
 
-// Velocity of all that are held: their mean by mass. False: none is held.
+// Velocity (m/s) of all that are held: their mean by mass. False: none is held.
 bool held_velocity(std::span<const ContactBody> parties, Vec3& v);
 
 // All take one velocity: v_cm = sum M v / sum M, or that of those that are held.

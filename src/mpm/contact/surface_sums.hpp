@@ -10,7 +10,8 @@
 
 namespace sluice::mpm {
 
-// Units of the integers (2^k). Larger volumes than `most_volume`, 2 cells wide, count as that.
+// Units of the integers (2^k), of the sums in m^3, m^2 and m^4. Larger volumes (m^3) than
+// `max_volume`, 2 cells wide, count as that.
 struct SurfaceUnits {
   double volume = 1, gradient = 1, place = 1;
   double max_volume = 1;
@@ -23,7 +24,7 @@ void add_surfaces(const TransferGrid& grid, const std::array<const double*, 3>& 
                   Window& window);
 
 // The sums of a node: volume, gradient, and the place divided by the volume; all 0 where no
-// particle reaches it.
+// particle reaches it. m^3, m^2, m.
 struct SurfaceAtNode {
   double volume = 0;
   Vec3 gradient{}, place{};

@@ -16,7 +16,8 @@ class SurfaceTable {
   // Half width of the particles in cells, above 0 and at most 1/2.
   explicit SurfaceTable(double half);
 
-  // Place of the surface in cells from the node, of a body on the upper side of it. A body all
+  // Place of the surface in cells from the node, of a body on the upper side of it; `mean`: of its
+  // particles there, in cells too. A body all
   // around the node (mean <= 0) has its surface one reach, 1 + l, below.
   double surface(double mean) const;
 

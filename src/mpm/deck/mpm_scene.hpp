@@ -1,4 +1,5 @@
-// What a deck says of solids, as plain data.
+// What a deck says of solids, as plain data. SI units; numbers without a word of it below are
+// places and lengths in m, normals of any length, times in s, velocities in m/s.
 #pragma once
 #include <algorithm>
 #include <limits>
@@ -28,12 +29,12 @@ struct SeedObject {
   std::array<double, 9> map{1, 0, 0, 0, 1, 0, 0, 0, 1};
   Vec3 shift{};
   bool mapped = false;
-  double temperature = 0, concentration = 0;
+  double temperature = 0, concentration = 0;  // K; per mass
   Vec3 velocity{};
   std::optional<double> volume_fraction;  // share of the mass that a particle has
   int filling_levels = 1;                 // numLevelsParticleFilling
   bool cut_cells = false;  // particles that the surface cuts have volume and centroid of their part
-  double colour = 0;
+  double colour = 0;       // without unit
   Location where;
 };
 
@@ -62,7 +63,7 @@ struct SolidMaterial {
   bool force_transmitting = false;
   bool rigid = false;            // is_rigid, or a rigid law
   bool may_give_normals = true;  // possible_alpha_material
-  double specific_heat_p = 0;    // C_p
+  double specific_heat_p = 0;    // C_p, J/(kg K)
   std::optional<Diffusion> diffusion;
   std::optional<PoreWaterConstants> water;  // none: it is dry, or what it holds moves with it
   double activation_time = 0, deactivation_time = 1e300;
@@ -94,6 +95,7 @@ struct ContactRule {
   ContactKind kind = ContactKind::none;
   std::vector<int> materials;  // local numbers of SolidMaterial; all when the deck names none
   double friction = 0;         // mu
+  // Share of the cells that materials fill; cells, without effect.
   double volume_constraint = 0, separation_factor = 1e300;
   bool applied_before_and_after_integration =
       true;                    // OneOrTwoStep 2: before and after the integration
@@ -103,7 +105,7 @@ struct ContactRule {
   // specified
   int master = 0;
   std::string profile_file;
-  std::vector<std::array<double, 10>> profile;  // t, v, origin, angular velocity
+  std::vector<std::array<double, 10>> profile;  // t, v, origin, angular velocity (1/s)
   bool rotates = false, normal_only = false;
   IntVec3 directions{0, 0, 1};
   std::optional<double> stop_time;
@@ -120,30 +122,30 @@ struct LoadCurve {
   enum class Kind { pressure, torque, heat_flux, force } kind = Kind::pressure;
   PiecePtr piece;
   std::string shape;                              // tag of the piece: box, cylinder, sphere
-  std::vector<std::pair<double, double>> points;  // time, load
+  std::vector<std::pair<double, double>> points;  // time; load: Pa, N m, W/m^2, factor of force
   std::optional<int> material;
   bool whole_face = false, ends = false, axisymmetric_end = false, axisymmetric_side = false;
   Vec3 outward_normal{};
   int id = 0;                   // what p.loadCurveID of point files names
   bool on_points = false;       // pressure_pts: acts on the particles that name it
-  double area = 0;              // pressure_pts: SurfaceArea
+  double area = 0;              // pressure_pts: SurfaceArea, m^2
   bool along_outward = false;   // tag outward_normal
   std::optional<Vec3> spacing;  // res: particles per cell near the surface
-  Vec3 force{};                 // of Kind::force, shared by the particles in the piece
+  Vec3 force{};                 // of Kind::force, N, shared by the particles in the piece
   Location where;
 };
 
 // One row of the file of a cohesive zone: materials below and above, local numbers.
 struct CohesivePoint {
   Vec3 place{}, normal{}, tangent{};
-  double area = 0;
+  double area = 0;  // m^2
   int below = 0, above = 0;
 };
 
 // Points that hold two materials together.
 struct CohesiveZone {
   std::vector<CohesivePoint> points;
-  double sig_max = 0, tau_max = 0, delta_n = 0, delta_t = 0;
+  double sig_max = 0, tau_max = 0, delta_n = 0, delta_t = 0;  // Pa, Pa, m, m
   double delta_n_fail = 0, delta_t_fail = 0;
   Location where;
 };
@@ -151,7 +153,7 @@ struct CohesiveZone {
 // Particles that are split, once each.
 struct SplitCriterion {
   enum class Kind { stress_norm, stretch_ratio } kind = Kind::stress_norm;
-  double value = 0;
+  double value = 0;   // Pa, or a ratio
   int material = -1;  // -1: all
   Location where{};
 };
@@ -175,6 +177,7 @@ struct SolidBoundary {
   Side side;
   int material = -1;  // local number
   int region = -1;    // of scene.boundary, where the condition covers a part of the face; -1: all
+  // By kind: m/s; a number, in every component: K, K/m, per mass, per mass and m.
   Vec3 value{};
 };
 
@@ -182,9 +185,10 @@ struct SolidBoundary {
 struct ImplicitSettings {
   bool dynamic = true;    // nodes have inertia
   bool mechanics = true;  // DoMechanics
+  // Shares: squares of displacements of the largest, energy of that of the first iteration.
   double displacement_criterion = 1e-10, energy_criterion = 4e-10;
   int iterations_to_shrink = 12, iterations_to_grow = 4, max_iterations = 25;
-  double shrink = 0.6, grow = 2;                 // of the step
+  double shrink = 0.6, grow = 2;                 // factors of the step
   bool conducts = false, heat_is_stored = true;  // by implicit steps
 };
 
@@ -192,7 +196,7 @@ struct MpmScene {
   Basis basis = Basis::linear;
   Transfer transfer = Transfer::flip;
   int xpic_order = 2;
-  double affine_damping = 1;  // kappa
+  double affine_damping = 1;  // kappa, a factor
   bool musl = true;           // new velocities are mapped back at the places of the start (MUSL)
   // Particles carry a spin, gradients are those of the middle of a step (mpm_transfers.md).
   bool midpoint() const { return transfer == Transfer::midpoint; }
@@ -219,7 +223,7 @@ struct MpmScene {
   bool gradient_enhanced = false;
   double damping = 0;  // artificial_damping_coeff, 1/s
   bool artificial_viscosity = false, viscosity_heats = false;
-  double viscosity_1 = 0.2, viscosity_2 = 2.0;
+  double viscosity_1 = 0.2, viscosity_2 = 2.0;  // of artificial viscosity, without unit
   bool use_loads = false, normal_to_surface = false, loads_on_corners = false;
   bool heat_conduction = true;         // DoExplicitHeatConduction
   bool scalar_diffusion = false;       // do_scalar_diffusion
@@ -231,14 +235,14 @@ struct MpmScene {
   bool thermal_contact = false, friction_heats = false;
   bool pressure_stabilised = false;
   int subcycles_of_F = 1;  // minimum_subcycles_for_F; negative: terms of the exponential series
-  double min_particle_mass = 3e-15;
+  double min_particle_mass = 3e-15;  // kg
   bool with_colour = false;
   bool full_first_kick = false;
   // Velocities stand at the time of the places, and each step changes them by its own length: what
   // a fluid gives to solids in a step is then what they get.
   bool whole_kicks = false;
   std::string manufactured;           // RunMMSProblem
-  double manufactured_amplitude = 0;  // 0: that of the problem
+  double manufactured_amplitude = 0;  // ManufacturedConstants::amplitude; 0: that of the problem
   std::vector<std::string> traction_faces;
   std::string prescribed_file, insert_file;  // resolved paths; empty: off
   bool exact_deformation = false;

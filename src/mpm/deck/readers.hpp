@@ -29,7 +29,8 @@ std::string without_losses(const MpmScene& s);
 // All else is there already.
 void read_lost_energy(const DeckNode& root, MpmScene& s, std::vector<Fault>& faults);
 void read_boundaries(const Scene& scene, MpmScene& s, std::vector<Fault>& faults);
-// Rows of numbers of a motion: time, velocity and, where it rotates, origin and angular velocity.
+// Rows of numbers of a motion: time (s), velocity (m/s) and, where it rotates, origin (m) and
+// angular velocity (1/s).
 std::vector<std::array<double, 10>> read_profile(const std::string& file, bool rotates);
 
 }  // namespace sluice::mpm

@@ -23,7 +23,7 @@ namespace sluice::mpm {
 // A part of the grid: clusters have no node in common when no parts of theirs are neighbours.
 using GridPart = std::tuple<int, int, int>;
 
-// Parts at least `width` cells wide; neighbours through periodic sides too.
+// Parts at least `width` cells wide; neighbours through periodic sides too. Places in m.
 class GridParts {
  public:
   GridParts(const Level& level, int width);

@@ -9,7 +9,7 @@
 namespace sluice::mpm {
 
 struct GrainBox {
-  Vec3 place{}, half{};  // middle, half widths; half 0 along directions that are not active
+  Vec3 place{}, half{};  // middle, half widths, m; half 0 along directions that are not active
   std::int64_t id = 0;
   std::int64_t label = 0;  // of its cluster: the smallest id in it
 };
@@ -24,7 +24,8 @@ struct GrainBox {
 // is no more than the width until J > J_c: whatever its shear, a body that is dense stays one.
 //
 // No width exceeds two cells: particles farther apart share hardly a node.
-// `corners`: raised to how far corners of deformed particles may be from their middles, cells.
+// `loosest`: J_c. `corners`: raised to how far corners of deformed particles may be from their
+// middles, cells.
 void add_grain_boxes(const ParticleSet& set, const Columns& columns, double loosest,
                      const Level& level, std::vector<GrainBox>& boxes, double& corners);
 

@@ -10,8 +10,8 @@ namespace sluice::mpm {
 
 // What ended with the step that has just been taken.
 struct StepEnd {
-  double time = 0;
-  std::vector<double>* sums = nullptr;  // of the step; the books of masses by material
+  double time = 0;                      // s
+  std::vector<double>* sums = nullptr;  // of the step; the budgets of masses by material, kg
   EventLedger* events = nullptr;
 };
 

@@ -20,7 +20,7 @@ struct CohesiveFrame {
 };
 CohesiveFrame cohesive_frame(Vec3 normal, Vec3 tangent);
 
-// On the material below, per area; the material above has the opposite.
+// On the material below, per area, Pa; the material above has the opposite. Separations in m.
 Vec3 cohesive_traction(const CohesiveZone& zone, const CohesiveFrame& frame, Vec3 separation);
 
 // Has a sound point come so far apart that it begins to fail.

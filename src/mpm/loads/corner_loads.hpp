@@ -14,10 +14,10 @@
 namespace sluice::mpm {
 
 struct CornerForce {
-  Vec3 place{}, force{};
+  Vec3 place{}, force{};  // m, N
 };
 
-// The face that looks along the unit vector n; `edges` of the particle now, `rest` at rest.
+// The face that looks along the unit vector n; `edges` (m) of the particle now, `rest` at rest.
 std::array<CornerForce, 4> corner_forces(Vec3 x, Vec3 force, Vec3 n,
                                          const std::array<Vec3, 3>& edges,
                                          const std::array<Vec3, 3>& rest);

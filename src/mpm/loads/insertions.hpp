@@ -9,9 +9,9 @@
 namespace sluice::mpm {
 
 struct Insertion {
-  double time = 0, colour = 0;
-  int material = -1;  // of the solids; -1: any
-  Vec3 way{}, velocity{};
+  double time = 0, colour = 0;  // s, without unit
+  int material = -1;            // of the solids; -1: any
+  Vec3 way{}, velocity{};       // m, m/s
 };
 
 // InputError with file, line and column; `materials`: how many solids there are.

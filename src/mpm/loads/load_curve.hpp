@@ -1,4 +1,4 @@
-// The value of a load at a time.
+// The value of a load at a time (s), in the unit of its points: LoadCurve::points.
 #pragma once
 #include <algorithm>
 #include <utility>

@@ -4,7 +4,7 @@
 //   force:    f = F/N             heat:   q = q(t) A/N
 //
 // N particles were marked when the run began: `marks`, up to three loads of each particle, number
-// of the load in the deck plus one, 0 none.
+// of the load in the deck plus one, 0 none. Places and widths in m.
 #pragma once
 #include <array>
 #include <vector>
@@ -38,10 +38,11 @@ class LoadCurves {
   // than three: std::length_error.
   std::array<int, max_marks> marks_of(int material, Vec3 x, Vec3 width, bool at_surface,
                                       const std::array<int, max_marks>& named) const;
-  // Adds to the force on each particle, N; `counts` by load: marked particles of all ranks.
+  // Adds to the force on each particle, N; `time`: s; `counts` by load: marked particles of all
+  // ranks.
   void add_forces(double time, const std::vector<double>& counts, const LoadedParticles& p,
                   const std::array<double*, 3>& force) const;
-  // Where the face of a particle looks on whose corners its loads act.
+  // Unit vector: where the face of a particle looks on whose corners its loads act.
   Vec3 face_of(const LoadedParticles& p, std::size_t i) const;
   // Heat into each particle, W.
   void add_heat(double time, const std::vector<double>& counts, const LoadedParticles& p,
@@ -59,7 +60,7 @@ class LoadCurves {
   std::vector<Load> loads_;
 };
 
-// The rotation of F = R U.
+// The rotation of F = R U, without unit, row after row.
 std::array<double, 9> rotation_of(const std::array<double, 9>& F);
 
 }  // namespace sluice::mpm

@@ -6,7 +6,7 @@
 // A particle at the surface of its body feels the load if it lies in the piece of the load, widened
 // by what lattices of particles leave between themselves and a surface: a box by the spacing of the
 // particles along its thin direction, a cylinder or sphere by 1.2 of their least spacing or by
-// their spacing to both sides of its radius.
+// their spacing to both sides of its radius. Lengths in m.
 #pragma once
 #include <array>
 

@@ -13,7 +13,7 @@ namespace sluice::mpm {
 struct ManufacturedConstants {
   double density = 1;            // rho_0, kg/m^3
   double lambda = 0, shear = 1;  // Lame's constants, Pa
-  double amplitude = 0;          // of the motion; 0: that of the problem
+  double amplitude = 0;          // of the motion, m (a vortex: rad); 0: that of the problem
   Vec3 active{1, 1, 1};          // 0: nothing moves along this direction
 };
 

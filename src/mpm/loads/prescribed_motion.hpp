@@ -4,7 +4,7 @@
 // Between two rows F is straight in time, while the body turns steadily by the angle of the
 // later row
 // about its axis, on top of the turns before: A(t) = Q(t) Q_before F(t). Places go from x to
-// A(t + dt) A(t)^-1 x, about the origin; after the last row nothing moves.
+// A(t + dt) A(t)^-1 x, about the origin; after the last row nothing moves. Times in s.
 #pragma once
 #include <array>
 #include <string>
@@ -28,7 +28,7 @@ class PrescribedMotion {
   static PrescribedMotion read(const std::string& file);
 
   Matrix3 at(double time) const;  // A
-  // (A(t + dt) A(t)^-1 - I)/dt: velocities of a step are this times the place.
+  // (A(t + dt) A(t)^-1 - I)/dt, 1/s: velocities of a step are this times the place.
   Matrix3 rate(double time, double dt) const;
 
  private:

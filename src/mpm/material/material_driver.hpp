@@ -52,7 +52,7 @@ std::optional<DriverDeck> read_driver_deck(const std::string& file,
 
 // What is known of the particle after each step, a row each; the first is the start.
 struct DriverTable {
-  std::vector<std::string> columns;  // "time", "F_xx", ..., "stress_xx", ...
+  std::vector<std::string> columns;  // "time", "F_xx", ..., "stress_xx", ...: SI units
   std::vector<std::vector<double>> rows;
 };
 // PhysicsError where the law refuses a step.

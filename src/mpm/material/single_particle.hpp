@@ -1,4 +1,5 @@
-// A law without a grid: particles that follow a given deformation.
+// A law without a grid: particles that follow a given deformation. Units as in material.hpp: s, K,
+// Pa, m/s, kg/m^3; tensors row after row, symmetric ones xx, yy, zz, yz, xz, xy.
 #pragma once
 #include <array>
 #include <functional>

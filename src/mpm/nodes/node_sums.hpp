@@ -13,7 +13,7 @@
 
 namespace sluice::mpm {
 
-// Half of a node: four lanes.
+// Half of a node: four lanes, of any unit.
 using Four = double __attribute__((vector_size(32)));
 // Of whole numbers that wrap, as unsigned ones may.
 using FourBits = std::uint64_t __attribute__((vector_size(32)));

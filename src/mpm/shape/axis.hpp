@@ -1,7 +1,7 @@
 // One axis of a level as shape functions see it: places counted in cells from the middle.
 //
 // Counting from the middle of the domain makes every weight the exact mirror image of its twin on
-// the other side: x -> -x gives s -> -s to the bit.
+// the other side: x -> -x gives s -> -s to the bit. Lengths in m.
 #pragma once
 #include <algorithm>
 #include <cmath>

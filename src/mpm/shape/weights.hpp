@@ -3,7 +3,8 @@
 //
 // S_ip is the product of the weights of the axes, G_ip = grad S_ip. Each basis works on columns of
 // places, so that its loop becomes vectors. Sums over a stencil go outside in ((first + last) +
-// middle): mirror images have mirrored bits.
+// middle): mirror images have mirrored bits. Weights have no unit, lengths are in m; half widths of
+// particles are in cells.
 #pragma once
 #include <algorithm>
 #include <cmath>

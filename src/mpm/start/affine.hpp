@@ -1,4 +1,4 @@
-// Affine maps of places: three by three matrices, row after row.
+// Affine maps of places: three by three matrices, without unit, row after row.
 #pragma once
 #include "framework/base/vec3.hpp"
 #include "mpm/material/base/tensor.hpp"

@@ -14,11 +14,13 @@
 
 namespace sluice::mpm {
 
-// The measure of corners (length, area, volume) and their middle, in the directions of a level.
+// The measure of corners (length, area, volume) and their middle, in the directions of a level: m,
+// m^2 or m^3; m.
 struct CornerSpan {
   double measure = 0;
   Vec3 middle{};
 };
+// `place` of the particle, m.
 CornerSpan span_of(const Level& level, const ParticleCorners& corners, Vec3 place);
 
 // Place and volume of a particle become those of its corners; `row` has its edges.

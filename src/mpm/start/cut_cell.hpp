@@ -1,4 +1,4 @@
-// The part of a box that lies inside a piece: share of the volume, and centroid.
+// The part of a box that lies inside a piece: share of the volume, and centroid (m).
 #pragma once
 #include <array>
 

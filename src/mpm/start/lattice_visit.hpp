@@ -8,8 +8,8 @@
 namespace sluice::mpm {
 
 // Calls settled(lower, upper) for blocks of cells that the piece covers with a margin of `reach`
-// around their sub-points, and leaf(piece, cell) for each other cell that it may have a part in,
-// with a piece that has the same points there. Blocks that it has no part in cost nothing.
+// (m) around their sub-points, and leaf(piece, cell) for each other cell that it may have a part
+// in, with a piece that has the same points there. Blocks that it has no part in cost nothing.
 template <class Settled, class Leaf>
 class LatticeVisit {
  public:

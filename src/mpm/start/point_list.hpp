@@ -1,4 +1,5 @@
-// Particles that a piece gives one by one: the rows of a point file, the rings of a smoothcyl.
+// Particles that a piece gives one by one: the rows of a point file, the rings of a smoothcyl. SI
+// units: m, m^3, K, m/s, N; colours, directions and numbers of load curves have none.
 #pragma once
 #include <array>
 #include <optional>

@@ -13,7 +13,7 @@ namespace sluice::mpm {
 // Corners that a particle carries: all places, of the first 2^D the corners; faces that no other
 // particle of the object shares, as bits.
 struct ParticleCorners {
-  std::array<Vec3, 8> place{};
+  std::array<Vec3, 8> place{};  // m
   int outer = 0;
 };
 
@@ -35,13 +35,13 @@ struct SeededParticles {
   // Optional: of particles that carry their corners; see Columns::corners and Columns::outer.
   std::vector<ParticleCorners> corners;
 
-  std::array<Column, 3> external_force, fibre, normal;  // optional
+  std::array<Column, 3> external_force, fibre, normal;  // N, directions without unit; optional
   std::array<std::vector<int>, 3> load_curve;           // optional; 0: none
 
   std::size_t count() const { return x.size(); }
 };
 
-// One row.
+// One row, in the units of the columns.
 struct SeededParticle {
   Vec3 x{}, velocity{};
   double mass = 0, volume = 0;

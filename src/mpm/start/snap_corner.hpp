@@ -1,4 +1,5 @@
-// Moving a corner of a lattice onto the surface of the piece that the lattice fills.
+// Moving a corner of a lattice onto the surface of the piece that the lattice fills. Places and
+// edges in m.
 #pragma once
 #include <array>
 

@@ -1,5 +1,5 @@
 // Transfers of particles with corners (CPDI, CPTI), corner by corner: exact sums do not care that
-// corners share nodes.
+// corners share nodes. Places in m.
 #pragma once
 #include "mpm/transfer/from_grid.hpp"
 #include "mpm/transfer/impulses_from_grid.hpp"

@@ -24,7 +24,7 @@ namespace sluice::mpm {
 // nodes and layers of ghosts rest on it. Farther ones end the run.
 inline constexpr double farthest_corner = 1.5;
 
-// A sum over corners whose mirror image has the mirrored bits.
+// A sum over corners, of any unit, whose mirror image has the mirrored bits.
 template <int N, class T>
 inline T corner_sum(const T (&v)[N]) {
   if constexpr (N == 1) {
@@ -38,7 +38,7 @@ inline T corner_sum(const T (&v)[N]) {
   }
 }
 
-// Of one particle in D directions.
+// Of one particle in D directions: m, volume m^D, b m^(D-1).
 template <int D>
 struct CornerVolume {
   static constexpr int count = 1 << D;

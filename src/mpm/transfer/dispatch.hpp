@@ -34,7 +34,7 @@ auto for_basis(Basis basis, bool own_widths, int directions, Act&& act) {
   }
 }
 
-// The weights of a chunk along an axis.
+// The weights of a chunk along an axis; places x by direction, m.
 template <class B, bool Offsets>
 void weights_of(Basis basis, const TransferGrid& grid, const std::array<const double*, 3>& x,
                 const ParticleShape& shape, int d, int at, int n, AxisWeights<B::nodes>& to) {

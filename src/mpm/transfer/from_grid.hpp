@@ -2,6 +2,7 @@
 //
 //   u = sum S v*,  dv = sum S (v* - v),  L = sum v* (x) grad S
 //   C = [sum S v* (x) (x_i - x_p)] / (second moment of S): APIC alone
+// u, dv and v* in m/s, L in 1/s, moments in m^2/s; tensors row after row.
 #pragma once
 #include "mpm/shape/weights.hpp"
 #include "mpm/transfer/to_grid.hpp"

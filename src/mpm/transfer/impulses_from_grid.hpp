@@ -10,7 +10,7 @@ namespace sluice::mpm {
 
 // Results for the particles of a chunk.
 struct ImpulsesAtParticles {
-  alignas(64) double u[3][chunk_size];        // sum S v*, where it is asked for
+  alignas(64) double u[3][chunk_size];        // sum S v*, m/s, where it is asked for
   alignas(64) double dv[3][chunk_size];       // m/s
   alignas(64) double turn[3][chunk_size];     // sum S r x (v* - v), m^2/s
   alignas(64) double inertia[3][chunk_size];  // I, m^2; of axes that two active directions span

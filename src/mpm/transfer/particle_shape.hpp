@@ -22,9 +22,9 @@ inline constexpr int max_corners = 8;
 // Columns of the particles of a set; those that a basis does not need may be null.
 struct ParticleShape {
   std::array<const double*, 3> half{};  // half widths in cells; null: TransferGrid::half for all
-  Nine<const double> F{};               // deformation gradient at the start of the step
+  Nine<const double> F{};               // deformation gradient at the start of the step, no unit
   Nine<const double> edges{};           // R0: edges in the reference state, in cells (columns)
-  // Of a basis whose particles carry their corners: component d of corner c in column 3 c + d.
+  // Of a basis whose particles carry their corners: component d of corner c in column 3 c + d, m.
   std::array<const double*, 3 * max_corners> corners{};
 };
 

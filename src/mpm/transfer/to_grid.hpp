@@ -14,7 +14,7 @@
 
 namespace sluice::mpm {
 
-// The columns that go to the grid.
+// The columns that go to the grid: m, m/s, kg, m^3, Pa.
 struct ParticlesToGrid {
   std::array<const double*, 3> x{}, v{};  // total Lagrangian: x in the reference state
   ParticleShape shape;
@@ -30,7 +30,8 @@ struct ParticlesToGrid {
   bool reference_gradients = false;  // total Lagrangian: V sigma F^-T in place of V sigma
 };
 
-// Units of the integers (2^k by field), and the velocity from which momentum is counted.
+// Units of the integers (2^k by field, of sums in kg, kg m/s and N), and the velocity (m/s) from
+// which momentum is counted.
 struct SumUnits {
   double mass = 1, momentum = 1, force = 1;
   Vec3 reference{};  // v_ref

@@ -1,4 +1,5 @@
-// Sums of particles' values on nodes, sum q S: up to seven columns at a time, as exact integers.
+// Sums of particles' values on nodes, sum q S: up to seven columns at a time, as exact integers. A
+// value may have any unit; places x are in m.
 #pragma once
 #include <span>
 

@@ -21,8 +21,9 @@ class BurnedSums {
   static int count(int materials) { return materials + common_sum_count; }
 
   void begin(int materials) { sums_.assign(count(materials), {}); }
-  // `new_energy`: what the books did not hold before: the heat of solids, and the work of the
-  // reference pressure on their volume, which the books take from what solids have.
+  // Mass in kg; the heat of this reaction and the energy in J. `new_energy`: what the budgets did
+  // not hold before: the heat of solids, and the work of the reference pressure on their volume,
+  // which the budgets take from what solids have.
   void add(int from, int to, double mass, double heat_of_reaction, double new_energy) {
     sums_[from].add(-mass);
     sums_[to].add(mass);

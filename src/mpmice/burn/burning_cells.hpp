@@ -18,7 +18,7 @@ struct BurningField {
   BurningValue value = BurningValue::burns;
   Label saved, kept;
 };
-// Fluids that fill less of a cell do not count as hot.
+// Fluids that fill less of a cell than this share do not count as hot.
 inline constexpr double seen_volume = 0.2;
 
 // What can be saved of a law.

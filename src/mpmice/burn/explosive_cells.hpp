@@ -6,10 +6,11 @@
 namespace sluice::mpmice {
 
 struct ExplosiveCells {
-  // Of the explosive per volume of the cell, at the start of the step; its product likewise.
+  // By cell. Mass of the explosive per volume of the cell at the start of the step, and of its
+  // product, kg/m^3.
   std::vector<double> reactant, product;
-  std::vector<double> pressure;  // of fluid and explosive together
-  // Share of the explosive that detonates in the step; what burning adds to its product.
+  std::vector<double> pressure;  // of fluid and explosive together, Pa
+  // Share of the explosive that detonates in the step; what burning adds to its product, kg/m^3.
   std::vector<double> detonates, gain;
   // 1: explosive detonates there or beside it; hot enough to burn there, or beside it; a fluid that
   // counts as hot is there. Surfaces burn there in this step.

@@ -4,6 +4,7 @@
 // the length of the sum of area vectors, |N_x + N_y + N_z|, where a particle exposed on both sides
 // of an axis has the difference of the two. Flat surfaces, stairs under 45 degrees and thin sheets
 // are exact, stairs of other slopes within 8 %; faces that curve with the body count as they are.
+// Areas in m^2, flows in kg/s.
 #pragma once
 #include <array>
 #include <cmath>

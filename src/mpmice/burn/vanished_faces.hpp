@@ -16,7 +16,7 @@
 
 namespace sluice::mpmice {
 
-// Periodic directions: where the domain begins and its length, which is 0 in the others.
+// Periodic directions: where the domain begins and its length (m), which is 0 in the others.
 template <int D>
 struct Periods {
   std::array<double, D> low{}, length{};

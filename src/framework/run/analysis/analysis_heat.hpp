@@ -26,7 +26,7 @@ class HeatThroughPlanes {
   // A rectangle that is a volume of the hierarchy, by its number there.
   void add(int volume, const ControlVolume& plane);
   bool any() const { return !places_.empty(); }
-  // A step of length dt was accepted, with these sums over all ranks.
+  // A step of length dt (s) was accepted, with these sums over all ranks.
   void record(double dt, const std::vector<double>& sums);
   double rate() const { return rate_; }  // W
 

@@ -56,7 +56,7 @@ class AnalysisRecorder {
 
   // Labels that a step ending at this time must store.
   std::vector<Label> step_labels(double end) const;
-  // What passed through control volumes in an accepted step.
+  // What passed through control volumes in an accepted step of length dt (s).
   void record(double dt, const std::vector<double>& sums);
   // Takes the samples that are due after an accepted step, on the levels that it was made with (a
   // regrid drops what the step has stored). Collective. True when it has filled the ghost cells of

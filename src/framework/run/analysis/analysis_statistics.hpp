@@ -25,6 +25,7 @@ class ArchiveStep;
 
 class Statistics {
  public:
+  // DeckError at the line of a variable of which no statistics can be kept.
   Statistics(const AnalysisModule& module, const FindQuantity& find, Hierarchy& hierarchy,
              int rank);
   ~Statistics();

@@ -7,7 +7,8 @@
 //                                           leaves, kinetic energy, power of forces
 // Rates are means over the time since the line before (the first one's: over its step), summed
 // exactly over every substep of every level: they make up all change of what the volume holds,
-// to round-off. In the archive's folder, 17 digits, '#' before header lines.
+// to round-off. In the archive's folder, 17 digits, '#' before header lines. s, kg, kg/s, kg m/s,
+// N, J and W, those of firstLawThermo times engy_convt_factor.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -28,7 +29,7 @@ class VolumeBudgets {
 
   // Boxes are others than before.
   void lay_out();
-  // A step of length dt was accepted, with these sums over all ranks.
+  // A step of length dt (s) was accepted, with these sums over all ranks.
   void record(double dt, const std::vector<double>& sums);
   // Lines on rank 0. Collective.
   void sample(double time);

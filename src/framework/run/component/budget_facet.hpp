@@ -29,9 +29,10 @@ struct Totals {
   std::vector<double> sweep_sums;
 };
 
-// What came in through the boundary in one accepted step, and what forces and sources added.
+// What came in through the boundary in one accepted step, and what forces and sources added: kg,
+// kg m/s and J.
 struct StepBalance {
-  std::vector<double> mass;
+  std::vector<double> mass;             // by material
   std::vector<double> mass_of_sources;  // by material; empty: none
   Vec3 momentum{}, momentum_of_forces{};
   double energy = 0, energy_of_forces = 0;
@@ -39,8 +40,8 @@ struct StepBalance {
 
 // Totals of the conserved quantities at the start of a step, over all ranks.
 struct StepStart {
-  std::vector<double> mass;
-  Vec3 momentum{};
+  std::vector<double> mass;  // by material, kg
+  Vec3 momentum{};           // kg m/s
 };
 
 class BudgetFacet {
@@ -51,8 +52,8 @@ class BudgetFacet {
   virtual void add_totals(const Warehouse& state, const LevelCoverage& coverage,
                           Totals& totals) const;
   virtual void add_particle_totals(const ParticleCloud& /*particles*/, Totals& /*totals*/) const {}
-  // From the reduced sums of a step of length dt that began with these totals; `start` is null with
-  // several levels: then the sums hold all that forces need.
+  // From the reduced sums of a step of length dt (s) that began with these totals; `start` is null
+  // with several levels: then the sums hold all that forces need.
   virtual StepBalance balance(const std::vector<double>& sums, const StepStart* start,
                               double dt) const;
   // Where the sums of a step hold those of control volumes, as many as the scene has volumes;
@@ -61,7 +62,7 @@ class BudgetFacet {
   virtual std::optional<VolumeSums> volume_sums() const { return {}; }
 
   // What a run counts beside what is conserved, from start to end and over restarts; names for
-  // checkpoints, and what an accepted step with these sums adds to each.
+  // checkpoints, and what an accepted step with these sums adds to each, in units of the component.
   virtual std::vector<std::string> tracked_names() const { return {}; }
   virtual std::vector<double> tracked_totals(const std::vector<double>& /*sums*/) const {
     return {};

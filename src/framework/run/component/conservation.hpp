@@ -8,7 +8,8 @@
 // scale is what it would be if all the energy moved.
 //
 // All sums are exact: the drift is the round-off of the scheme, not of the book-keeping, and the
-// same on any number of ranks and threads. What passes in a rejected step is never booked.
+// same on any number of ranks and threads. What passes in a rejected step is never recorded.
+// Masses in kg, momenta in kg m/s, energies in J; a drift has no unit.
 #pragma once
 #include <cstddef>
 #include <cstdint>

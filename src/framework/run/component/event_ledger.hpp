@@ -29,7 +29,7 @@ struct EventPlace {
   std::optional<IntVec3> cell;
   int material = -1;  // -1: none in particular
   std::string task;
-  double value = 0;  // what was found
+  double value = 0;  // what was found, in the unit of what the event is about
 
   // A total order: NaN above all numbers.
   friend bool operator<(const EventPlace& a, const EventPlace& b);

@@ -23,7 +23,7 @@ class GridFields {
 
   void add(Label label, int material);
   bool has(Label label, int material) const { return first_.contains({label, material}); }
-  // Sets a value where the index lies in a box of this rank.
+  // Sets a value, in the unit of the label, where the index lies in a box of this rank.
   void set(Label label, int material, int component, IntVec3 at, double value);
   std::vector<FieldPiece> pieces() const;
 

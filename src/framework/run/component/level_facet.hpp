@@ -19,7 +19,7 @@ struct ErrorEstimate {
 // passes), and how far around them a finer level is wanted.
 struct FlagSeeds {
   std::vector<IntVec3> cells;  // in the boxes of this rank
-  double distance = 0;         // length, the same on every level
+  double distance = 0;         // m, the same on every level
 };
 
 class LevelFacet {

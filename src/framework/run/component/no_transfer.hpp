@@ -1,4 +1,4 @@
-// Operators of mock components on one level: nothing moves between levels.
+// Operators of mock components on one level: nothing moves between levels, no number is looked at.
 #pragma once
 #include "framework/refine/transfer_operators.hpp"
 

@@ -17,7 +17,8 @@ class OutputFacet {
 
   // Tasks that compute saved labels from a state alone (read as old state, with ghosts).
   virtual void declare_diagnostics(TaskList& /*list*/, int /*level*/) const {}
-  // Labels of .dat histories and their values. Throws std::logic_error for a label without one.
+  // Labels of .dat histories and their values, in the units of the labels. Throws std::logic_error
+  // for a label without one.
   virtual double history_value(Label label, const Totals& totals) const;
   virtual Vec3 history_vector(Label label, const Totals& totals) const;
   // New intervals of outputs that the scene may come to, and whether a step with these sums has

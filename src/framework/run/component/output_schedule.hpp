@@ -6,6 +6,7 @@
 // 0: 0, N, 2N, ... Checkpoints: by time at every multiple, by steps at 1 + N, 1 + 2N, ..., by
 // wall clock at `walltimeStart` (or one interval) and every interval after it; never step 0.
 // "Reaches" means up to 1e-10 of the step: the round-off of a sum of steps delays no output.
+// All times and intervals in s.
 #pragma once
 #include <cstdint>
 

@@ -41,8 +41,8 @@ struct ParticleKind {
   std::string name;
   int material = 0;
   std::vector<ParticleAttribute> attributes;  // in the order of the columns of ParticleSet
-  // Cells with such particles ask for a finer level as far as this around them; below 0: they do
-  // not.
+  // Cells with such particles ask for a finer level as far as this (m) around them; below 0: they
+  // do not.
   double refine_distance = -1;
   // Kept in blocks of 64 cells, in any order inside; by cell and id otherwise.
   bool by_blocks = false;
@@ -52,7 +52,7 @@ struct ParticleKind {
   std::vector<std::size_t> advanced_columns() const;
 };
 
-// A part of a coarse step, of one local box.
+// A part of a coarse step, of one local box. Times in s.
 struct ParticleStep {
   double begin = 0, end = 0;             // of the part
   double old_time = 0, new_time = 0;     // of the states
@@ -95,7 +95,7 @@ class ParticleMethod {
   // The run has taken particles of a set across periodic sides: places that they carry follow.
   virtual void follow_wrapped(int /*kind*/, const Level& /*level*/, ParticleSet& /*set*/) const {}
   // Of particles in stages: what the next step's length and sums rest on, of this rank's particles
-  // on a level; as many maxima as the component reduces.
+  // on a level; as many maxima as the component reduces, in its units.
   virtual std::vector<double> rates(const ParticleCloud& /*cloud*/, int /*level*/) const {
     return {};
   }

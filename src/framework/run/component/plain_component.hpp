@@ -59,7 +59,7 @@ const DeckNode* need_block(const Deck& deck, const Scene& scene, const char* nam
 // A fault for a deck with several levels.
 void need_one_level(const Scene& scene, std::vector<Fault>& faults);
 
-// One value everywhere in slot 0.
+// One value, in the unit of its label, everywhere in slot 0.
 void fill_state(Warehouse& state, double value);
 
 // The part of a row that lies in a box: cells number begin to end of the row. `along` is the level

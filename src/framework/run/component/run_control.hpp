@@ -15,7 +15,8 @@ namespace sluice {
 
 class RunControl {
  public:
-  // Installs the handlers and starts the clock. One at a time in a process.
+  // Installs the handlers and starts the clock. One at a time in a process: std::logic_error for a
+  // second one.
   RunControl();
   // Puts the former handlers back.
   ~RunControl();

@@ -42,7 +42,7 @@ struct RunReport {
   int steps = 0;             // of this process
   int last_step = 0;         // number of the last step of the run
   int last_checkpoint = -1;  // step of the last checkpoint that this process wrote; -1: none
-  double time = 0;
+  double time = 0;           // s
   std::int64_t cells = 0;
   int ranks = 1, threads = 1;
   double wall_seconds = 0;      // of the process's run, set-up and output included
@@ -65,7 +65,7 @@ struct RunReport {
   std::string step_limit;  // what has set the last step
   std::string events_json = "{}";
   std::string conservation_json = "{}";
-  double worst_drift = 0;
+  double worst_drift = 0;                              // a share: Conservation::worst_drift
   std::vector<std::pair<std::string, double>> budget;  // Component::account
   double energy_scale = 0;                             // J
   std::string solids_json = "{}";                      // EnergyGuard::to_json

@@ -25,7 +25,8 @@ class StateFacet {
   }
   virtual void initialise(Warehouse& /*state*/) const {}
   // Ghost cells outside the domain, after the ghost exchange has filled the others (on a finer
-  // level also those at its interface), of the level state.level(). `sums`: of the coarsest one.
+  // level also those at its interface), of the level state.level(), at a time (s). `sums`: of the
+  // coarsest one, those of add_boundary_sums rounded.
   virtual void fill_boundary(Warehouse& /*state*/, double /*time*/,
                              std::span<const double> /*sums*/, const ThreadTeam& /*team*/) const {}
   // What the boundary needs to know of all cells of the coarsest level, whoever holds them: exact

@@ -19,7 +19,7 @@ class LevelSolver;
 
 // The next step that the physics allows, and what limits it.
 struct StepLimit {
-  double dt = 0;
+  double dt = 0;  // s
   std::string reason;
 };
 
@@ -57,6 +57,7 @@ class StepFacet {
   virtual const ReductionLayout& reductions() const;
   // Rates of a state, as the reductions of a step hold them (for the first step and restarts).
   virtual void measure_rates(const Warehouse& /*state*/, Reductions& /*rates*/) const {}
+  // From the maxima as reductions() numbers them, in the component's units: rates in 1/s.
   virtual StepLimit limit(const std::vector<double>& maxima) const = 0;
   // Cells that a wave crosses in one step at its limit: flags are widened so that finer levels keep
   // it between two looks.

@@ -11,7 +11,7 @@
 //                   pass.solve("pressure", solve);  // writes work slots of the states
 //                   pass.sweep("step", labels);     // the new state beside the old one
 //                 });
-//   shape.take_over();                              // the new state becomes the present one
+//   shape.commit();                                 // the new state becomes the present one
 //
 // Ghost cells of the state are filled when a step begins. An attempt leaves nothing behind when it
 // is rejected: what lasts goes to the journal.
@@ -31,7 +31,8 @@ class Communicator;
 class EventLedger;
 class ParticleCloud;
 
-// Whether a step with these sums may be taken; else the reason.
+// Whether a step with these sums (as StepFacet::reductions() numbers them, in the component's
+// units) may be taken; else the reason.
 using StepJudge = std::function<bool(const std::vector<double>& sums, std::string& reason)>;
 
 // What a stage between sweeps sees.
@@ -39,14 +40,15 @@ struct StageScope {
   std::vector<LevelSolver*> levels;  // coarse to fine
   Communicator* ranks = nullptr;
   StepScope step;        // of the coarsest level; the finer ones take the same step
-  double dt_before = 0;  // length of the step before; 0: there was none
+  double dt_before = 0;  // length of the step before, s; 0: there was none
   int pass = 0;          // of the iteration around it, counted from 1
   StepJournal* journal = nullptr;
   EventLedger* events = nullptr;       // of the attempt
   std::string* reason = nullptr;       // why it rejects the step, for the message
   ParticleCloud* particles = nullptr;  // of the run; null: it has none
   // Of the step, for a stage that takes it without a sweep: its sums (over levels and ranks), and
-  // by level the maxima on which the next step's length rests.
+  // by level the maxima on which the next step's length rests; as StepFacet::reductions() numbers
+  // them.
   std::vector<double>* sums = nullptr;
   std::vector<std::vector<double>>* maxima = nullptr;
   const StepJudge* judge = nullptr;  // of the run; null: none
@@ -88,7 +90,7 @@ class StepShape {
     std::vector<Stage> body;
   };
 
-  // Ghost cells of the state: after take_over() within a step.
+  // Ghost cells of the state: after commit() within a step.
   void exchange_state() { stages_.push_back(Exchange{}); }
   // A sweep that stores these labels of the step and makes no new state.
   void prepare(std::string name, std::vector<Label> stored) {

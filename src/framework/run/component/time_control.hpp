@@ -10,6 +10,7 @@
 // and one that would fall short of it by round-off is stretched onto it.
 //
 // No clock, signal or message is asked here: the same calls give the same answers on all ranks.
+// Times and steps in s, also those of the wall clock.
 //
 //   TimeControl control(scene.time, scene.output, limits);
 //   while (control.status() == RunStatus::running) {

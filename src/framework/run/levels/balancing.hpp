@@ -17,6 +17,7 @@ class Balancing {
   // Goes on from that of an earlier part of the run.
   void succeed(const Balancing& earlier);
 
+  // How often boxes moved, and the wall time of it.
   int count() const { return count_; }
   double seconds() const { return seconds_; }
 

@@ -24,7 +24,7 @@ struct CycleResult {
   CellFault first_fault;     // of the substep that could not be had
   std::int64_t faults = 0;   // inadmissible cells there
   bool unmatched = false;    // it was the matching of fluxes that failed
-  std::vector<double> sums;  // over levels and substeps
+  std::vector<double> sums;  // over levels and substeps, as StepFacet::reductions() numbers them
   RunControl::Answer control;
   // The state at the start of the step holds what is no number: no smaller step can help.
   std::optional<UnsoundCell> unsound;
@@ -34,7 +34,7 @@ struct CycleResult {
 // What the run asks of one coarse step.
 struct CoarseStepRequest {
   int step = 0;
-  double time = 0, dt = 0;
+  double time = 0, dt = 0;                     // start and length, s
   const std::vector<Label>* wanted = nullptr;  // labels stored in its last substeps
   const RunControl* control = nullptr;
   EventLedger* ledger = nullptr;
@@ -42,7 +42,8 @@ struct CoarseStepRequest {
 
 class CoarseStep {
  public:
-  // `particles`: null without any. `maxima`: of the last sweep over each level, written here.
+  // `particles`: null without any. `maxima`: of the last sweep over each level (LevelRates),
+  // written here.
   CoarseStep(const Component& component, Levels& levels, GhostsInTime& ghosts,
              Communicator& communicator, ParticleCloud* particles,
              std::vector<std::vector<double>>& maxima);
@@ -58,10 +59,10 @@ class CoarseStep {
   void reject();
   // Asked in each attempt by components that have a stage for it (judge_step).
   void set_judge(StepJudge judge) { judge_ = std::move(judge); }
-  // Length of the last accepted step; a restart sets that of its checkpoint.
+  // Length (s) of the last accepted step; a restart sets that of its checkpoint.
   double previous_dt() const { return previous_dt_; }
   void set_previous_dt(double dt) { previous_dt_ = dt; }
-  // What a stage sees between two steps, at `time`.
+  // What a stage sees between two steps, at `time` (s).
   StageScope scope_between_steps(double time);
 
  private:

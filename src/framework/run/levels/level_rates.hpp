@@ -1,4 +1,5 @@
-// The rates on which the length of the next step rests, by level.
+// The rates on which the length of the next step rests, by level, as StepFacet::reductions()
+// numbers them; in the component's units, which are 1/s of most.
 #pragma once
 #include <vector>
 

@@ -53,7 +53,7 @@ class LevelSolver {
   // Stores step labels of the current state in outputs() and computes nothing else; ghosts must be
   // filled.
   void prepare(double time, double dt, const std::vector<Label>& stored);
-  // Length of the step before the next attempt; 0: none.
+  // Length (s) of the step before the next attempt; 0: none.
   void set_previous_dt(double dt) { previous_dt_ = dt; }
   // The new state of the last attempt, interior cells: stages behind a sweep may change it.
   Warehouse& attempted() { return states_.next(); }
@@ -71,7 +71,7 @@ class LevelSolver {
   std::optional<UnsoundCell> unsound_start() { return first_unsound_cell(states_, *communicator_); }
   // Stores labels that are functions of the current state in outputs(); ghosts must be filled.
   void compute_diagnostics(double time, const std::vector<Label>& wanted);
-  std::vector<double> initial_rates();  // maxima of the current state, over all ranks
+  std::vector<double> initial_rates();  // maxima of the state, over all ranks: LevelRates
 
   std::size_t memory_bytes() const { return states_.bytes() + graphs_.bytes(); }
 

@@ -45,15 +45,17 @@ class ParticleCloud {
   std::vector<std::uint32_t> leaving(int kind, int level, int box) const;
   // Of those in a box only the particles numbered `kept` stay, in that order; relocate() is next.
   void keep_only(int kind, int level, int box, const std::vector<std::uint32_t>& kept);
-  // A copy of particle n of a box at another place, with a number of its own; relocate() is next.
+  // A copy of particle n of a box at another place (m), with a number of its own; relocate() is
+  // next.
   void add_copy(int kind, int level, int box, std::size_t n, Vec3 place, std::int64_t id);
   // Particles of a box to other kinds that carry the same: to[k][n], of particle n of kind k, none
   // of a kind where to[k] is empty. They count as made of the new kind. relocate() is next.
   void change_kinds(int level, int box, const std::vector<std::vector<int>>& to);
-  // Collective.
+  // ParticleMethod::rates of all ranks. Collective.
   std::vector<double> rates(int level) const;
   // Boxes have changed. Collective.
   void follow(const Levels& levels);
+  // InputError where the checkpoint is that of a run with other particles.
   void restore(const ArchiveStep& checkpoint, const Levels& levels);
   // The particles of another method with kinds of the same materials, on levels like these: what
   // both carry, the rest zero. Collective.
@@ -75,7 +77,7 @@ class ParticleCloud {
   const ParticleStore& store(int kind) const { return kinds_[kind].store; }
   std::vector<ParticleCount> counts() const;  // collective
   std::int64_t local_count() const;           // of this rank, all kinds
-  // Spent on the particles of each local box of a level since boxes were laid out.
+  // Wall seconds spent on the particles of each local box of a level since boxes were laid out.
   const std::vector<double>& box_seconds(int level) const { return box_seconds_[level]; }
   // For checkpoints. Collective.
   std::string state() const;

@@ -29,8 +29,8 @@ class Regridding {
   void restore(const RegridState& state);
   std::string state() const;  // for checkpoints; empty: not adaptive
 
-  int count() const { return count_; }  // of regrids
-  double seconds() const { return seconds_; }
+  int count() const { return count_; }         // of regrids
+  double seconds() const { return seconds_; }  // wall time of them
 
  private:
   int flagging_levels() const;

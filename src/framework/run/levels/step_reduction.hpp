@@ -13,6 +13,7 @@
 namespace sluice {
 
 struct StepAttempt {
+  // As StepFacet::reductions() numbers them, in the component's units; rates in 1/s.
   std::vector<double> maxima;  // over all ranks
   std::vector<double> sums;    // over all ranks, exact
   std::int64_t faults = 0;     // inadmissible cells, over all ranks

@@ -23,7 +23,7 @@
 // A step whose g, or whose growth of a large and growing D, is above `step_gain` of the scale, the
 // largest energy or work of the body so far, is to be redone with half its length, and steps stay
 // shorter for a while after that. What a shorter step does not lessen has come with the step before
-// and is let pass; but steps grow shorter as long as bodies gain, and after `most_halvings` the run
+// and is let pass; but steps grow shorter as long as bodies gain, and after `max_halvings` the run
 // is to end.
 #pragma once
 #include <optional>
@@ -39,16 +39,17 @@ class Json;
 
 class EnergyGuard {
  public:
-  static constexpr double step_gain = 1e-3;     // of the scale: the step is redone
+  // Shares of the scale.
+  static constexpr double step_gain = 1e-3;     // the step is redone
   static constexpr double run_gain = 5e-3;      // an event: of H
   static constexpr double large_growth = 0.03;  // D over the scale, of a growing mode
-  static constexpr double max_growth = 0.3;     // likewise, where one step of growth is enough
+  static constexpr double max_growth = 0.3;     // the same, where one step of growth is enough
   static constexpr double run_loss = 0.1;       // an event
   static constexpr int max_halvings = 8;
 
   struct Excess {
-    int body = 0;  // in the order of the step's bodies
-    double gain = 0, scale = 0;
+    int body = 0;                // in the order of the step's bodies
+    double gain = 0, scale = 0;  // J
   };
   // Of a run so far: a body beyond one of its limits, and since which step.
   struct Crossing {
@@ -59,8 +60,8 @@ class EnergyGuard {
   };
 
   // The body that gains most above the limit of a step; nothing: the step may be accepted.
-  // `spacing`: the smallest of the finest level; energies of velocities below 1e-8 of it a step are
-  // round-off.
+  // `dt`: s. `spacing`: the smallest of the finest level, m; energies of velocities below 1e-8 of
+  // it a step are round-off.
   std::optional<Excess> judge(const std::vector<BodyEnergy>& step, double dt, double spacing) const;
   // Books the step. Bodies keep their order.
   void accept(const std::vector<BodyEnergy>& step, int number, double dt, double spacing);

@@ -23,7 +23,8 @@ class LevelHistory {
   void open(std::filesystem::path folder);
   // The lines of an earlier archive up to the time of a restart.
   void adopt(const std::filesystem::path& earlier, double time);
-  // The cells of the levels after a coarse step, as the next one will be made with.
+  // The cells of the levels after a coarse step that ended at `time` (s), as the next one will be
+  // made with.
   void sample(int step, double time, const std::vector<std::int64_t>& cells);
   // Before outputs and checkpoints.
   void flush();

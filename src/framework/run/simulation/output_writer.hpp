@@ -44,13 +44,13 @@ class OutputWriter {
   void write_output(const StepInfo& info, bool initial);
   void write_checkpoint(const StepInfo& info);
   bool writes_histories(int step) const;  // is a line due after this step
-  void write_histories(int step, double time, const Totals& totals);
+  void write_histories(int step, double time, const Totals& totals);  // time: s
   void finish(const std::string& run_json);
 
   std::string archive_folder() const { return archive_.folder().string(); }
   // What a user should know although the run goes on.
   const std::vector<std::string>& warnings() const { return archive_.warnings(); }
-  double seconds() const { return seconds_; }
+  double seconds() const { return seconds_; }  // wall time of all writing
 
  private:
   void add_output_pieces(LevelSolver& solver, bool initial, std::vector<FieldPiece>& pieces) const;

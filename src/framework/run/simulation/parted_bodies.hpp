@@ -19,7 +19,7 @@ class SeparatedBodies {
     double largest = 0, largest_time = 0;  // share of the particles
   };
 
-  // Books an accepted step that ends at `time`.
+  // Takes account of an accepted step that ends at `time` (s).
   void accept(const std::vector<BodyEnergy>& step, int number, double time);
   // In the order in which bodies came apart.
   const std::vector<Parting>& all() const { return all_; }

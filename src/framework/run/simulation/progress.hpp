@@ -21,7 +21,7 @@ ProgressMode progress_mode_from(std::string_view text);
 struct ProgressOptions {
   ProgressMode mode = ProgressMode::automatic;
   std::FILE* stream = stdout;
-  double max_time = 0;         // of the deck
+  double max_time = 0;         // of the deck, s
   int max_steps = 0;           // step number of the end; 0: none
   double wall_limit = 0;       // seconds; 0: none
   std::int64_t cells = 0;      // advanced in a step, for ns/cell/step; 0: not told
@@ -33,8 +33,8 @@ struct ProgressOptions {
 // What is told after a step.
 struct StepReport {
   int step = 0;
-  double time = 0;
-  double next_dt = 0;
+  double time = 0;          // s
+  double next_dt = 0;       // s
   double wall_seconds = 0;  // since the start of the run
 };
 

@@ -1,5 +1,6 @@
 // Arithmetic of laws over batches: straight-line functions of numbers that compilers turn into
-// vectors, so no branch, no table, no call of the mathematical library.
+// vectors, so no branch, no table, no call of the mathematical library. J, F and B have no unit,
+// stresses are in Pa.
 #pragma once
 #include <array>
 #include <bit>
@@ -115,7 +116,7 @@ inline double eigenvalue_reach(const std::array<double, 6>& s, double mean) {
   return 2 * std::sqrt(J2 * (1.0 / 3));
 }
 
-// (1 + alpha (T - T_room))^3: volume of the free body at T.
+// (1 + alpha (T - T_room))^3: volume of the free body at T over that at T_room; 1/K and K.
 inline double thermal_volume(double alpha, double T, double T_room) {
   const double stretch = 1 + alpha * (T - T_room);
   return stretch * stretch * stretch;

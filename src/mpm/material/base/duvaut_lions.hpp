@@ -1,5 +1,5 @@
 // Rate dependence of Duvaut and Lions (Brannon 2007, Elements of phenomenological plasticity): the
-// stress trails what it would be in rest, by a time tau.
+// stress trails what it would be in rest, by a time tau. Pa and s.
 #pragma once
 #include <cmath>
 

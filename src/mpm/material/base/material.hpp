@@ -43,9 +43,9 @@ struct HistoryColumn {
 // every new column must be written for every particle. Old and new never share memory.
 struct Batch {
   int count = 0;
-  double time = 0, dt = 0;
+  double time = 0, dt = 0;              // s
   Nine<const double> old_F{}, F{};      // deformation gradient at both ends of the step
-  Nine<const double> L{};               // velocity gradient of the step: F = (I + dt L) old_F
+  Nine<const double> L{};               // velocity gradient of the step, 1/s: F = (I + dt L) old_F
   const double* temperature = nullptr;  // at the start, K
   const double* mass = nullptr;         // kg
   const double* volume_0 = nullptr;     // in the reference state: volume is J volume_0, m^3
@@ -53,8 +53,9 @@ struct Batch {
   const std::int64_t* id = nullptr;
   std::array<const double*, 3> position{};  // m, when a law starts; null in a step
   Six<const double> old_stress{};
-  Six<double> stress{};                        // Cauchy
-  std::span<const double* const> old_history;  // columns, component after component
+  Six<double> stress{};  // Cauchy
+  // Columns, component after component, in the units of their labels.
+  std::span<const double* const> old_history;
   std::span<double* const> history;
   // What deforming the particle has stored and turned into heat until now, J: work of the stress.
   const double* old_energy = nullptr;
@@ -71,7 +72,7 @@ struct Batch {
 struct BatchFault {
   int particle = 0;    // in the batch
   const char* reason;  // "det F <= 0"
-  double value = 0;
+  double value = 0;    // of what the reason names, in its unit
 };
 
 class Material {

@@ -6,6 +6,7 @@
 
 namespace sluice::mpm {
 
+// Factors without unit.
 struct MaxwellStep {
   double kept;   // e^-x
   double taken;  // (1 - e^-x)/x

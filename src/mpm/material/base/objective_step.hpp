@@ -15,11 +15,11 @@
 namespace sluice::mpm {
 
 struct ObjectiveStep {
-  std::array<double, 6> strain;     // dt D: xx, yy, zz, yz, xz, xy
-  std::array<double, 9> half_turn;  // R^(1/2)
+  std::array<double, 6> strain;     // dt D, without unit: xx, yy, zz, yz, xz, xy
+  std::array<double, 9> half_turn;  // R^(1/2), row after row
 };
 
-// The step without rotation: dt sym L, for the plain form of rates.
+// The step without rotation: dt sym L, for the plain form of rates. L: 1/s, row after row; dt: s.
 inline ObjectiveStep plain_step(const std::array<double, 9>& L, double dt) {
   return {{dt * L[0], dt * L[4], dt * L[8], 0.5 * dt * (L[5] + L[7]), 0.5 * dt * (L[2] + L[6]),
            0.5 * dt * (L[1] + L[3])},

@@ -1,4 +1,5 @@
-// The numbers that a deck gives a constitutive model, or one of its parts.
+// The numbers that a deck gives a constitutive model, or one of its parts, in the units that the
+// descriptions of their tags say.
 //
 // A model describes its tags once, as a list of TagSpec. Here an element is held against that list:
 // what is missing, out of range or misspelt is told with its line, what the model never reads is a

@@ -1,4 +1,5 @@
-// The plastic multiplier of a return: the root of a function that falls.
+// The plastic multiplier of a return: the root of a function that falls. Arguments and values may
+// have any units; `tolerance` has that of f.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -58,9 +59,9 @@ double secant_root(const Function& f, double f_0, double high, double guess, dou
   return -1;
 }
 
-// The plastic change of volume y of a step, y = settle(y).volume, where `first` = settle(0).volume:
-// a cap that hardens, a fluid that is pressed make |volume| less; one that softens can make it
-// more.
+// The plastic change of volume y of a step (without unit), y = settle(y).volume, where `first` =
+// settle(0).volume: a cap that hardens, a fluid that is pressed make |volume| less; one that
+// softens can make it more.
 template <class Settle>
 double settled_volume(const Settle& settle, double first) {
   if (first == 0) return 0;

@@ -31,7 +31,8 @@ inline std::array<double, 6> half_turned(const std::array<double, 6>& stress,
   return objective ? pushed(stress, move.half_turn) : stress;
 }
 
-// V_0 (sigma_n J_n + sigma_n+1 J_n+1)/2 : dt D, both stresses turned to the middle of the step.
+// J: V_0 (sigma_n J_n + sigma_n+1 J_n+1)/2 : dt D, V_0 in m^3, both stresses turned to the middle
+// of the step.
 inline double work_of_step(double volume_0, double J_old, const std::array<double, 6>& old,
                            double J, const std::array<double, 6>& now,
                            const std::array<double, 6>& strain) {

@@ -18,12 +18,12 @@
 namespace sluice::mpm {
 
 struct ShearState {
-  std::array<double, 6> s;  // J times the deviatoric stress
+  std::array<double, 6> s;  // J times the deviatoric stress, Pa
   std::array<double, 6> b;  // b_e
   double m, alpha;
 };
 
-// G > 0. One step f = I + dt L.
+// G > 0. One step f = I + dt L. G, yield and H in Pa; b, f and alpha without unit.
 [[gnu::always_inline]] inline ShearState shear_return(const std::array<double, 6>& old_b,
                                                       const std::array<double, 9>& f, double G,
                                                       double yield, double H, double old_alpha) {

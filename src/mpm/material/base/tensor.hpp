@@ -1,5 +1,5 @@
 // Small dense algebra of one particle: matrices of nine numbers, row after row, and symmetric ones
-// of six: xx, yy, zz, yz, xz, xy.
+// of six: xx, yy, zz, yz, xz, xy. Entries may have any unit; angles are in rad.
 #pragma once
 #include <array>
 #include <cmath>

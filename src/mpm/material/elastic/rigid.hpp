@@ -1,4 +1,4 @@
-// A law for solids that move as they are told, whatever law a deck names.
+// A law for solids whose motion is prescribed, whatever law a deck names; bulk_modulus: Pa.
 #pragma once
 #include <memory>
 

@@ -14,31 +14,33 @@ enum class Distribution { constant, uniform, gauss, weibull };
 struct DamageConstants {
   DamageForm form = DamageForm::none;
   // johnson_cook, hancock_mackenzie
-  double initial_mean = 0, initial_deviation = 0;
-  double D1 = 0, D2 = 0, D3 = 0, D4 = 0, D5 = 0;
-  double room = 294, melt = 1e300;
+  double initial_mean = 0, initial_deviation = 0;  // of the damage D, without unit
+  double D1 = 0, D2 = 0, D3 = 0, D4 = 0, D5 = 0;   // without unit
+  double room = 294, melt = 1e300;                 // K
   // threshold
   Criterion criterion = Criterion::principal_stress;
   Distribution distribution = Distribution::constant;
-  double mean = 0, deviation = 0, exponent = 0, reference_volume = 0;  // 0: no scaling by volume
+  // The threshold, Pa or a strain; n; V_ref, m^3, 0: no scaling by volume.
+  double mean = 0, deviation = 0, exponent = 0, reference_volume = 0;
   std::uint64_t seed = 0;
   double friction = 0, cutoff = 1e10;  // angle, rad; tension over cohesion
   // brittle
+  // Pa^(1/2); G_f, J/m^2; the rest without unit.
   double r_0 = 0, fracture_energy = 0, d = 0, max_rise = 0.1, recovery = 0;
-  double young = 0;  // E of the law
+  double young = 0;  // E of the law, Pa
 };
 
-// Mean over equivalent stress, at most 1.5.
+// Ratio of mean to equivalent stress, at most 1.5.
 double triaxiality(const Symmetric& stress);
-// d D of a plastic strain:
+// d D, without unit, of a plastic strain at a rate (1/s) and temperature (K):
 //   johnson_cook       d eps_p/{[D1 + D2 exp(D3 s)][1 + D4 ln max(rate, 1/s)][1 + D5 T*]}
 //   hancock_mackenzie  d eps_p exp(1.5 s)/1.65,   s the triaxiality
 double more_damage(const DamageConstants& c, const Symmetric& stress, double more_strain,
                    double rate, double temperature);
 double damage_at_start(const DamageConstants& c, std::int64_t id);
 
-// The particle's threshold: of the mean and deviation (weibull: of the mean and modulus, by
-// (V_ref/V)^(1/n) where scaled by its volume).
+// The particle's threshold, Pa or a strain; `volume`: m^3. Of the mean and deviation (weibull: of
+// the mean and modulus, by (V_ref/V)^(1/n) where scaled by its volume).
 double drawn_threshold(const DamageConstants& c, std::int64_t id, double volume);
 // 0 for a sound particle, 1 failed in tension, 2 in shear:
 //   principal_stress  sigma_1 > threshold
@@ -52,7 +54,7 @@ int failed_by_threshold(const DamageConstants& c, double threshold, const Symmet
 // tau so far,
 //   D = (.999/d) [(1 + d)/(1 + d exp(-C (tau - r_0))) - 1],
 //   C = r_0 V^(1/3) (1 + d) ln(1 + d)/(G_f d),   D up by no more than <max_damage_increment>.
-// `greatest` is r_0 at the start.
+// `greatest` (tau, Pa^(1/2)) is r_0 at the start; D has no unit; `volume`: m^3.
 struct BrittleState {
   double damage, greatest;
 };

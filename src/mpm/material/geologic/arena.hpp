@@ -18,14 +18,14 @@ LimitNumbers blended(const LimitNumbers& first, const LimitNumbers& second, doub
 struct ArenaConstants {
   WetSoil soil;
   LimitNumbers sound, failed;
-  double cap_share = 0;           // CR = (PEAKI1 - kappa)/(PEAKI1 - X)
-  double beta = 1;                // of plastic flow: 1 associated, less dilates less
+  double cap_share = 0;           // CR = (PEAKI1 - kappa)/(PEAKI1 - X), without unit
+  double beta = 1;                // of plastic flow, without unit: 1 associated, less dilates less
   double T1 = 0, T2 = 0;          // tau = T1 |D|^-T2: s^(1 - T2), 1; none where one is 0
   bool damage = false;            // coherence falls with the time of plastic flow
   double fspeed = 0, t_fail = 1;  // 1, s
-  double part_size = 1;           // of the change of stress in a part, of the surface's size
+  double part_size = 1;           // change of stress in a part, as a share of the surface's size
   int max_parts = 1;              // of a step
-  double density = 0;
+  double density = 0;             // kg/m^3
 };
 
 std::shared_ptr<const Material> make_arena(const ArenaConstants& constants);

@@ -17,7 +17,8 @@ struct LimitCurve {
 };
 
 // Linear (Drucker and Prager) without STREN and YSLOPE; von Mises without FSLOPE; curved with
-// FSLOPE and STREN, towards the slope YSLOPE. Nothing where the numbers are none of these.
+// FSLOPE and STREN, towards the slope YSLOPE. Nothing where the numbers are none of these. PEAKI1
+// and STREN in Pa, slopes without unit.
 std::optional<LimitCurve> limit_curve(double PEAKI1, double FSLOPE, double STREN, double YSLOPE);
 
 // A point of the meridian plane: I and q = J2^(1/2), Pa.
@@ -27,15 +28,16 @@ struct Meridian {
 
 struct CapSurface {
   LimitCurve limit;
-  double X = 0, kappa = 0;  // X <= kappa < limit.peak; flat at X where equal
+  double X = 0, kappa = 0;  // Pa; X <= kappa < limit.peak; flat at X where equal
 
-  double strength(double I) const;  // F_f F_c; I in [X, peak]
-  double slope(double I) const;     // its derivative; great, but finite, at X
+  double strength(double I) const;  // F_f F_c, Pa; I in [X, peak]
+  double slope(double I) const;     // its derivative, without unit; great, but finite, at X
   bool contains(const Meridian& m) const {
     return m.I >= X && m.I <= limit.peak && m.q <= strength(m.I);
   }
   // Of a trial outside, in the plane (z, r) = (I/3^(1/2), 2^(1/2) scale q): scale (2 G/(3 K))^(1/2)
-  // turns the distance into elastic energy, where the nearest point is the associated return.
+  // turns the distance into elastic energy, where the nearest point is the associated return; it
+  // has no unit.
   Meridian nearest(const Meridian& trial, double scale) const;
 };
 

@@ -20,8 +20,9 @@ struct PorousRock {
   double p0 = 0, p1 = 0, p3 = 0;                  // Pa, 1/Pa, 1
   double fluid = 0, fluid_pressure = 0;           // K_f < K_m and p_0, Pa; dry where K_f is 0
 
+  // I in Pa, e without unit.
   double drained_modulus(double I, double e) const;  // K_d, Pa
-  double modulus(double I, double e) const;          // K
+  double modulus(double I, double e) const;          // K, Pa
   double porosity(double e) const;                   // phi
   double crush(double e) const;                      // X, Pa, with the share of the fluid
   double back_stress(double e) const;                // zeta, Pa

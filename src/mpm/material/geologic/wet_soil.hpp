@@ -17,13 +17,14 @@ namespace sluice::mpm {
 struct Murnaghan {
   double K0 = 0, n = 0;  // Pa, 1
   double modulus(double p) const { return K0 + n * p; }
-  double volume_ratio(double p, double p_0) const;  // V(p)/V(p_0)
+  double volume_ratio(double p, double p_0) const;  // V(p)/V(p_0), pressures in Pa
 };
 
 struct WetSoil {
-  double phi_0 = 0, S_0 = 0, pressure_0 = 0;      // share of pores, saturation, zeta at the start
+  // At the start: share of pores, saturation, zeta in Pa.
+  double phi_0 = 0, S_0 = 0, pressure_0 = 0;
   double p0 = 0, p1 = 0, p1_sat = 1, p2 = 1;      // crush curve: Pa, Pa, 1, 1
-  double b0 = 0, b1 = 0, b2 = 0, b3 = 0, b4 = 0;  // bulk modulus of the drained soil
+  double b0 = 0, b1 = 0, b2 = 0, b3 = 0, b4 = 0;  // bulk modulus of the drained soil, without unit
   double G0 = 0, nu1 = 0, nu2 = 0;                // shear modulus, Pa; Poisson's ratio
   // Granite, water and air as the model's authors have them.
   Murnaghan grains{40e9, 4}, water{2.21e9, 6.029}, air{1.4 * 101325, 1.4};
@@ -34,18 +35,18 @@ struct WetSoil {
     double saturation = 0;  // S_w
   };
   Pores pores(double e) const;
-  double pore_pressure(double e) const;
+  double pore_pressure(double e) const;  // zeta, Pa
 
   struct Moduli {
     double K = 0, G = 0;  // Pa; K is not finite beyond what the law of the drained soil bears
   };
-  // I: trace of the stress that grains bear, tr sigma + 3 zeta.
+  // I: trace of the stress that grains bear, tr sigma + 3 zeta, Pa.
   Moduli moduli(double I, const Pores& pores) const;
-  double drained_modulus(double p) const;  // K_d
+  double drained_modulus(double p) const;  // K_d, Pa
 
   double p3() const;                // -ln(1 - phi_0): compaction that leaves no pore
-  double crush(double e) const;     // X_d, trace of the stress, positive: of dry soil
-  double strength(double e) const;  // X of the stress that grains bear, positive
+  double crush(double e) const;     // X_d, trace of the stress, Pa, positive: of dry soil
+  double strength(double e) const;  // X of the stress that grains bear, Pa, positive
 };
 
 }  // namespace sluice::mpm

@@ -10,7 +10,8 @@ namespace sluice::mpm {
 
 struct ExplosiveMixture {
   double K = 0, n = 0;  // compressibility of the solid, 1/Pa, and dK'/dp
-  double A = 0, B = 0, C = 0, R1 = 0, R2 = 0, omega = 0;
+  double A = 0, B = 0, C = 0, R1 = 0, R2 = 0, omega = 0;  // Pa, Pa, Pa; the rest without unit
+  // Pressures and modulus in Pa, of J and f without unit.
 
   double solid(double J) const { return (std::pow(J, -n) - 1) / (n * K); }
   double products(double J) const {

@@ -6,7 +6,7 @@
 namespace sluice::mpm {
 
 struct IsotropicHardening {
-  double yield = 0, hardening = 0;
+  double yield = 0, hardening = 0;  // Pa
 
   struct Here {};
   Here at(const MetalState&) const { return {}; }

@@ -12,11 +12,11 @@
 namespace sluice::mpm {
 
 struct JohnsonCook {
-  double A = 0, B = 0, C = 0, n = 0, m = 0;  // Pa, Pa, numbers
-  double room = 298, melt = 1793, rate_0 = 1;
+  double A = 0, B = 0, C = 0, n = 0, m = 0;    // Pa, Pa, numbers
+  double room = 298, melt = 1793, rate_0 = 1;  // T_r and T_m, K; 1/s
 
   struct Here {
-    double thermal;
+    double thermal;  // the last factor
   };
   Here at(const MetalState& s) const {
     const double x = (s.temperature - room) / (melt - room);

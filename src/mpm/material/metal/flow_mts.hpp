@@ -7,6 +7,8 @@
 //   sigma_es = sigma_es0 (rate/rate_es0)^(k T/(g_0es b^3 mu)), the greatest sigma_e
 // sigma_e is integrated from eps_p = 0 at the present rate and temperature. Without theta_IV
 // sigma_e/sigma_es is a function of theta_0 eps_p/sigma_es alone, which is kept as a table.
+// Stresses, moduli and a_0, a_1, theta_IV in Pa, a_2 in Pa s^(1/2), a_3 in Pa/K, T in K, rates in
+// 1/s; energies g, exponents and alpha without unit.
 #pragma once
 #include <algorithm>
 #include <array>

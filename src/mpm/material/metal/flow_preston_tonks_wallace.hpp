@@ -5,6 +5,7 @@
 //   tau_s = max{s_0 - (s_0 - s_inf) erf[kappa T^ ln(gamma xi/rate)], s_0 (rate/(gamma xi))^beta}
 //   tau_y = max{y_0 - (y_0 - y_inf) erf[...], min{y_1 (rate/(gamma xi))^y_2, the same as above}}
 //   xi = 1/2 (4 pi rho/(3 M))^(1/3) (mu/rho)^(1/2),   T^ = T/T_m
+// tau and the s, y relative to mu: all numbers without unit but mu, Pa, and the rates xi, 1/s.
 #pragma once
 #include <algorithm>
 #include <cmath>

@@ -3,6 +3,8 @@
 //   sigma_f = [sigma_T + min(sigma_0 (1 + beta (eps_p + eps_0))^n, Y_max)] mu(p, T)/mu_0
 //   rate = 1/[exp(2 U_k/(k T) (1 - sigma_T/sigma_P)^2)/C1 + C2/sigma_T],   sigma_T <= sigma_P
 // The thermal part sigma_T is there where the deck gives C1, C2 and the Peierls stress sigma_P.
+// Stresses and moduli in Pa, T in K, rates and C1 in 1/s, C2 in Pa s; beta, n and strains without
+// unit.
 #pragma once
 #include <fmt/format.h>
 

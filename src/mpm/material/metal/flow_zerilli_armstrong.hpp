@@ -2,7 +2,8 @@
 //
 //   sigma_f = c_0 + K eps_p^n + B exp(-beta T) + B_0 eps_p^(1/2) exp(-a T)
 //   beta = beta_0 - beta_1 ln rate,   a = alpha_0 - alpha_1 ln rate
-// c_0, or sigma_g + k_H/l^(1/2) where the deck gives those.
+// c_0, or sigma_g + k_H/l^(1/2) where the deck gives those. c_0, K, B and B_0 in Pa, beta and alpha
+// in 1/K, T in K, rates in 1/s, n and strains without unit.
 #pragma once
 #include <algorithm>
 #include <cmath>

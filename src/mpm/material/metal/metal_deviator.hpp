@@ -16,6 +16,7 @@ namespace sluice::mpm {
 class MaxwellElements {
  public:
   MaxwellElements() = default;
+  // mu_i/mu, and tau_i in s.
   MaxwellElements(std::vector<double> shares, std::vector<double> times)
       : shares_(std::move(shares)), times_(std::move(times)) {}
 
@@ -25,10 +26,10 @@ class MaxwellElements {
 
   // Without plastic flow: the deviator at the end, and mu of a return, S = S_tr - 2 mu strain_p.
   struct Trial {
-    Symmetric S{};
-    double mu = 0;
+    Symmetric S{};  // Pa
+    double mu = 0;  // Pa
   };
-  // `old`: the columns of the elements; mu: of the metal as it is.
+  // `old`: the columns of the elements, Pa; mu: of the metal as it is, Pa; dt: s.
   Trial trial(std::span<const double* const> old, int i, double mu, double dt,
               const Symmetric& strain) const;
   // Writes the elements, `strain` less the plastic one; what they turned into heat, J/m^3.
@@ -41,7 +42,7 @@ class MaxwellElements {
 };
 
 TagSpec deviator_tag();
-// None for hypoElastic. mu: <shear_modulus> of the model.
+// None for hypoElastic. mu: <shear_modulus> of the model, Pa.
 MaxwellElements read_deviator(const Parameters& model, double mu);
 
 }  // namespace sluice::mpm

@@ -1,4 +1,5 @@
-// Pores, and when a metal becomes unstable.
+// Pores, and when a metal becomes unstable. Stresses and moduli in Pa; strains, porosities and the
+// constants of pores have no unit.
 #pragma once
 #include <algorithm>
 #include <cmath>

@@ -17,6 +17,8 @@ namespace sluice::mpm {
 // Never below 1e-6 mu_0. The state's own `shear` is not read.
 struct ShearModulus {
   enum class Form { constant, mts, scg, np, ptw } form = Form::constant;
+  // mu_0 Pa; A (or mu_p/mu_0, A') 1/Pa; B 1/K (or alpha_p, no unit); D Pa; T_0 K; zeta and C no
+  // unit; atom: m, kg.
   double mu_0 = 0, A = 0, B = 0, D = 0, T_0 = 0, zeta = 0, C = 0, atom = 0;
 
   double operator()(const MetalState& s) const;
@@ -28,7 +30,7 @@ struct ShearModulus {
 //   scg_Tm       T_m0 exp[2 a (1 - 1/eta)] eta^(2 (Gamma_0 - a - 1/3))
 struct MeltingTemperature {
   enum class Form { constant, linear, scg } form = Form::constant;
-  double T_m0 = 0, a = 0, b = 0, Gamma_0 = 0;
+  double T_m0 = 0, a = 0, b = 0, Gamma_0 = 0;  // K, -, K/Pa, -
 
   double operator()(const MetalState& s) const;
 };
@@ -39,8 +41,8 @@ struct MeltingTemperature {
 //   steel_Cp     A + B t + C |t|^-n on either side of T_c, t = T/T_c - 1   (Banerjee 2007)
 struct SpecificHeat {
   enum class Form { constant, copper, steel } form = Form::constant;
-  double value = 0, T_c = 0;
-  double low[4] = {}, high[4] = {};  // A, B, C, n
+  double value = 0, T_c = 0;         // J/(kg K), K
+  double low[4] = {}, high[4] = {};  // A, B, C in J/(kg K), n
 
   double operator()(double temperature) const;
 };

@@ -19,10 +19,10 @@ struct MetalPressure {
   double expansion = 0;  // alpha, 1/K: of the first two forms
 
   struct Step {
-    double J_0, J_1, p_0, E_0;
-    double work;             // W_dev, J/m^3
+    double J_0, J_1, p_0, E_0;  // -, -, Pa, J/m^3
+    double work;                // W_dev, J/m^3
     double old_temperature;  // that of the stress at the start, of default_hypo; else that of rest
-    double temperature;
+    double temperature;      // K, both
   };
   struct Result {
     double p, modulus;  // -J dp/dJ without exchange of heat, Pa

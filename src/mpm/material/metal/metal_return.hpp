@@ -21,9 +21,9 @@ struct TrialDeviator {
 };
 
 struct MetalReturn {
-  double keep = 1;         // S = keep S_tr
+  double keep = 1;         // a factor: S = keep S_tr
   double more_strain = 0;  // d eps_p
-  double yield = 0;        // sigma_y at the end
+  double yield = 0;        // sigma_y at the end, Pa
   bool soft = false;       // sigma_y <= 0
 };
 
