@@ -123,7 +123,7 @@ std::vector<SlotInfo> SolverTest::work_slots() const {
   return {{solution_, 0, 1, 0}};
 }
 
-void SolverTest::shape(StepShape& shape) const {
+void SolverTest::declare_stages(StepShape& shape) const {
   const auto stage =
       std::make_shared<PressureSolve>(PressureSolve{settings_, labels_.pressure, solution_});
   shape.solve("pressure", [stage](const StageScope& scope) { return (*stage)(scope); });

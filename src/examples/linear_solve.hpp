@@ -38,7 +38,7 @@ class SolverTest : public PlainComponent {
   void initialise(Warehouse& state) const override { fill_state(state, 0.0); }
   void fill_boundary(Warehouse& /*state*/, double /*time*/, std::span<const double> /*sums*/,
                      const ThreadTeam& /*team*/) const override {}  // nobody reads ghosts
-  void shape(StepShape& shape) const override;
+  void declare_stages(StepShape& shape) const override;
   void declare(TaskList& list, const StepVariant& variant) const override;
   void declare_diagnostics(TaskList& list, int level) const override;
   StepLimit limit(const std::vector<double>& maxima) const override;

@@ -16,7 +16,7 @@ void RepeatedPoisson::initialise(Warehouse& state) const {
   fill_state(state, 1.0);
 }
 
-void RepeatedPoisson::shape(StepShape& shape) const {
+void RepeatedPoisson::declare_stages(StepShape& shape) const {
   using Answer = StepShape::Iterate::Answer;
   const IntVec3 cells = level(0).domain.size();
   const int n = std::max({cells.x, cells.y, cells.z});

@@ -1,8 +1,8 @@
 // poisson2 and poisson3: Laplace's equation, the sweep of poisson1 repeated within a step until its
 // residual is below <maxresidual>. Inner nodes start at 1. poisson3 does it on levels.
 //
-// A step of several stages: what is done again and again is declared once (shape), and the run
-// loop fills ghost nodes between the sweeps and asks after each whether it was the last.
+// A step of several stages: what is repeated is declared once (declare_stages), and the run loop
+// fills ghost nodes between the sweeps and asks after each whether it was the last.
 //
 // On levels each node is swept on the finest one that owns it; beyond a finer level its neighbours
 // lie between nodes of the coarser one. Nodes below it take its values at the end of each step, so
@@ -25,7 +25,7 @@ class RepeatedPoisson : public Poisson {
   using Poisson::Poisson;
 
   void initialise(Warehouse& state) const override;
-  void shape(StepShape& shape) const override;
+  void declare_stages(StepShape& shape) const override;
   const TransferOperators& transfer() const override { return transfer_; }
 
  private:

@@ -118,7 +118,7 @@ void add_exchange(const IceScene& ice, EffectList& e) {
   const std::optional<MultiVelocityExchange>& slip = ice.exchange.slip;
   const auto name_of = [&](int m) { return called(ice.materials[m]); };
   Effect momentum =
-      exchange("momentum exchange", ice.exchange.momentum, ice, ice.exchange.momentum_where);
+      exchange("momentum exchange", ice.exchange.momentum, ice, ice.exchange.momentum_location);
   if (momentum.on && ice.one_velocity())
     momentum.reason += fmt::format("; all at least {:g}: one velocity, nothing to compute",
                                    one_velocity_coefficient);
@@ -132,7 +132,7 @@ void add_exchange(const IceScene& ice, EffectList& e) {
     momentum.reason +=
         fmt::format("; {} slips along {}", name_of(slip->fluid), name_of(slip->solid));
   e.add(momentum);
-  Effect heat = exchange("heat exchange", ice.exchange.heat, ice, ice.exchange.heat_where);
+  Effect heat = exchange("heat exchange", ice.exchange.heat, ice, ice.exchange.heat_location);
   if (heat.on) heat.reason += ", in the update";
   e.add(heat);
 }

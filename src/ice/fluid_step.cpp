@@ -47,7 +47,7 @@ void FluidStep::declare(TaskList& list, const StepVariant& variant) const {
 }
 
 // Semi-implicit: d by passes over a system that is made once, then the step with what came out.
-void FluidStep::shape(StepShape& shape) const {
+void FluidStep::declare_stages(StepShape& shape) const {
   if (!part_->options().scheme.implicit) return;
   declare_passes(shape, nullptr);
   shape.commit();

@@ -16,7 +16,7 @@ class FluidStep : public StepFacet {
       : part_(&part), blocks_(&blocks), levels_(&levels) {}
 
   void declare(TaskList& list, const StepVariant& variant) const override;
-  void shape(StepShape& shape) const override;
+  void declare_stages(StepShape& shape) const override;
   // The passes of a semi-implicit step up to the new state, as a part of a larger step; in each,
   // `behind_solve` (may be empty) declares what acts between the solve and the sweep.
   void declare_passes(StepShape& shape, const std::function<void(StepShape&)>& behind_solve) const;

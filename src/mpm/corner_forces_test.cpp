@@ -38,7 +38,7 @@ class PushedSolids final : public Mpm {
       : Mpm(scene, solids), scene_(scene), solids_(solids), seen_(seen) {}
 
   const MpmStep& step() const override { return own_; }
-  void shape(StepShape& shape) const {
+  void declare_stages(StepShape& shape) const {
     const auto& particles = static_cast<const SolidParticles&>(*this->particles());
     const auto step =
         std::make_shared<SolidLevels>(scene_, solids_, particles.carried(), particles.kinds());
@@ -76,7 +76,7 @@ class PushedSolids final : public Mpm {
  private:
   struct Step final : MpmStep {
     explicit Step(const PushedSolids& of) : MpmStep(of), pushed(&of) {}
-    void shape(StepShape& stages) const override { pushed->shape(stages); }
+    void declare_stages(StepShape& stages) const override { pushed->declare_stages(stages); }
     const PushedSolids* pushed;
   };
   Step own_{*this};

@@ -105,7 +105,7 @@ TEST(Impulses, AreTheAdjointOfVelocitiesWithSpin) {
             work += J * sum_in(given.at(i, j, k), 1 + d) / units.momentum;
           }
     ImpulsesAtParticles got;
-    read_impulses(basis, grid, p.x, p.shape, 0, 1, false, impulses, got);
+    interpolate_impulses(basis, grid, p.x, p.shape, 0, 1, false, impulses, got);
     double found = 0;
     for (int d = 0; d < 3; ++d) found += got.dv[d][0] * v[d] + got.turn[d][0] * spin[d];
     EXPECT_NEAR(found, work, 1e-12);
@@ -121,7 +121,7 @@ TEST(Impulses, AreTheAdjointOfVelocitiesWithSpin) {
             node[one] = as_bits(-r[other]);
             node[other] = as_bits(r[one]);
           }
-      read_impulses(basis, grid, p.x, p.shape, 0, 1, false, impulses, got);
+      interpolate_impulses(basis, grid, p.x, p.shape, 0, 1, false, impulses, got);
       EXPECT_NEAR(got.turn[axis][0], got.inertia[axis][0], 1e-14);
     }
     // B-splines have one second moment wherever they are: h^2/4 and h^2/3.

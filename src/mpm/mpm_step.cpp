@@ -31,7 +31,7 @@ const ReductionLayout& MpmStep::reductions() const {
 }
 
 // The step, as a table.
-void MpmStep::shape(StepShape& shape) const {
+void MpmStep::declare_stages(StepShape& shape) const {
   const auto step = mpm_->make_step();
   const auto stage = [&](const char* name, Verdict (SolidLevels::*act)(const StageScope&)) {
     shape.stage(name, [step, act](const StageScope& scope) { return ((*step).*act)(scope); });
@@ -62,7 +62,7 @@ StepLimit MpmStep::limit(const std::vector<double>& maxima) const {
 }
 
 // The step, as a table.
-void ImplicitMpmStep::shape(StepShape& shape) const {
+void ImplicitMpmStep::declare_stages(StepShape& shape) const {
   const auto step = std::make_shared<ImplicitStep>(mpm().run_scene(), mpm().scene(),
                                                    mpm().carried(), mpm().particles()->kinds());
   const auto stage = [&](const char* name, Verdict (ImplicitStep::*act)(const StageScope&)) {

@@ -12,7 +12,7 @@ class MpmStep : public StepFacet {
 
   // Solids have no task over cells.
   void declare(TaskList& /*list*/, const StepVariant& /*variant*/) const override {}
-  void shape(StepShape& shape) const override;
+  void declare_stages(StepShape& shape) const override;
   const ReductionLayout& reductions() const override;
   StepLimit limit(const std::vector<double>& maxima) const override;
 
@@ -28,7 +28,7 @@ class MpmStep : public StepFacet {
 class ImplicitMpmStep final : public MpmStep {
  public:
   using MpmStep::MpmStep;
-  void shape(StepShape& shape) const override;
+  void declare_stages(StepShape& shape) const override;
   StepLimit limit(const std::vector<double>& maxima) const override;
 };
 

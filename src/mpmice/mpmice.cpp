@@ -34,7 +34,7 @@ mpm::MpmScene with_corners(mpm::MpmScene solids, const std::vector<models::Solid
     solid.burns = true;
     const models::BurningMemory memory = burn.law->memory();
     solid.awaits_flames |= memory.flame;
-    solid.surface_remembers |= memory.surface;
+    solid.has_surface_history |= memory.surface;
   }
   solids.carry_corners(level.active);
   solids.whole_kicks = true;

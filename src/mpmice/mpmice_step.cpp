@@ -56,7 +56,7 @@ MpmIceStep::MpmIceStep(const MpmIce& both)
 // The step, as a table. A semi-implicit one moves the solids once to see what they sweep, which the
 // system needs, and again in each pass, pressed on by what was solved for: what the fluid loses to
 // a surface the solid gets, whatever the solver's tolerance. Rigid solids do not feel it.
-void MpmIceStep::shape(StepShape& shape) const {
+void MpmIceStep::declare_stages(StepShape& shape) const {
   using mpm::SolidLevels;
   const mpm::MpmScene& scene = both_->solids().scene();
   const ice::Ice& fluid = both_->fluid();

@@ -11,7 +11,7 @@ class MpmIceStep final : public ice::FluidStep {
  public:
   explicit MpmIceStep(const MpmIce& both);
 
-  void shape(StepShape& shape) const override;
+  void declare_stages(StepShape& shape) const override;
   StepLimit limit(const std::vector<double>& maxima) const override;
 
  private:

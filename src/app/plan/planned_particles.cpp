@@ -102,7 +102,7 @@ PlannedParticles plan_particles(const LoadedScene& loaded, std::int64_t max_cell
   PlannedParticles p = count_particles(loaded);
   if (!p.any()) return p;
   StepShape shape;
-  loaded.component->step().shape(shape);
+  loaded.component->step().declare_stages(shape);
   for (const StepShape::Stage& stage : shape.stages()) p.stages.push_back(name_of(stage));
   const auto there = static_cast<double>(available_memory().bytes);
   const bool fits = there == 0 || p.bytes() < 0.5 * there;

@@ -42,7 +42,7 @@ class CapturedSystem {
 };
 
 // Keeps systems of a run: those whose numbers are asked for, and always the last.
-class SystemCapture final : public SystemWatch {
+class SystemCapture final : public LinearSystemObserver {
  public:
   // `wanted`: numbers, ascending, from 1. `most_right_sides`: of one matrix, the first ones.
   SystemCapture(std::vector<int> wanted, std::size_t most_right_sides);

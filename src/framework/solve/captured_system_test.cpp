@@ -56,10 +56,10 @@ TEST(CapturedSystem, DropsSystemsWithoutARightHandSide) {
 
 TEST(CapturedSystem, NobodyIsToldWhenTheWatchHasGone) {
   { const SystemCapture capture({1}, 8); }
-  EXPECT_EQ(SystemWatch::current(), nullptr);
+  EXPECT_EQ(LinearSystemObserver::current(), nullptr);
   solve_some(1);
   const SystemCapture again({1}, 8);
-  EXPECT_EQ(SystemWatch::current(), &again);
+  EXPECT_EQ(LinearSystemObserver::current(), &again);
   EXPECT_THROW(SystemCapture({1}, 8), std::logic_error);
 }
 

@@ -46,7 +46,8 @@ CompositeSolver::~CompositeSolver() = default;
 void CompositeSolver::set_up(std::span<const LevelCoefficients> levels) {
   const auto start = Clock::now();
   system_ = std::make_unique<CompositeSystem>(levels);
-  if (SystemWatch* watch = SystemWatch::current()) watch->matrix(levels, settings_);
+  if (LinearSystemObserver* watch = LinearSystemObserver::current())
+    watch->matrix(levels, settings_);
   cycles_.clear();
   amg_.reset();
   if (takes_amg_on_levels(settings_))
@@ -87,7 +88,7 @@ SolveReport CompositeSolver::solve(const CompositeVector& b, CompositeVector& x)
   const auto start = Clock::now();
   SolveReport report;
   report.set_up_seconds = set_up_seconds_;
-  if (SystemWatch* watch = SystemWatch::current()) watch->right_side(b);
+  if (LinearSystemObserver* watch = LinearSystemObserver::current()) watch->right_side(b);
   clear(x);
   r_ = b;
   report.right_side = system_->norm(b, settings_.norm);

@@ -44,7 +44,8 @@ void LinearSolver::follow(const CellMatrix& matrix) {
   if (can_renew() && !worn_) before = std::move(system_);
   system_.reset();  // none, if this one fails
   DenseSystem system(matrix);
-  if (SystemWatch* watch = SystemWatch::current()) watch->matrix(matrix, settings_);
+  if (LinearSystemObserver* watch = LinearSystemObserver::current())
+    watch->matrix(matrix, settings_);
   if (before && system.is_like(*before) && serves(system))
     renew(system);
   else
@@ -112,7 +113,7 @@ SolveReport LinearSolver::solve(const ConstBoxViews& right_side, const BoxViews&
   system_->need_finite(b_, "right-hand side");
   system_->load({x.begin(), x.end()}, x_);
   system_->need_finite(x_, "start");
-  if (SystemWatch* watch = SystemWatch::current())
+  if (LinearSystemObserver* watch = LinearSystemObserver::current())
     watch->right_side(right_side, {x.begin(), x.end()});
   if (system_->singular()) system_->remove_mean(b_);
   report.right_side = system_->norm(b_, settings_.norm);

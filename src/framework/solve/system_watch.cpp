@@ -5,20 +5,20 @@
 namespace sluice::solve {
 namespace {
 
-SystemWatch* the_watch = nullptr;
+LinearSystemObserver* the_watch = nullptr;
 
 }  // namespace
 
-SystemWatch::SystemWatch() {
+LinearSystemObserver::LinearSystemObserver() {
   if (the_watch != nullptr) throw std::logic_error("two watches of linear systems at once");
   the_watch = this;
 }
 
-SystemWatch::~SystemWatch() {
+LinearSystemObserver::~LinearSystemObserver() {
   the_watch = nullptr;
 }
 
-SystemWatch* SystemWatch::current() {
+LinearSystemObserver* LinearSystemObserver::current() {
   return the_watch;
 }
 

@@ -8,14 +8,14 @@
 
 namespace sluice::solve {
 
-class SystemWatch {
+class LinearSystemObserver {
  public:
   // Is told from now on. One at a time; throws std::logic_error for a second one.
-  SystemWatch();
-  virtual ~SystemWatch();
-  SystemWatch(const SystemWatch&) = delete;
-  SystemWatch& operator=(const SystemWatch&) = delete;
-  static SystemWatch* current();  // null: nobody watches
+  LinearSystemObserver();
+  virtual ~LinearSystemObserver();
+  LinearSystemObserver(const LinearSystemObserver&) = delete;
+  LinearSystemObserver& operator=(const LinearSystemObserver&) = delete;
+  static LinearSystemObserver* current();  // null: nobody watches
 
   // A valid matrix, of one level or of several, and by which solver it will be solved.
   virtual void matrix(const CellMatrix& matrix, const SolverSettings& settings) = 0;

@@ -201,8 +201,8 @@ ExchangeSettings read_exchange(const DeckNode& root, int materials) {
     const DeckNode *momentum = coefficients->child("momentum"), *heat = coefficients->child("heat");
     s.momentum = coefficients_of(exchange, momentum, "momentum", materials);
     s.heat = coefficients_of(exchange, heat, "heat", materials);
-    s.momentum_where = momentum != nullptr ? momentum->where : exchange->where;
-    s.heat_where = heat != nullptr ? heat->where : exchange->where;
+    s.momentum_location = momentum != nullptr ? momentum->where : exchange->where;
+    s.heat_location = heat != nullptr ? heat->where : exchange->where;
   }
   if (const DeckNode* model = exchange->child("Model")) {
     const MultiVelocityExchange usual;

@@ -82,7 +82,7 @@ struct ExchangeSettings {
   std::optional<MultiVelocityExchange> slip;
   std::optional<ConvectiveExchange> convective;
   bool written = false;  // the deck has coefficients
-  Location where, momentum_where, heat_where;
+  Location where, momentum_location, heat_location;
 };
 
 // Relaxation then takes 1e-10 s in gases of 1 kg/m^3 and 1e-7 s where one of the two is a liquid,

@@ -38,7 +38,7 @@ ImplicitSettings read_implicit(const DeckNode& root, const DeckNode& block,
   s.where = block.where;
   s.max_passes = integer_or(block, "max_outer_iterations", s.max_passes);
   s.tolerance = real_or(block, "outer_iteration_tolerance", s.tolerance);
-  s.max_before_redo = integer_or(block, "iters_before_timestep_restart", s.max_passes);
+  s.max_passes_before_redo = integer_or(block, "iters_before_timestep_restart", s.max_passes);
   s.linear = solve::read_solver_settings(root, block, "implicitPressure", faults);
   return s;
 }

@@ -6,10 +6,10 @@
 namespace sluice::ice {
 
 struct ImplicitSettings {
-  solve::SolverSettings linear;  // of each pass
-  int max_passes = 20;           // <max_outer_iterations>
-  double tolerance = 1e-8;       // <outer_iteration_tolerance>: largest relative volume error
-  int max_before_redo = 20;      // <iters_before_timestep_restart>
+  solve::SolverSettings linear;     // of each pass
+  int max_passes = 20;              // <max_outer_iterations>
+  double tolerance = 1e-8;          // <outer_iteration_tolerance>: largest relative volume error
+  int max_passes_before_redo = 20;  // <iters_before_timestep_restart>
   Location where;
 };
 

@@ -151,7 +151,7 @@ void LawRow::conductivity_with_eddies(int n, double given, double prandtl,
   }
   if (gas_ != nullptr) {
     const double inverse = 1.0 / prandtl;
-    return gas_->for_row(n, rows_.alone(), [=](int i, const MixedGas::Between& at) {
+    return gas_->for_each_in_row(n, rows_.alone(), [=](int i, const MixedGas::Between& at) {
       k[i] = at(&MixedGas::Node::conductivity) + inverse * at.cp() * mu_t[i];
     });
   }

@@ -168,8 +168,8 @@ StepShape::Iterate::Answer PressureSolve::judge(const StageScope& scope) {
   // A step that converges may go on after as many passes as the deck would redo it.
   const std::size_t done = passes_.size();
   const bool falls = done > 1 && error < falling * passes_[done - 2].error;
-  const int most =
-      falls ? settings_.max_passes : std::min(settings_.max_passes, settings_.max_before_redo);
+  const int most = falls ? settings_.max_passes
+                         : std::min(settings_.max_passes, settings_.max_passes_before_redo);
   if (scope.pass >= (levels ? std::max(most, max_corrections) : most))
     return reject("no more passes are allowed");
   return Answer::again;

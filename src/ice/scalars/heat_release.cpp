@@ -19,7 +19,7 @@ void release_row(const Row& row, const Handles& h, const SchemeOptions& o) {
   double* __restrict now = row(h.released_new);
   double* __restrict E = row(h.release.end.next.energy);
   const HeatBudget books(row, h.release, o);
-  o.materials.mixed->for_row(
+  o.materials.mixed->for_each_in_row(
       row.count(), row(h.fraction), [=](int i, const models::MixedGas::Between& at) {
         const double Q = at(&models::MixedGas::Node::heat), heat = rho[i] * (Q - q[i]);
         now[i] = Q;
@@ -35,15 +35,15 @@ void add_heat_release(TaskList& list, const HeatReleaseInput& v, const SchemeOpt
   if (!o.materials.releases_heat || o.materials.mixed->species) return;
   TaskBuilder task = list.task("heat of mixing", effect);
   Handles h;
-  h.release = declare_release(task, v.release, o);
+  h.release = declare_heat_release(task, v.release, o);
   h.fraction = task.read(v.fraction);
   h.released = task.read(v.released);
   h.released_new = task.write(v.released_new);
   dispatch(o.grid.axes.count, o.grid.components, [&]<int D, int C>() {
     task.kernel([=](const Row& row) {
-      begin_release(row, h.release, o);
+      begin_heat_release(row, h.release, o);
       release_row(row, h, o);
-      end_release<D>(row, h.release, o);
+      end_heat_release<D>(row, h.release, o);
     });
   });
 }

@@ -169,7 +169,7 @@ void add_reactions(TaskList& list, const ReactionsInput& v, const SchemeOptions&
   const VariableId last_step = list.temporary("last step of reactions");
   TaskBuilder task = list.task("reactions", effect);
   Handles h;
-  h.release = declare_release(task, v.release, o);
+  h.release = declare_heat_release(task, v.release, o);
   for (const ScalarVariables::Each* e : carried.each) {
     h.before.push_back(task.read(e->now));
     h.now.push_back(task.write(e->after_reactions));
@@ -178,9 +178,9 @@ void add_reactions(TaskList& list, const ReactionsInput& v, const SchemeOptions&
   const std::shared_ptr<Reactors> reactors = make_reactors(*o.materials.mixed->species);
   dispatch(o.grid.axes.count, o.grid.components, [&]<int D, int C>() {
     task.kernel([=](const Row& row) {
-      begin_release(row, h.release, o);
+      begin_heat_release(row, h.release, o);
       reactors->lend([&](kinetics::Reactor& reactor) { react_row(row, h, o, reactor); });
-      end_release<D>(row, h.release, o);
+      end_heat_release<D>(row, h.release, o);
     });
   });
   for (const ScalarVariables::Each* e : carried.each) save_change(list, *e, o);

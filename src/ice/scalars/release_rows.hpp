@@ -30,8 +30,8 @@ struct ReleaseInput {
   }
 };
 
-inline ReleaseHandles declare_release(TaskBuilder& task, const ReleaseInput& v,
-                                      const SchemeOptions& o) {
+inline ReleaseHandles declare_heat_release(TaskBuilder& task, const ReleaseInput& v,
+                                           const SchemeOptions& o) {
   ReleaseHandles h;
   h.end = read_end_of_step(task, v.end, o);
   h.end.next.rho = task.write(v.rho_new);
@@ -45,7 +45,7 @@ inline ReleaseHandles declare_release(TaskBuilder& task, const ReleaseInput& v,
 }
 
 // The new state but for the heat.
-inline void begin_release(const Row& row, const ReleaseHandles& h, const SchemeOptions& o) {
+inline void begin_heat_release(const Row& row, const ReleaseHandles& h, const SchemeOptions& o) {
   const auto copy = [n = row.count()](const double* from, double* to) {
     for (int i = 0; i < n; ++i) to[i] = from[i];
   };
@@ -69,7 +69,7 @@ struct HeatBudget {
 };
 
 template <int D>
-void end_release(const Row& row, const ReleaseHandles& h, const SchemeOptions& o) {
+void end_heat_release(const Row& row, const ReleaseHandles& h, const SchemeOptions& o) {
   check_row(row, h.end, o, o.materials.index);
   rates_of_row<D>(row, h.end.next, o);
 }

@@ -89,7 +89,7 @@ class MixedGas {
 
   // Calls use(i, between) for a row of fractions; between two nodes alone without a search.
   template <class Use>
-  void for_row(int n, const double* __restrict f, Use&& use) const {
+  void for_each_in_row(int n, const double* __restrict f, Use&& use) const {
     if (nodes_.size() > 2) {
       for (int i = 0; i < n; ++i) use(i, at(f[i]));
       return;

@@ -59,7 +59,7 @@ TEST(MixedGas, RowsAreWhatSingleCellsAre) {
     gas.set_nodes(nodes);
     double f[100];
     for (int i = 0; i < 100; ++i) f[i] = -0.1 + 0.012 * i;
-    gas.for_row(100, f, [&](int i, const MixedGas::Between& at) {
+    gas.for_each_in_row(100, f, [&](int i, const MixedGas::Between& at) {
       EXPECT_EQ(at(&MixedGas::Node::cv), gas.specific_heat(f[i]));
     });
   }

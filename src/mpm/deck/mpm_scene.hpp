@@ -74,10 +74,10 @@ struct SolidMaterial {
   bool takes_part(double time) const {
     return (active_at_start || time >= activation_time) && time < deactivation_time;
   }
-  bool burns = false;              // its particles lose mass in place
-  bool lost_energy_heats = false;  // what transfer and integration take becomes heat of it
-  bool surface_remembers = false;  // at a rate that depends on what has burned before
-  bool awaits_flames = false;      // that take time to come along
+  bool burns = false;                // its particles lose mass in place
+  bool lost_energy_heats = false;    // what transfer and integration take becomes heat of it
+  bool has_surface_history = false;  // at a rate that depends on what has burned before
+  bool awaits_flames = false;        // that take time to come along
   // With DoGranularMPM: J beyond which grains have lost touch (0: without), and whether they then
   // have no stress.
   double loosest = 0;

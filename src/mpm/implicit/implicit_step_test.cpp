@@ -17,7 +17,7 @@ class Watched : public Mpm {
   Watched(const Scene& scene, const MpmScene& solids, std::vector<NewtonReport>& told)
       : Mpm(scene, solids), told_(&told) {}
   const MpmStep& step() const override { return own_; }
-  void shape(StepShape& shape) const {
+  void declare_stages(StepShape& shape) const {
     const auto step =
         std::make_shared<ImplicitStep>(run_scene(), scene(), carried(), particles()->kinds());
     shape.stage("begin", [step](const StageScope& s) { return step->begin(s); });
@@ -33,7 +33,7 @@ class Watched : public Mpm {
  private:
   struct Step final : MpmStep {
     explicit Step(const Watched& of) : MpmStep(of), watched(&of) {}
-    void shape(StepShape& stages) const override { watched->shape(stages); }
+    void declare_stages(StepShape& stages) const override { watched->declare_stages(stages); }
     const Watched* watched;
   };
   std::vector<NewtonReport>* told_;

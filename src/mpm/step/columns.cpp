@@ -110,7 +110,7 @@ Carried carried_by(const Scene& scene, const MpmScene& solids, const SolidMateri
     c.columns.outer = add(l.outer, false);
   }
   if (material.burns) c.filled = add(l.filled, false);
-  if (material.surface_remembers) {
+  if (material.has_surface_history) {
     c.surface = add(l.surface_temperature, false);
     add(l.surface_gradient, false);
   }

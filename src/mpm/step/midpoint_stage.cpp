@@ -56,8 +56,8 @@ void SolidStep::kick_particles(const BlockWork& w, const StageScope& scope, std:
   const Columns& c = body.carried->columns;
   const bool loaded = outside_->acts(w.kind), corners = c.corners >= 0;
   ImpulsesAtParticles& got = report.impulses;
-  read_impulses(solids_->basis, body.grid, places_of(*w.set, c), shape_of(*w.set, c),
-                static_cast<int>(at), n, loaded || corners, report.window, got);
+  interpolate_impulses(solids_->basis, body.grid, places_of(*w.set, c), shape_of(*w.set, c),
+                       static_cast<int>(at), n, loaded || corners, report.window, got);
   double way = 0;  // farthest, cells
   for (int d = 0; d < 3; ++d) {
     const double* x = w.set->coordinate(d) + at;

@@ -9,7 +9,7 @@
 namespace sluice::mpm {
 
 // As add_to_window, add_values_to_window, read_window (without moments; without dv where no changes
-// are asked for) and read_impulses. The window must reach the corners' nodes.
+// are asked for) and interpolate_impulses. The window must reach the corners' nodes.
 void add_corners(Basis basis, const TransferGrid& grid, const ParticlesToGrid& p, int begin,
                  int end, const SumUnits& units, Window& window);
 void add_values_of_corners(Basis basis, const TransferGrid& grid,

@@ -124,9 +124,9 @@ void read(Basis basis, const TransferGrid& grid, const std::array<const double*,
 
 }  // namespace
 
-void read_impulses(Basis basis, const TransferGrid& grid, const std::array<const double*, 3>& x,
-                   const ParticleShape& shape, int at, int n, bool velocities, const Window& window,
-                   ImpulsesAtParticles& to) {
+void interpolate_impulses(Basis basis, const TransferGrid& grid,
+                          const std::array<const double*, 3>& x, const ParticleShape& shape, int at,
+                          int n, bool velocities, const Window& window, ImpulsesAtParticles& to) {
   if (by_corners(basis))
     return read_impulses_of_corners(basis, grid, x, shape, at, n, velocities, window, to);
   for_basis(basis, has_own_widths(basis, shape), grid.count, [&]<int D, class B>() {

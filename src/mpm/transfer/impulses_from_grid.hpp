@@ -18,8 +18,8 @@ struct ImpulsesAtParticles {
 };
 
 // Particles at, ..., at + n - 1 (n <= chunk_size) of one block; node lanes v*, - | v* - v, -.
-void read_impulses(Basis basis, const TransferGrid& grid, const std::array<const double*, 3>& x,
-                   const ParticleShape& shape, int at, int n, bool velocities, const Window& window,
-                   ImpulsesAtParticles& to);
+void interpolate_impulses(Basis basis, const TransferGrid& grid,
+                          const std::array<const double*, 3>& x, const ParticleShape& shape, int at,
+                          int n, bool velocities, const Window& window, ImpulsesAtParticles& to);
 
 }  // namespace sluice::mpm

@@ -88,7 +88,7 @@ class ParticleMethod {
                                int /*level*/, int /*coarse*/) const {
     return true;
   }
-  // Stages of the step move the particles (Component::shape_step): advance() is not asked.
+  // Stages of the step move the particles (StepFacet::declare_stages): advance() is not asked.
   virtual bool in_stages() const { return false; }
   // The same of one kind: others of the method may move by advance() all the same.
   virtual bool in_stages(int /*kind*/) const { return in_stages(); }

@@ -46,7 +46,7 @@ class StepFacet {
   virtual void declare(TaskList& list, const StepVariant& variant) const = 0;
   // Stages of a step that all levels take together (in lockstep); none: exchange, sweep, take over,
   // each level for itself. Asked for when levels come or go.
-  virtual void shape(StepShape& /*shape*/) const {}
+  virtual void declare_stages(StepShape& /*shape*/) const {}
   // Nodes of a step of a level before its ghost cells are filled: where particles are exchanged and
   // projected into the interior of level.state() (which is then to be touched). A coarse step may
   // be attempted several times: what lasts beyond it goes to the journal, in all ranks alike. Asked

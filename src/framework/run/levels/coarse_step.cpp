@@ -33,7 +33,7 @@ CoarseStep::CoarseStep(const Component& component, Levels& levels, GhostsInTime&
 
 void CoarseStep::renew() {
   StepShape shape;
-  component_->step().shape(shape);
+  component_->step().declare_stages(shape);
   for (int l = 1; l < levels_->possible() && !shape.plain(); ++l)
     if (levels_->substeps(l) != 1)
       throw std::logic_error("a step of stages needs levels in lockstep");

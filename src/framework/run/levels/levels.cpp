@@ -20,7 +20,7 @@ Levels::Levels(const Scene& scene, const Component& component, Communicator& com
   options.substeps = 1;
   if (options.team == nullptr) options.team = std::make_shared<const ThreadTeam>(options.threads);
   StepShape shape;
-  component.step().shape(shape);
+  component.step().declare_stages(shape);
   const bool lock_step = scene.refinement.lock_step || !shape.plain();
   for (const Level& level : levels) {
     substeps_.push_back(level.index == 0 ? 1 : substeps_of(level, lock_step));

@@ -51,7 +51,7 @@ EnergyGuard::Change EnergyGuard::change(const BodyBudget& budget, const BodyEner
   const double slow = 1e-8 * spacing / dt;
   c.scale = std::max({budget.most, energy, budget.work_in + taken_in(b), b.mass * slow * slow});
   const double share = c.of_scale(c.growth), more = c.growth - budget.growth;
-  if (share > std::max(large_growth, 1.05 * budget.record) && more > step_gain * c.scale)
+  if (share > std::max(large_growth, 1.05 * budget.record) && more > max_step_gain * c.scale)
     c.more = more;
   return c;
 }
@@ -67,7 +67,7 @@ double EnergyGuard::run_gain_of(const BodyBudget& a) {
 std::optional<EnergyGuard::Excess> EnergyGuard::judge(const std::vector<BodyEnergy>& step,
                                                       double dt, double spacing) const {
   std::optional<Excess> worst;
-  double most = step_gain;
+  double most = max_step_gain;
   for (std::size_t n = 0; n < step.size(); ++n) {
     const BodyBudget budget = n < budgets_.size() ? budgets_[n] : BodyBudget();
     const Change c = change(budget, step[n], dt, spacing);
@@ -110,8 +110,8 @@ void EnergyGuard::accept(const std::vector<BodyEnergy>& step, int number, double
       else if (first == 0)
         first = number;
     };
-    since(run_gain_of(a) > run_gain * c.scale, a.gained_since);
-    since(run_gain_of(a) < -run_loss * c.scale, a.lost_since);
+    since(run_gain_of(a) > max_run_gain * c.scale, a.gained_since);
+    since(run_gain_of(a) < -max_run_loss * c.scale, a.lost_since);
   }
   if (factor_ < 1 && --left_ <= 0) {
     factor_ = std::min(1.0, 2 * factor_);
@@ -160,13 +160,13 @@ std::string EnergyGuard::summary(std::string_view better) const {
       text += fmt::format(
           "warning: solid '{}' has gained energy by numerical error, more than {:g} % of its scale "
           "since step {}; {:+.2g} % at the end. Use {}\n",
-          a.name, 100 * run_gain, a.gained_since, 100 * run_gain_of(a) / scale,
+          a.name, 100 * max_run_gain, a.gained_since, 100 * run_gain_of(a) / scale,
           better.empty() ? "a smaller <timestep_multiplier> or another <interpolator>" : better);
     if (a.lost_since > 0)
       text += fmt::format(
           "solid '{}' has lost more than {:g} % of its energy in transfer and integration since "
           "step {}; {:+.3g} % of its scale at the end{}{}\n",
-          a.name, 100 * run_loss, a.lost_since, 100 * run_gain_of(a) / scale,
+          a.name, 100 * max_run_loss, a.lost_since, 100 * run_gain_of(a) / scale,
           better.empty() ? "" : ". Take ", better);
   }
   return text;

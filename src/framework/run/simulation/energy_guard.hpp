@@ -20,9 +20,9 @@
 // omega^2 a b/4 of the energy: a step of another length than the one before, as the last one of a
 // run, may change it by up to 3/2 D, which is taken off what a run has gained.
 //
-// A step whose g, or whose growth of a large and growing D, is above `step_gain` of the scale, the
-// largest energy or work of the body so far, is to be redone with half its length, and steps stay
-// shorter for a while after that. What a shorter step does not lessen has come with the step before
+// A step whose g, or whose growth of a large and growing D, is above `max_step_gain` of the scale,
+// the largest energy or work of the body so far, is to be redone with half its length, and steps
+// stay shorter for a while after that. What a shorter step does not lessen has come with the step before
 // and is let pass; but steps grow shorter as long as bodies gain, and after `max_halvings` the run
 // is to end.
 #pragma once
@@ -40,11 +40,11 @@ class Json;
 class EnergyGuard {
  public:
   // Shares of the scale.
-  static constexpr double step_gain = 1e-3;     // the step is redone
-  static constexpr double run_gain = 5e-3;      // an event: of H
-  static constexpr double large_growth = 0.03;  // D over the scale, of a growing mode
-  static constexpr double max_growth = 0.3;     // the same, where one step of growth is enough
-  static constexpr double run_loss = 0.1;       // an event
+  static constexpr double max_step_gain = 1e-3;  // the step is redone
+  static constexpr double max_run_gain = 5e-3;   // an event: of H
+  static constexpr double large_growth = 0.03;   // D over the scale, of a growing mode
+  static constexpr double max_growth = 0.3;      // the same, where one step of growth is enough
+  static constexpr double max_run_loss = 0.1;    // an event
   static constexpr int max_halvings = 8;
 
   struct Excess {

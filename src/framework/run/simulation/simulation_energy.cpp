@@ -36,8 +36,8 @@ bool Simulation::judge_energies(const StepPlan& plan, const std::vector<double>&
       "energy ({:.3g} J; a step may gain {:g} of it){}. The limits of the time step allowed {:g}, "
       "set by {}. Try a smaller <timestep_multiplier>, another <interpolator>, or look at the "
       "state before this step in the last checkpoint",
-      body.name, excess->gain, excess->gain / excess->scale, excess->scale, EnergyGuard::step_gain,
-      where, limit_.dt, limit_.reason);
+      body.name, excess->gain, excess->gain / excess->scale, excess->scale,
+      EnergyGuard::max_step_gain, where, limit_.dt, limit_.reason);
   attempts.refused = true;
   attempts.hopeless = !energies_.shorten();
   return false;

@@ -18,8 +18,8 @@ AttributeSpec type_of(const std::vector<Part>& parts,
 
 }  // namespace
 
-TagSpec part_tag(std::string name, std::string doc, const std::vector<Part>& parts,
-                 const std::vector<std::string>& not_supported) {
+TagSpec submodel_tag(std::string name, std::string doc, const std::vector<Part>& parts,
+                     const std::vector<std::string>& not_supported) {
   std::vector<std::pair<std::string, const Tags*>> tags;
   for (const Part& part : parts) tags.emplace_back(part.type, &part.tags);
   TagSpec whole = choice_tag(std::move(name), std::move(doc), tags);
@@ -27,9 +27,9 @@ TagSpec part_tag(std::string name, std::string doc, const std::vector<Part>& par
   return whole;
 }
 
-ChosenPart choose_part(const Parameters& model, const std::string& name,
-                       const std::vector<Part>& parts,
-                       const std::vector<std::string>& not_supported) {
+ChosenSubmodel choose_submodel(const Parameters& model, const std::string& name,
+                               const std::vector<Part>& parts,
+                               const std::vector<std::string>& not_supported) {
   const DeckNode* child = model.block(name);
   if (child == nullptr) return {};
   std::string type = child->attribute("type").value_or("");
@@ -45,7 +45,7 @@ ChosenPart choose_part(const Parameters& model, const std::string& name,
   return {-1, true};
 }
 
-Parameters inside_part(const Parameters& model, const std::string& name, const Part& part) {
+Parameters inside_submodel(const Parameters& model, const std::string& name, const Part& part) {
   return {*model.block(name), part.type, part.tags, model.context(), model.faults()};
 }
 

@@ -14,19 +14,19 @@ struct Part {
 };
 
 // The description of <name type=> for help and spelling. `not_supported`: types of the format.
-TagSpec part_tag(std::string name, std::string doc, const std::vector<Part>& parts,
-                 const std::vector<std::string>& not_supported = {});
+TagSpec submodel_tag(std::string name, std::string doc, const std::vector<Part>& parts,
+                     const std::vector<std::string>& not_supported = {});
 
 // Which part the child <name> of a model chooses; -1 where there is no such child (`by_default`
 // then counts) or it is bad, which is told.
-struct ChosenPart {
+struct ChosenSubmodel {
   int index = -1;
   bool written = false;
 };
-ChosenPart choose_part(const Parameters& model, const std::string& name,
-                       const std::vector<Part>& parts,
-                       const std::vector<std::string>& not_supported = {});
+ChosenSubmodel choose_submodel(const Parameters& model, const std::string& name,
+                               const std::vector<Part>& parts,
+                               const std::vector<std::string>& not_supported = {});
 // The numbers inside the chosen part.
-Parameters inside_part(const Parameters& model, const std::string& name, const Part& part);
+Parameters inside_submodel(const Parameters& model, const std::string& name, const Part& part);
 
 }  // namespace sluice::mpm

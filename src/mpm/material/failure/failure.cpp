@@ -289,10 +289,11 @@ void read_brittle(const Parameters& p, const Material& law, DamageConstants& d) 
 }
 
 void read_damage(const Parameters& around, const Material& law, FailureConstants& c) {
-  const ChosenPart chosen = choose_part(around, "damage_model", damages(), damages_not_supported);
+  const ChosenSubmodel chosen =
+      choose_submodel(around, "damage_model", damages(), damages_not_supported);
   if (chosen.index < 0) return;
   c.damage.form = static_cast<DamageForm>(chosen.index);
-  const Parameters p = inside_part(around, "damage_model", damages()[chosen.index]);
+  const Parameters p = inside_submodel(around, "damage_model", damages()[chosen.index]);
   if (!p.good()) return;
   DamageConstants& d = c.damage;
   switch (d.form) {
@@ -339,8 +340,8 @@ void read_erosion(const DeckNode& material, FailureConstants& c, std::vector<Fau
 }  // namespace
 
 TagSpec damage_model_tag() {
-  return part_tag("damage_model", "damage and failure of particles", damages(),
-                  damages_not_supported);
+  return submodel_tag("damage_model", "damage and failure of particles", damages(),
+                      damages_not_supported);
 }
 TagSpec erosion_tag() {
   return tag("erosion", "stress that a failed particle still carries")

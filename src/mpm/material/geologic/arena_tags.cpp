@@ -63,8 +63,8 @@ Tags arena_tags() {
       number("p1_sat", "p1 of saturated soil, relative to that of dry soil"),
       positive("p2", "exponent of the crush curve"),
       number("p3", "accepted without effect: -ln(1 - initial_porosity) is used"),
-      part_tag("elastic_moduli_model", "moduli of the drained soil", elastic_parts()).once(),
-      part_tag("plastic_yield_condition", "limit curve, cap, rate dependence", yield_parts())
+      submodel_tag("elastic_moduli_model", "moduli of the drained soil", elastic_parts()).once(),
+      submodel_tag("plastic_yield_condition", "limit curve, cap, rate dependence", yield_parts())
           .once(),
       positive_or("yield_surface_radius_scaling_factor",
                   "a part of a step changes the stress by at most so many sizes of the surface", 1),
@@ -129,9 +129,9 @@ bool read_crush(const Parameters& p, WetSoil& soil) {
 
 bool read_elastic(const Parameters& model, WetSoil& soil) {
   const char* name = "elastic_moduli_model";
-  const ChosenPart chosen = choose_part(model, name, elastic_parts());
+  const ChosenSubmodel chosen = choose_submodel(model, name, elastic_parts());
   if (chosen.index < 0) return false;
-  const Parameters p = inside_part(model, name, elastic_parts().front());
+  const Parameters p = inside_submodel(model, name, elastic_parts().front());
   if (!p.good()) return false;
   soil.b0 = p.real("b0");
   soil.b1 = p.real("b1");
@@ -178,9 +178,9 @@ bool read_limits(const Parameters& p, ArenaConstants& c) {
 
 bool read_yield(const Parameters& model, ArenaConstants& c) {
   const char* name = "plastic_yield_condition";
-  const ChosenPart chosen = choose_part(model, name, yield_parts());
+  const ChosenSubmodel chosen = choose_submodel(model, name, yield_parts());
   if (chosen.index < 0) return false;
-  const Parameters p = inside_part(model, name, yield_parts().front());
+  const Parameters p = inside_submodel(model, name, yield_parts().front());
   if (!p.good()) return false;
   bool good = read_limits(p, c);
   for (const char* number : spread)

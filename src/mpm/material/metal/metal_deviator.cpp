@@ -61,13 +61,13 @@ double MaxwellElements::take(std::span<const double* const> old, std::span<doubl
 }
 
 TagSpec deviator_tag() {
-  return part_tag("deviatoric_stress_model", "elasticity of the deviator", parts());
+  return submodel_tag("deviatoric_stress_model", "elasticity of the deviator", parts());
 }
 
 MaxwellElements read_deviator(const Parameters& model, double mu) {
-  const ChosenPart chosen = choose_part(model, "deviatoric_stress_model", parts());
+  const ChosenSubmodel chosen = choose_submodel(model, "deviatoric_stress_model", parts());
   if (chosen.index < 1) return {};
-  const Parameters p = inside_part(model, "deviatoric_stress_model", parts()[chosen.index]);
+  const Parameters p = inside_submodel(model, "deviatoric_stress_model", parts()[chosen.index]);
   if (!p.good()) return {};
   std::vector<double> shares = p.reals("mu");
   const std::vector<double> times = p.reals("tau");

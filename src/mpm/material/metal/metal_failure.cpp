@@ -64,12 +64,12 @@ bool unstable(Stability check, const Symmetric& strain, const Symmetric& N, doub
 }
 
 TagSpec yield_condition_tag() {
-  return part_tag("yield_condition", "yield condition of the metal", yields(),
-                  yields_not_supported);
+  return submodel_tag("yield_condition", "yield condition of the metal", yields(),
+                      yields_not_supported);
 }
 TagSpec stability_tag() {
-  return part_tag("stability_check", "criterion of failure by instability; with <erosion>",
-                  checks(), checks_not_supported);
+  return submodel_tag("stability_check", "criterion of failure by instability; with <erosion>",
+                      checks(), checks_not_supported);
 }
 Tags pore_tags() {
   return {
@@ -87,15 +87,17 @@ Tags pore_tags() {
 
 YieldCondition read_yield_condition(const Parameters& model) {
   YieldCondition yield;
-  const ChosenPart chosen = choose_part(model, "yield_condition", yields(), yields_not_supported);
+  const ChosenSubmodel chosen =
+      choose_submodel(model, "yield_condition", yields(), yields_not_supported);
   if (chosen.index != 1) return yield;
-  const Parameters p = inside_part(model, "yield_condition", yields()[1]);
+  const Parameters p = inside_submodel(model, "yield_condition", yields()[1]);
   if (p.good())
     yield = {true, p.real("q1"), p.real("q2"), p.real("q3"), p.real("k"), p.real("f_c")};
   return yield;
 }
 Stability read_stability(const Parameters& model) {
-  const ChosenPart chosen = choose_part(model, "stability_check", checks(), checks_not_supported);
+  const ChosenSubmodel chosen =
+      choose_submodel(model, "stability_check", checks(), checks_not_supported);
   return chosen.index < 0 ? Stability::none : static_cast<Stability>(chosen.index);
 }
 Pores read_pores(const Parameters& p) {

@@ -20,13 +20,13 @@ const std::vector<std::string> not_supported = {"zerilli_armstrong_polymer"};
 }  // namespace
 
 TagSpec metal_flow_tag() {
-  return part_tag("flow_model", "the flow stress", flows(), not_supported).once();
+  return submodel_tag("flow_model", "the flow stress", flows(), not_supported).once();
 }
 
 std::optional<MetalFlow> read_metal_flow(const Parameters& model) {
-  const ChosenPart chosen = choose_part(model, "flow_model", flows(), not_supported);
+  const ChosenSubmodel chosen = choose_submodel(model, "flow_model", flows(), not_supported);
   if (chosen.index < 0) return std::nullopt;
-  const Parameters p = inside_part(model, "flow_model", flows()[chosen.index]);
+  const Parameters p = inside_submodel(model, "flow_model", flows()[chosen.index]);
   if (!p.good()) return std::nullopt;
   switch (chosen.index) {
     case 0:

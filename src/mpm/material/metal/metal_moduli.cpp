@@ -131,24 +131,24 @@ const std::vector<std::string> meltings_not_supported = {"bps_Tm"};
 }  // namespace
 
 TagSpec shear_modulus_tag() {
-  return part_tag("shear_modulus_model", "model of the shear modulus", shear_parts());
+  return submodel_tag("shear_modulus_model", "model of the shear modulus", shear_parts());
 }
 TagSpec melting_tag() {
-  return part_tag("melting_temp_model", "model of the melting temperature", melting_parts(),
-                  meltings_not_supported);
+  return submodel_tag("melting_temp_model", "model of the melting temperature", melting_parts(),
+                      meltings_not_supported);
 }
 TagSpec specific_heat_tag() {
-  return part_tag("specific_heat_model", "model of the specific heat", heat_parts(),
-                  heats_not_supported);
+  return submodel_tag("specific_heat_model", "model of the specific heat", heat_parts(),
+                      heats_not_supported);
 }
 
 ShearModulus read_shear_modulus(const Parameters& model, double constant) {
   ShearModulus m;
   m.mu_0 = constant;
-  const ChosenPart chosen = choose_part(model, "shear_modulus_model", shear_parts());
+  const ChosenSubmodel chosen = choose_submodel(model, "shear_modulus_model", shear_parts());
   if (chosen.index < 0) return m;
   const Part& part = shear_parts()[chosen.index];
-  const Parameters p = inside_part(model, "shear_modulus_model", part);
+  const Parameters p = inside_submodel(model, "shear_modulus_model", part);
   if (!p.good()) return m;
   m.form = static_cast<ShearModulus::Form>(chosen.index);
   switch (m.form) {
@@ -181,11 +181,11 @@ ShearModulus read_shear_modulus(const Parameters& model, double constant) {
 MeltingTemperature read_melting(const Parameters& model) {
   MeltingTemperature m;
   m.T_m0 = model.constants().melt_temperature;
-  const ChosenPart chosen =
-      choose_part(model, "melting_temp_model", melting_parts(), meltings_not_supported);
+  const ChosenSubmodel chosen =
+      choose_submodel(model, "melting_temp_model", melting_parts(), meltings_not_supported);
   if (chosen.index < 0) return m;
   const Part& part = melting_parts()[chosen.index];
-  const Parameters p = inside_part(model, "melting_temp_model", part);
+  const Parameters p = inside_submodel(model, "melting_temp_model", part);
   if (!p.good()) return m;
   m.form = static_cast<MeltingTemperature::Form>(chosen.index);
   if (m.form == MeltingTemperature::Form::constant) {
@@ -205,11 +205,11 @@ MeltingTemperature read_melting(const Parameters& model) {
 SpecificHeat read_specific_heat(const Parameters& model) {
   SpecificHeat heat;
   heat.value = model.constants().specific_heat;
-  const ChosenPart chosen =
-      choose_part(model, "specific_heat_model", heat_parts(), heats_not_supported);
+  const ChosenSubmodel chosen =
+      choose_submodel(model, "specific_heat_model", heat_parts(), heats_not_supported);
   if (chosen.index < 0) return heat;
   const Part& part = heat_parts()[chosen.index];
-  const Parameters p = inside_part(model, "specific_heat_model", part);
+  const Parameters p = inside_submodel(model, "specific_heat_model", part);
   if (!p.good()) return heat;
   heat.form = static_cast<SpecificHeat::Form>(chosen.index);
   if (heat.form != SpecificHeat::Form::steel) return heat;

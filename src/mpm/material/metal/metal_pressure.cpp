@@ -55,15 +55,15 @@ const std::vector<std::string> not_supported = {"mie_gruneisen_energy"};
 }  // namespace
 
 TagSpec metal_pressure_tag() {
-  return part_tag("equation_of_state", "model of the pressure", parts(), not_supported);
+  return submodel_tag("equation_of_state", "model of the pressure", parts(), not_supported);
 }
 
 MetalPressure read_metal_pressure(const Parameters& model, double K) {
   MetalPressure pressure;
   pressure.K = K;
-  const ChosenPart chosen = choose_part(model, "equation_of_state", parts(), not_supported);
+  const ChosenSubmodel chosen = choose_submodel(model, "equation_of_state", parts(), not_supported);
   if (chosen.index < 0) return pressure;
-  const Parameters p = inside_part(model, "equation_of_state", parts()[chosen.index]);
+  const Parameters p = inside_submodel(model, "equation_of_state", parts()[chosen.index]);
   if (!p.good()) return pressure;
   pressure.form = static_cast<MetalPressure::Form>(chosen.index);
   if (pressure.form != MetalPressure::Form::mie_gruneisen) {
