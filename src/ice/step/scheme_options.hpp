@@ -128,7 +128,7 @@ struct SchemeOptions {
   BudgetOptions budgets;
 
   // The scene's number of one of the materials.
-  int place(int m) const { return accounts.places.material_of(m); }
+  int place(int m) const { return budgets.places.material_of(m); }
   // Whether a material of a mixture conducts heat, in itself or into another.
   bool conducts(int m) const {
     const auto& convective = materials.convective;

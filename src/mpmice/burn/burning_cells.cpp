@@ -70,7 +70,7 @@ void BurningCells::clear(Warehouse& state) const {
 void BurningCells::declare(TaskList& diagnostics, int effect) const {
   IndexOffsets all;
   all.effect = effect;
-  diagnostics.enter(all);
+  diagnostics.begin_part(all);
   for (std::size_t n = 0; n < slots_.size(); ++n) {
     const SlotInfo& s = slots_[n];
     TaskBuilder task = diagnostics.task("save " + saved_[n].name(), 0);

@@ -22,9 +22,9 @@
 //
 // A step whose g, or whose growth of a large and growing D, is above `max_step_gain` of the scale,
 // the largest energy or work of the body so far, is to be redone with half its length, and steps
-// stay shorter for a while after that. What a shorter step does not lessen has come with the step before
-// and is let pass; but steps grow shorter as long as bodies gain, and after `max_halvings` the run
-// is to end.
+// stay shorter for a while after that. What a shorter step does not lessen has come with the step
+// before and is let pass; but steps grow shorter as long as bodies gain, and after `max_halvings`
+// the run is to end.
 #pragma once
 #include <optional>
 #include <string>
