@@ -259,7 +259,8 @@ TEST(RefinementSettings, RegionsErrorEstimatesAndInterfaces) {
   EXPECT_THAT(with("<Refine level=\"0\">" + box + "</Refine>").faults,
               HasSubstr("error: <Refine>"));
   const Read deep = with("<Refine level=\"5\">" + box + "</Refine>");
-  EXPECT_THAT(deep.faults, HasSubstr("warning: <Refine>: level 5, but max_levels 3"));
+  EXPECT_THAT(deep.faults,
+              HasSubstr("warning: <Refine>: level 5, but with max_levels 3 the finest level is 2"));
   EXPECT_EQ(deep.settings.regions[0].finest_level, 2);
   EXPECT_THAT(with("<Refine/>").faults, HasSubstr("<Refine> has no <geom_object>"));
   EXPECT_THAT(with("<Refine><geom_object/></Refine>").faults,
@@ -285,8 +286,10 @@ TEST(RefinementSettings, RegionsErrorEstimatesAndInterfaces) {
                 HasSubstr("error: <MaterialInterface> needs a distance of 0"));
   EXPECT_THAT(with("<MaterialInterface distance=\"1\" level=\"0\"/>").faults,
               HasSubstr("error: <MaterialInterface>: level 0"));
-  EXPECT_THAT(with("<MaterialInterface distance=\"1\" level=\"3\"/>").faults,
-              HasSubstr("warning: <MaterialInterface>: level 3, but max_levels 3"));
+  EXPECT_THAT(
+      with("<MaterialInterface distance=\"1\" level=\"3\"/>").faults,
+      HasSubstr(
+          "warning: <MaterialInterface>: level 3, but with max_levels 3 the finest level is 2"));
   EXPECT_THAT(read("<AMR><MaterialInterface distance=\"1\"/></AMR>").faults,
               HasSubstr("warning: <MaterialInterface> has no effect"));
   const Read idle = read("<AMR><Refine>" + box + "</Refine></AMR>");
