@@ -45,7 +45,8 @@ def parse():
 
 def wanted(cases, patterns):
     """The cases that match, and the runs that matching ratios need."""
-    chosen = [c for c in cases if not patterns or any(p in c.name for p in patterns)]
+    chosen = [c for c in cases if any(p in c.name for p in patterns)
+              or not (patterns or getattr(c, "by_name", False))]
     needed = {n for c in chosen if isinstance(c, Ratio) for n in (c.above, c.below)}
     return [c for c in cases if c in chosen or c.name in needed]
 

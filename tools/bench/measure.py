@@ -80,7 +80,21 @@ def figure_of(case, told, wall):
         return 1e9 * told["stepping_s"] / (told["cell_updates"] - told["updates_asleep"])
     if case.unit == "ns/particle/step":
         return told["ns_per_particle_step"]
+    if case.unit == "MiB":  # the peaks of all ranks together
+        return told["peak_memory_bytes"] / 2**20
+    if case.unit in ("collectives/step", "kB of collectives/step", "kB sent/step"):
+        return messages_of(case, told)
     return told["ns_per_cell_step"]
+
+
+def messages_of(case, told):
+    """Calls or bytes of rank 0 in collectives, or bytes that all ranks send to single others."""
+    kinds = told.get("messages", {})  # builds before these were counted tell none
+    steps = told["steps"]
+    if case.unit == "kB sent/step":
+        return kinds.get("sends", {}).get("bytes", 0) / steps / 1e3
+    what, scale = ("calls", 1) if case.unit == "collectives/step" else ("bytes", 1e3)
+    return sum(n[what] for kind, n in kinds.items() if kind != "sends") / steps / scale
 
 
 def calibrate(build):
