@@ -4,6 +4,7 @@ import json
 import os
 import pathlib
 import re
+import resource
 import statistics
 import subprocess
 import sys
@@ -64,6 +65,41 @@ def run_once(build, case):
         if told["steps"] < case.steps:
             print(f"note: '{case.name}' ended after {told['steps']} of {case.steps} steps")
         return figure_of(case, told, wall)
+
+
+def least_processor_times(builds, case, repeat):
+    """Nanoseconds of processor time per cell or particle and step, of all ranks, by build.
+
+    The difference of a run and one with a third of its steps, each the least of several; builds
+    take turns.
+    """
+    few = max(1, case.steps // 3)
+    least = [{few: float("inf"), case.steps: float("inf")} for _ in builds]
+    updates = {}
+    for _ in range(repeat):
+        for slot, build in zip(least, builds):
+            for steps in slot:
+                seconds, updates[steps] = processor_time(build, case, steps)
+                slot[steps] = min(slot[steps], seconds)
+    work = updates[case.steps] - updates[few]
+    return [1e9 * (slot[case.steps] - slot[few]) / work for slot in least]
+
+
+def processor_time(build, case, steps):
+    """Processor seconds of a whole run, and its updates of cells or particles."""
+    with tempfile.TemporaryDirectory() as folder:
+        report = pathlib.Path(folder) / "report.json"
+        if SUITE:
+            pathlib.Path(folder, "inputs").symlink_to(pathlib.Path(SUITE, "inputs").resolve())
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        done = subprocess.run(run_command(build, case, report, steps), capture_output=True,
+                              text=True, cwd=folder)
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        if done.returncode != 0:
+            sys.exit(f"bench: '{case.name}' failed ({done.returncode}):\n{done.stderr[-2000:]}")
+        told = json.loads(report.read_text())
+        by = "particle_updates" if case.unit == "ns/particle/step" else "cell_updates"
+        return after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime, told[by]
 
 
 def figure_of(case, told, wall):

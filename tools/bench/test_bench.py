@@ -53,6 +53,17 @@ class Frame(unittest.TestCase):
             build = measure.Build(root, "release")
             self.assertEqual(measure.run_once(build, Run("a", "deck.ups", 10)), 42.0)
 
+    def test_processor_time_is_a_difference_of_minima(self):
+        case, builds = Run("a", "d", 30), ["one", "two"]
+        seconds = iter([3.0, 7.0, 2.5, 6.5, 2.0, 8.0, 3.0, 4.5])  # few, many; one, two; twice
+        whole, measure.processor_time = measure.processor_time, (
+            lambda build, case, steps: (next(seconds), 1000 * steps))
+        try:
+            figures = measure.least_processor_times(builds, case, 2)
+        finally:
+            measure.processor_time = whole
+        self.assertEqual(figures, [1e9 * 5.0 / 20000, 1e9 * 2.0 / 20000])
+
     def test_shares_of_a_report(self):
         told = {"regrid_s": 2.0, "regrids": 4, "balance_s": 1.0, "stepping_s": 50.0, "steps": 10}
         figures = [measure.figure_of(Run("a", "d", 0, unit=unit), told, 7.0)
