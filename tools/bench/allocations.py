@@ -52,8 +52,11 @@ def parse():
     parser.add_argument("--steps", type=int, nargs=2, default=(10, 20), metavar=("FEW", "MANY"))
     parser.add_argument("--large", type=int, default=LARGE, help="bytes of a large one")
     parser.add_argument("--sluice", default=str(ROOT / "build/release/bin/sluice"))
-    parser.add_argument("options", nargs="*", help="of sluice run, after --")
-    return parser.parse_args()
+    words = sys.argv[1:]
+    end = words.index("--") if "--" in words else len(words)
+    given = parser.parse_args(words[:end])
+    given.options = words[end + 1:]
+    return given
 
 
 def main():

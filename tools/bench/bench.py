@@ -151,7 +151,7 @@ def processor(builds, cases, repeat):
     """Processor time per cell or particle and step, of one build or of two beside each other."""
     print(f"{'processor time, ns':44} {'now':>10} {'other':>10} {'ratio':>7}")
     for case in cases:
-        if case.steps < 2 or not case.unit.startswith("ns"):
+        if not case.steps or not case.unit.startswith("ns"):
             continue
         now, *other = least_processor_times(builds, case, repeat)
         told = f"{other[0]:10.1f} {now / other[0]:7.3f}" if other else f"{'-':>10} {'-':>7}"

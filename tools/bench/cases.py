@@ -287,7 +287,7 @@ CASES += [
           "block in a corner of 64 boxes, 2 ranks"),
     *counted("block in a corner of 64 boxes", CORNER, 50),
     Run("implicit cube, 8,000 particles", IMPLICIT, 2, settings=(), unit=PARTICLE),
-    Run("implicit cube, 8,000 particles, static", IMPLICIT, 2, settings=("MPM/dynamic=false",),
+    Run("implicit cube, 8,000 particles, static", IMPLICIT, 1, settings=("MPM/dynamic=false",),
         unit=PARTICLE),
     Run("implicit cube, 32,768 particles, linear", IMPLICIT, 2, "[32,32,32]",
         settings=("MPM/interpolator=linear",), unit=PARTICLE, long=True),

@@ -71,18 +71,18 @@ def least_processor_times(builds, case, repeat):
     """Nanoseconds of processor time per cell or particle and step, of all ranks, by build.
 
     The difference of a run and one with a third of its steps, each the least of several; builds
-    take turns.
+    take turns. Of one step or two: the whole run.
     """
-    few = max(1, case.steps // 3)
-    least = [{few: float("inf"), case.steps: float("inf")} for _ in builds]
-    updates = {}
+    few = case.steps // 3
+    least = [{steps: float("inf") for steps in (few, case.steps) if steps} for _ in builds]
+    updates = {0: 0}
     for _ in range(repeat):
         for slot, build in zip(least, builds):
             for steps in slot:
                 seconds, updates[steps] = processor_time(build, case, steps)
                 slot[steps] = min(slot[steps], seconds)
     work = updates[case.steps] - updates[few]
-    return [1e9 * (slot[case.steps] - slot[few]) / work for slot in least]
+    return [1e9 * (slot[case.steps] - slot.get(few, 0)) / work for slot in least]
 
 
 def processor_time(build, case, steps):

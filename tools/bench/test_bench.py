@@ -55,14 +55,16 @@ class Frame(unittest.TestCase):
 
     def test_processor_time_is_a_difference_of_minima(self):
         case, builds = Run("a", "d", 30), ["one", "two"]
-        seconds = iter([3.0, 7.0, 2.5, 6.5, 2.0, 8.0, 3.0, 4.5])  # few, many; one, two; twice
-        whole, measure.processor_time = measure.processor_time, (
+        seconds = iter([3.0, 7.0, 2.5, 6.5, 2.0, 8.0, 3.0, 4.5, 9.0])  # few, many; one, two; twice
+        real, measure.processor_time = measure.processor_time, (
             lambda build, case, steps: (next(seconds), 1000 * steps))
         try:
             figures = measure.least_processor_times(builds, case, 2)
+            whole_run = measure.least_processor_times(["one"], Run("a", "d", 2), 1)
         finally:
-            measure.processor_time = whole
+            measure.processor_time = real
         self.assertEqual(figures, [1e9 * 5.0 / 20000, 1e9 * 2.0 / 20000])
+        self.assertEqual(whole_run, [1e9 * 9.0 / 2000])
 
     def test_shares_of_a_report(self):
         told = {"regrid_s": 2.0, "regrids": 4, "balance_s": 1.0, "stepping_s": 50.0, "steps": 10}
