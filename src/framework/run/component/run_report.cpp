@@ -168,12 +168,14 @@ std::string messages_text(const RunReport& r) {
   using Align = TextTable::Align;
   TextTable table(
       {{"messages"}, {"calls per step", Align::right}, {"bytes per step", Align::right}});
-  r.messages.for_each([&](std::string name, const MessageCount& n) {
+  const auto add = [&](std::string name, const MessageCount& n) {
     if (n.calls == 0) return;
     std::replace(name.begin(), name.end(), '_', ' ');
     table.row({name, fmt::format("{:.1f}", static_cast<double>(n.calls) / r.steps),
                human_bytes(static_cast<double>(n.bytes) / r.steps)});
-  });
+  };
+  r.messages.for_each(add);
+  add("all but sends", r.messages.collectives());
   return table.text("  ");
 }
 

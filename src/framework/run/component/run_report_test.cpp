@@ -85,6 +85,7 @@ TEST(RunReport, TellsMessagesByStep) {
   EXPECT_THAT(text, testing::ContainsRegex("gathers to all +1.0 +2.0 KiB"));
   EXPECT_THAT(text, testing::ContainsRegex("sends +4.0 +3.9 KiB"));
   EXPECT_THAT(text, Not(HasSubstr("barriers")));
+  EXPECT_THAT(text, testing::ContainsRegex("all but sends +3.5 +2.5 KiB"));
   const Json json = to_json(r).at("messages");
   EXPECT_EQ(json.at("sends").at("bytes"), 40000);
   EXPECT_EQ(json.at("barriers").at("calls"), 0);
