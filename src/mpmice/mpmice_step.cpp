@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "mpm/levels/solid_levels.hpp"
+#include "mpmice/coupling_memory.hpp"
 #include "mpmice/mpmice.hpp"
 #include "mpmice/step/coupling_on_levels.hpp"
 
@@ -105,6 +106,10 @@ void MpmIceStep::declare_stages(StepShape& shape) const {
   stages.solids(shape, "take over", &SolidLevels::commit);
   if (!both_->burns().empty())
     stages.both(shape, "burned particles go", &CouplingOnLevels::remove_burned);
+}
+
+double MpmIceStep::array_bytes(const Level& finest) const {
+  return coupling_bytes(*both_, finest);
 }
 
 StepLimit MpmIceStep::limit(const std::vector<double>& maxima) const {

@@ -13,6 +13,7 @@ class MpmIceStep final : public ice::FluidStep {
 
   void declare_stages(StepShape& shape) const override;
   StepLimit limit(const std::vector<double>& maxima) const override;
+  double array_bytes(const Level& finest) const override;
 
  private:
   const MpmIce* both_;

@@ -6,6 +6,7 @@
     bench.py --long             with the cases that take minutes
     bench.py --record           and store the medians as the new recorded figures
     bench.py --against COMMIT   build COMMIT under build/against and run both in turn
+    bench.py --processor        processor time of steps alone: minima, for machines with other work
     bench.py --instructions     count instructions per cell and step (valgrind, repeatable)
 
 Each figure is the median of several runs, pinned to one core; a fixed calibration loop timed in the
@@ -21,8 +22,8 @@ import subprocess
 import sys
 
 from cases import CASES, Program, Ratio, Run
-from measure import (Build, build_portable, count_instructions, kernel_figures, median_runs,
-                     program_figures, spread)
+from measure import (Build, build_portable, count_instructions, kernel_figures,
+                     least_processor_times, median_runs, program_figures, spread)
 from table import print_table
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -38,6 +39,7 @@ def parse():
     parser.add_argument("--record", action="store_true")
     parser.add_argument("--against", metavar="COMMIT")
     parser.add_argument("--instructions", action="store_true")
+    parser.add_argument("--processor", action="store_true")
     parser.add_argument("--repeat", type=int, default=5, help="runs per figure (5)")
     parser.add_argument("--json", type=pathlib.Path, help="write all figures there too")
     return parser.parse_args()
@@ -45,7 +47,8 @@ def parse():
 
 def wanted(cases, patterns):
     """The cases that match, and the runs that matching ratios need."""
-    chosen = [c for c in cases if not patterns or any(p in c.name for p in patterns)]
+    chosen = [c for c in cases if any(p in c.name for p in patterns)
+              or not (patterns or getattr(c, "by_name", False))]
     needed = {n for c in chosen if isinstance(c, Ratio) for n in (c.above, c.below)}
     return [c for c in cases if c in chosen or c.name in needed]
 
@@ -144,6 +147,18 @@ def instructions(cases, keep):
     return 0
 
 
+def processor(builds, cases, repeat):
+    """Processor time per cell or particle and step, of one build or of two beside each other."""
+    print(f"{'processor time, ns':44} {'now':>10} {'other':>10} {'ratio':>7}")
+    for case in cases:
+        if not case.steps or not case.unit.startswith("ns"):
+            continue
+        now, *other = least_processor_times(builds, case, repeat)
+        told = f"{other[0]:10.1f} {now / other[0]:7.3f}" if other else f"{'-':>10} {'-':>7}"
+        print(f"{case.name:44} {now:10.1f} {told}", flush=True)
+    return 0
+
+
 def processor_name():
     for line in pathlib.Path("/proc/cpuinfo").read_text().splitlines():
         if line.startswith("model name"):
@@ -161,6 +176,8 @@ def main():
     build = Build(ROOT, "release")
     builds = [build] + ([checkout_and_build(given.against)] if given.against else [])
     run_cases = [case for case in cases if isinstance(case, Run)]
+    if given.processor:
+        return processor(builds, run_cases, given.repeat)
     runs, calibrations = median_runs(builds, run_cases, given.repeat)
     mine = figures_of(cases, runs[0]) | other_figures(build, cases, given.pattern)
     if not mine:

@@ -4,6 +4,7 @@ import json
 import os
 import pathlib
 import re
+import resource
 import statistics
 import subprocess
 import sys
@@ -66,6 +67,41 @@ def run_once(build, case):
         return figure_of(case, told, wall)
 
 
+def least_processor_times(builds, case, repeat):
+    """Nanoseconds of processor time per cell or particle and step, of all ranks, by build.
+
+    The difference of a run and one with a third of its steps, each the least of several; builds
+    take turns. Of one step or two: the whole run.
+    """
+    few = case.steps // 3
+    least = [{steps: float("inf") for steps in (few, case.steps) if steps} for _ in builds]
+    updates = {0: 0}
+    for _ in range(repeat):
+        for slot, build in zip(least, builds):
+            for steps in slot:
+                seconds, updates[steps] = processor_time(build, case, steps)
+                slot[steps] = min(slot[steps], seconds)
+    work = updates[case.steps] - updates[few]
+    return [1e9 * (slot[case.steps] - slot.get(few, 0)) / work for slot in least]
+
+
+def processor_time(build, case, steps):
+    """Processor seconds of a whole run, and its updates of cells or particles."""
+    with tempfile.TemporaryDirectory() as folder:
+        report = pathlib.Path(folder) / "report.json"
+        if SUITE:
+            pathlib.Path(folder, "inputs").symlink_to(pathlib.Path(SUITE, "inputs").resolve())
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        done = subprocess.run(run_command(build, case, report, steps), capture_output=True,
+                              text=True, cwd=folder)
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        if done.returncode != 0:
+            sys.exit(f"bench: '{case.name}' failed ({done.returncode}):\n{done.stderr[-2000:]}")
+        told = json.loads(report.read_text())
+        by = "particle_updates" if case.unit == "ns/particle/step" else "cell_updates"
+        return after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime, told[by]
+
+
 def figure_of(case, told, wall):
     """What the unit of a case says of its report."""
     if case.unit == "ms":
@@ -80,7 +116,21 @@ def figure_of(case, told, wall):
         return 1e9 * told["stepping_s"] / (told["cell_updates"] - told["updates_asleep"])
     if case.unit == "ns/particle/step":
         return told["ns_per_particle_step"]
+    if case.unit == "MiB":  # the peaks of all ranks together
+        return told["peak_memory_bytes"] / 2**20
+    if case.unit in ("collectives/step", "kB of collectives/step", "kB sent/step"):
+        return messages_of(case, told)
     return told["ns_per_cell_step"]
+
+
+def messages_of(case, told):
+    """Calls or bytes of rank 0 in collectives, or bytes that all ranks send to single others."""
+    kinds = told.get("messages", {})  # builds before these were counted tell none
+    steps = told["steps"]
+    if case.unit == "kB sent/step":
+        return kinds.get("sends", {}).get("bytes", 0) / steps / 1e3
+    what, scale = ("calls", 1) if case.unit == "collectives/step" else ("bytes", 1e3)
+    return sum(n[what] for kind, n in kinds.items() if kind != "sends") / steps / scale
 
 
 def calibrate(build):

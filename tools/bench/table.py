@@ -33,7 +33,7 @@ def rows(cases, mine, other, calibration):
 
 def print_table(cases, mine, other, calibration):
     """Prints the table; returns the names of figures outside their limit."""
-    head = ["case", "ns, ms, ratio", "in loops", "other", "change", "", "limit", ""]
+    head = ["case", "figure", "in loops", "other", "change", "", "limit", ""]
     body = list(rows(cases, mine, other, calibration))
     widths = [max(len(row[i]) for row in [head] + body) for i in range(len(head))]
     print(f"against: {other.get('commit', 'nothing recorded')} {other.get('date', '')} "

@@ -6,6 +6,7 @@ import tempfile
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import allocations  # noqa: E402
 import bench  # noqa: E402
 import compile_times  # noqa: E402
 import measure  # noqa: E402
@@ -52,11 +53,39 @@ class Frame(unittest.TestCase):
             build = measure.Build(root, "release")
             self.assertEqual(measure.run_once(build, Run("a", "deck.ups", 10)), 42.0)
 
+    def test_processor_time_is_a_difference_of_minima(self):
+        case, builds = Run("a", "d", 30), ["one", "two"]
+        seconds = iter([3.0, 7.0, 2.5, 6.5, 2.0, 8.0, 3.0, 4.5, 9.0])  # few, many; one, two; twice
+        real, measure.processor_time = measure.processor_time, (
+            lambda build, case, steps: (next(seconds), 1000 * steps))
+        try:
+            figures = measure.least_processor_times(builds, case, 2)
+            whole_run = measure.least_processor_times(["one"], Run("a", "d", 2), 1)
+        finally:
+            measure.processor_time = real
+        self.assertEqual(figures, [1e9 * 5.0 / 20000, 1e9 * 2.0 / 20000])
+        self.assertEqual(whole_run, [1e9 * 9.0 / 2000])
+
     def test_shares_of_a_report(self):
         told = {"regrid_s": 2.0, "regrids": 4, "balance_s": 1.0, "stepping_s": 50.0, "steps": 10}
         figures = [measure.figure_of(Run("a", "d", 0, unit=unit), told, 7.0)
                    for unit in ("share of regrids", "steps a regrid", "share of balance", "ms")]
         self.assertEqual(figures, [0.04, 0.1, 0.02, 7000.0])
+
+    def test_messages_and_memory_of_a_report(self):
+        told = {"steps": 10, "peak_memory_bytes": 3 * 2**20,
+                "messages": {"reductions": {"calls": 20, "bytes": 5000},
+                             "barriers": {"calls": 10, "bytes": 0},
+                             "sends": {"calls": 40, "bytes": 80000}}}
+        figures = [measure.figure_of(Run("a", "d", 0, unit=unit), told, 7.0)
+                   for unit in ("MiB", "collectives/step", "kB of collectives/step",
+                                "kB sent/step")]
+        self.assertEqual(figures, [3.0, 3.0, 0.5, 8.0])
+
+    def test_cases_that_cannot_be_run_yet_only_by_name(self):
+        cases = [Run("a", "d", 1), Run("b", "d", 1, by_name=True)]
+        self.assertEqual(bench.wanted(cases, []), cases[:1])
+        self.assertEqual(bench.wanted(cases, ["b"]), cases[1:])
 
     def test_what_slept_is_not_counted_as_updated(self):
         told = {"stepping_s": 1.0, "cell_updates": 5000, "updates_asleep": 3000}
@@ -65,7 +94,8 @@ class Frame(unittest.TestCase):
 
     def test_every_unit_is_known(self):
         units = {"ns/cell/step", "ns/cell updated", "ms", "share of regrids", "steps a regrid",
-                 "share of balance", "ns/particle/step"}
+                 "share of balance", "ns/particle/step", "MiB", "collectives/step",
+                 "kB of collectives/step", "kB sent/step"}
         self.assertLessEqual({case.unit for case in CASES if isinstance(case, Run)}, units)
 
     def test_savings_are_off_unless_asked_for(self):
@@ -83,6 +113,18 @@ class Frame(unittest.TestCase):
         recorded = json.loads(file.read_text())
         self.assertLessEqual({"figures", "commit", "date", "machine"}, set(recorded))
         self.assertLessEqual(set(recorded["figures"]), {case.name for case in CASES})
+
+
+class Allocations(unittest.TestCase):
+    def test_a_known_number_is_counted(self):
+        program = ("import ctypes, sys\nlibc = ctypes.CDLL(None)\n"
+                   "for n in range(int(sys.argv[1])):\n    libc.malloc(100000 + 100000 * (n % 2))")
+        with tempfile.TemporaryDirectory() as folder:
+            library = allocations.build_library(folder)
+            few, many = (allocations.counts_of([sys.executable, "-c", program, str(n)], library,
+                                               folder) for n in (10, 1010))
+        self.assertEqual(allocations.by_step(few, many, 500)[2:], [1.0, 200000.0])
+        self.assertGreaterEqual(allocations.by_step(few, many, 500)[0], 2.0)
 
 
 class CompileTimes(unittest.TestCase):

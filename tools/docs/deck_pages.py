@@ -49,10 +49,15 @@ SUBJECTS = {
         "implicit": "Semi-implicit pressure",
     },
     "examples": {"examples": "Components to learn from"},
+    "bench": {
+        "coupled": "Fluid and solids",
+        "solids": "Solids in explicit steps",
+        "implicit": "Solids in implicit steps",
+    },
 }
 HEADS = {
     "ice": "Decks of the fluid", "mpm": "Decks of solids", "mpmice": "Decks of fluid and solids",
-    "examples": "Decks of the example components",
+    "examples": "Decks of the example components", "bench": "Decks of the bench",
 }
 CLASSES = [1, 2, 5, 10, 20]  # s; finer would say more of the machine than of the deck
 UNITS = {"s": 1, "min": 60}

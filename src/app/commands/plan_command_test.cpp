@@ -213,6 +213,25 @@ TEST_F(PlanCommand, PredictsTheMemoryThatARunTakes) {
   EXPECT_NEAR(planned.at("memory").at("peak_bytes").get<double>(), measured, 0.1 * measured);
 }
 
+// Fields that stages tell the sweeps, and arrays in a box around both bodies.
+TEST_F(PlanCommand, PredictsTheMemoryOfFluidAndSolids) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "the sanitizer has memory of its own";
+#endif
+  const std::string report = (folder_ / "run.json").string();
+  std::vector<std::string> words = {
+      "run",   SLUICE_SOURCE_DIR "/inputs/bench/two_balls.ups",
+      "--set", "Grid/Level/Box/resolution=[48,48,48]",
+      "--set", "MaterialProperties/MPM/material/geom_object[2]/sphere/origin=[0.875,0.875,0.875]"};
+  const json memory = plan({words.begin() + 1, words.end()}).at("memory");
+  EXPECT_GT(memory.at("step_arrays").get<double>(), 6e7);
+  words.insert(words.end(), {"--max-steps", "3", "--json", report, "-o", folder_.string()});
+  ASSERT_EQ(sluice(words), 0) << said_;
+  const double measured = json::parse(text_of(report)).at("peak_memory_bytes").get<double>();
+  // Planned and measured: 2.23e8 and 2.24e8.
+  EXPECT_NEAR(memory.at("peak_bytes").get<double>(), measured, 0.15 * measured);
+}
+
 TEST_F(PlanCommand, PredictsTheMemoryThatAllRanksTake) {
 #ifdef __SANITIZE_ADDRESS__
   GTEST_SKIP() << "the sanitizer has memory of its own";
@@ -231,6 +250,10 @@ TEST_F(PlanCommand, PredictsTheMemoryThatAllRanksTake) {
   const double measured = json::parse(text_of(report)).at("peak_memory_bytes").get<double>();
   // Planned and measured: 2.55e8 and 2.55e8.
   EXPECT_NEAR(planned.at("memory").at("all_ranks_bytes").get<double>(), measured, 0.1 * measured);
+  // Both send what was planned of one; an output fills ghost cells of the next step.
+  ASSERT_EQ(run_in_shell(line + " --max-steps 1 --no-output --json " + report).status, 0);
+  EXPECT_EQ(json::parse(text_of(report)).at("messages").at("sends").at("bytes").get<double>(),
+            2 * planned.at("messages").at("bytes_per_step").get<double>());
 }
 
 TEST_F(PlanCommand, PlansWhatNoMemoryCouldHold) {

@@ -94,7 +94,7 @@ void tell_end(const RunRequest& o, const RunReport& report, ProgressMode progres
     if (report.archive && report.status != RunStatus::failed)
       fmt::print("{}", error_lines(*report.archive));
   }
-  if (o.costs) fmt::print("{}", measured_effect_table(report.effects));
+  if (o.costs) fmt::print("{}{}", measured_effect_table(report.effects), messages_text(report));
   if (o.plot && !report.archive)
     fmt::print("no archive was written: there is nothing to draw\n");
   else if (o.plot && report.status != RunStatus::failed)
@@ -176,7 +176,8 @@ void declare_run_command(Command& command) {
                  "Write the report of the run to this file; -: to standard output");
   command.option("--progress", o->progress, "auto, plain or none (warnings and errors only)");
   add_run_options(command, o->run);
-  command.flag("--costs", o->costs, "Print the measured share of time of each effect");
+  command.flag("--costs", o->costs,
+               "Print the measured share of time of each effect, and messages");
   command.flag("--plot", o->plot, "Draw the last output at the end, with the exact solution");
   command.action([o] { return run(*o); });
 }

@@ -79,6 +79,13 @@ std::string memory_text(const RunPlan& p) {
              fmt::format("old and new{}, {:g} doubles per cell each, with ghost cells",
                          p.hierarchy.levels.size() > 1 ? ", with substeps also the start" : "",
                          m.state_doubles_per_cell)});
+  if (m.work_fields > 0)
+    table.row({"work fields", human_bytes(m.work_fields),
+               fmt::format("old and new, {:g} doubles per cell each: what stages tell sweeps",
+                           m.work_doubles_per_cell)});
+  if (m.step_arrays > 0)
+    table.row({"arrays of the step", human_bytes(m.step_arrays),
+               "in a box around all solids, whole on every rank"});
   table.row({"outputs", human_bytes(m.outputs),
              fmt::format("{:g} doubles per cell, from the first step that stores them",
                          m.output_doubles_per_cell)});
@@ -161,6 +168,8 @@ Json memory_json(const RunPlan& p) {
   const PlannedMemory& m = p.memory;
   return {{"program", m.base},
           {"states", m.states},
+          {"work_fields", m.work_fields},
+          {"step_arrays", m.step_arrays},
           {"particles", m.particles},
           {"outputs", m.outputs},
           {"scratch", m.scratch},

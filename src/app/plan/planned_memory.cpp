@@ -12,8 +12,8 @@ namespace sluice {
 namespace {
 
 // A process that has read a deck and opened an archive, without fields; measured.
-constexpr double base_bytes = 30.5 * 1024 * 1024;
-constexpr double base_bytes_with_ranks = 41.5 * 1024 * 1024;
+constexpr double base_bytes = 34.5 * 1024 * 1024;
+constexpr double base_bytes_with_ranks = 48.5 * 1024 * 1024;
 constexpr double word = sizeof(double);
 // The initial fill keeps six primitives of the largest box, a count and a flag a cell.
 constexpr double fill_bytes_per_cell = 6 * word + 5;
@@ -31,6 +31,9 @@ class MemoryPlanner {
     m.scratch = scratch_bytes_of_all(kept);
     kept.insert(r_.computed.begin(), r_.computed.end());
     m.state_doubles_per_cell = state_components(r_.component);
+    for (const SlotInfo& s : r_.component.state().work_slots())
+      m.work_doubles_per_cell += s.components;
+    m.step_arrays = r_.component.step().array_bytes(levels_.back());
     for (Label l : kept) m.output_doubles_per_cell += stored_components(r_.materials, l);
     const PlannedMemory alike = m;  // on all ranks; the rest depends on their boxes
     double sum = 0;
@@ -98,6 +101,9 @@ class MemoryPlanner {
       for (const SlotInfo& s : r_.component.state().slots())
         m.states +=
             copies * s.components * word * static_cast<double>(framed_cells(level, rank, s.ghosts));
+      const int width = halo_width(r_.component.state());
+      m.work_fields += copies * m.work_doubles_per_cell * word *
+                       static_cast<double>(framed_cells(level, rank, width));
       for (Label l : kept)
         m.outputs += stored_components(r_.materials, l) *
                      array_bytes(level, rank, l.info().centring == Centring::cell ? 0 : 1);
@@ -131,7 +137,8 @@ class MemoryPlanner {
 }  // namespace
 
 double PlannedMemory::peak() const {
-  return base + states + particles + std::max(initial_fill, outputs + scratch + messages);
+  return base + states + work_fields + step_arrays + particles +
+         std::max(initial_fill, outputs + scratch + messages);
 }
 
 double stored_components(const MaterialsOfLabels& materials, Label label) {

@@ -1,8 +1,11 @@
 // The memory that a rank will have resident at its peak, and what it sends in a step.
 //
-//   peak = base + states + max(initial fill, stored outputs + scratch + messages)
-// where a state is all slots of all local boxes with ghosts, outputs live from the first step that
-// stores them, and the initial fill holds the primitives of the largest box while it is set.
+//   peak = base + states + work fields + step arrays
+//          + max(initial fill, stored outputs + scratch + messages)
+// where a state is all slots of all local boxes with ghosts, work fields are those of
+// StateFacet::work_slots, old and new like the state, step arrays those of StepFacet::array_bytes,
+// outputs live from the first step that stores them, and the initial fill holds the primitives of
+// the largest box while it is set.
 #pragma once
 #include <cstdint>
 #include <utility>
@@ -16,8 +19,9 @@ namespace sluice {
 struct PlannedMemory {
   double particles = 0;  // of a rank, those of the start
   double base = 0, states = 0, outputs = 0, scratch = 0, initial_fill = 0, messages = 0;
+  double work_fields = 0, step_arrays = 0;
   double all_ranks = 0;  // what run.json tells as peak_memory_bytes
-  double output_doubles_per_cell = 0, state_doubles_per_cell = 0;
+  double output_doubles_per_cell = 0, state_doubles_per_cell = 0, work_doubles_per_cell = 0;
   double peak() const;
   double field_doubles_per_cell() const {
     return 2 * state_doubles_per_cell + output_doubles_per_cell;

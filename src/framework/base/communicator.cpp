@@ -15,10 +15,13 @@
 #include <thread>
 
 #include "framework/base/launcher.hpp"
+#include "framework/base/message_counts.hpp"
 #include "framework/base/reduction.hpp"
 
 namespace sluice {
 namespace {
+
+MessageCounts counts;
 
 void check(int code, const char* call) {
   if (code == MPI_SUCCESS) return;
@@ -105,6 +108,13 @@ int environment_number(const char* name) {
 
 }  // namespace
 
+const MessageCounts& message_counts() {
+  return counts;
+}
+void reset_message_counts() {
+  counts = {};
+}
+
 int launched_processes() {
   for (const char* name : rank_counts) {
     if (const int size = environment_number(name); size > 0) return size;
@@ -183,12 +193,15 @@ void Communicator::exit_together(ExitStatus status) {
 }
 
 void Communicator::barrier() {
-  if (size_ > 1) check(MPI_Barrier(MPI_COMM_WORLD), "MPI_Barrier");
+  if (size_ == 1) return;
+  counts.barriers.add(0);
+  check(MPI_Barrier(MPI_COMM_WORLD), "MPI_Barrier");
 }
 
 void Communicator::reduce(Reduction& reduction) {
   std::vector<std::int64_t>& words = reduction.words();
   if (size_ == 1 || words.empty()) return;
+  counts.reductions.add(words.size() * sizeof(words[0]));
   check(MPI_Allreduce(MPI_IN_PLACE, words.data(), 1, record_types().get_type(words.size()),
                       record_types().get_operation(), MPI_COMM_WORLD),
         "MPI_Allreduce");
@@ -203,8 +216,10 @@ void Communicator::sum(std::uint64_t* numbers, std::size_t count) {
   if (size_ == 1) return;
   constexpr std::size_t most = std::size_t{1} << 24;  // 128 MiB a message; MPI counts to INT_MAX
   for (std::size_t at = 0; at < count; at += most) {
-    check(MPI_Allreduce(MPI_IN_PLACE, numbers + at, static_cast<int>(std::min(most, count - at)),
-                        MPI_UINT64_T, MPI_SUM, MPI_COMM_WORLD),
+    const std::size_t here = std::min(most, count - at);
+    counts.sums.add(here * sizeof *numbers);
+    check(MPI_Allreduce(MPI_IN_PLACE, numbers + at, static_cast<int>(here), MPI_UINT64_T, MPI_SUM,
+                        MPI_COMM_WORLD),
           "MPI_Allreduce");
   }
 }
@@ -213,6 +228,7 @@ std::vector<std::string> Communicator::gather(const std::string& bytes) {
   if (size_ == 1) return {bytes};
   const int mine = to_count(bytes.size(), "a gathered text");
   std::vector<int> sizes(is_root() ? size_ : 0), starts(sizes.size());
+  counts.gathers.add(sizeof mine);
   check(MPI_Gather(&mine, 1, MPI_INT, sizes.data(), 1, MPI_INT, 0, MPI_COMM_WORLD), "MPI_Gather");
   std::size_t total = 0;
   for (std::size_t i = 0; i < sizes.size(); ++i) {
@@ -220,6 +236,7 @@ std::vector<std::string> Communicator::gather(const std::string& bytes) {
     total += sizes[i];
   }
   std::string all(total, '\0');
+  counts.gathers.add(bytes.size());
   check(MPI_Gatherv(bytes.data(), mine, MPI_BYTE, all.data(), sizes.data(), starts.data(), MPI_BYTE,
                     0, MPI_COMM_WORLD),
         "MPI_Gatherv");
@@ -234,6 +251,7 @@ std::vector<std::string> Communicator::gather_to_all(const std::string& bytes) {
   if (size_ == 1) return {bytes};
   const std::int64_t mine = to_count(bytes.size(), "a gathered text");
   std::vector<std::int64_t> lengths(size_);
+  counts.gathers_to_all.add(lengths.size() * sizeof mine);
   check(MPI_Allgather(&mine, 1, MPI_INT64_T, lengths.data(), 1, MPI_INT64_T, MPI_COMM_WORLD),
         "MPI_Allgather");
   std::vector<int> sizes(size_), starts(size_);
@@ -244,6 +262,7 @@ std::vector<std::string> Communicator::gather_to_all(const std::string& bytes) {
     total += lengths[i];
   }
   std::string all(total, '\0');
+  counts.gathers_to_all.add(total);
   check(MPI_Allgatherv(bytes.data(), sizes[rank_], MPI_BYTE, all.data(), sizes.data(),
                        starts.data(), MPI_BYTE, MPI_COMM_WORLD),
         "MPI_Allgatherv");
@@ -256,6 +275,7 @@ std::vector<std::string> Communicator::gather_to_all(const std::string& bytes) {
 
 void Communicator::broadcast(void* data, std::size_t size, int root) {
   if (size_ == 1 || size == 0) return;
+  counts.broadcasts.add(size);
   check(MPI_Bcast(data, to_count(size, "a broadcast"), MPI_BYTE, root, MPI_COMM_WORLD),
         "MPI_Bcast");
 }
@@ -296,6 +316,7 @@ void Messages::post_receive(double* buffer, std::size_t count, int source, int t
 
 void Messages::post_send(const double* buffer, std::size_t count, int destination, int tag) {
   need_mpi(destination);
+  counts.sends.add(count * sizeof *buffer);
   MPI_Request request = MPI_REQUEST_NULL;
   check(MPI_Isend(buffer, to_count(count, "a send"), MPI_DOUBLE, destination, tag, MPI_COMM_WORLD,
                   &request),

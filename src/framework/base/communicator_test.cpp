@@ -12,6 +12,7 @@
 
 #include "framework/base/close_ranks_test_support.hpp"
 #include "framework/base/memory.hpp"
+#include "framework/base/message_counts.hpp"
 #include "framework/base/reduction.hpp"
 
 namespace sluice::communicator_test {
@@ -168,6 +169,56 @@ TEST(Communicator, sends_around_the_ring) {
   messages.post_send(&sent, 1, next, 8);
   messages.wait_all();
   EXPECT_EQ(received, previous);
+}
+
+// One exchange of every kind; a serial run sends nothing.
+TEST(Communicator, counts_calls_and_bytes_of_every_kind) {
+  Communicator& ranks = world();
+  const auto size = static_cast<std::int64_t>(ranks.size());
+  const int next = (ranks.rank() + 1) % ranks.size();
+  const int previous = (ranks.rank() + ranks.size() - 1) % ranks.size();
+  reset_message_counts();
+  Reduction reduction;
+  reduction.add_count(1);
+  const auto record = static_cast<std::int64_t>(8 * reduction.words().size());
+  ranks.reduce(reduction);
+  std::vector<std::uint64_t> numbers(10);
+  ranks.sum(numbers.data(), numbers.size());
+  ranks.gather("1234567");
+  ranks.gather_to_all("12345");
+  ranks.broadcast(numbers.data(), 24);
+  ranks.broadcast("123", 0);
+  ranks.barrier();
+  if (ranks.uses_mpi()) {
+    Messages messages;
+    std::vector<double> sent(4), received(4);
+    messages.post_receive(received.data(), 3, previous, 9);
+    messages.post_receive(received.data() + 3, 1, previous, 10);
+    messages.post_send(sent.data(), 3, next, 9);
+    messages.post_send(sent.data() + 3, 1, next, 10);
+    messages.wait_all();
+  }
+  const MessageCounts first = message_counts();
+  if (ranks.size() == 1) {
+    EXPECT_EQ(first, MessageCounts{});
+    return;
+  }
+  EXPECT_EQ(first.reductions, (MessageCount{1, record}));
+  EXPECT_EQ(first.sums, (MessageCount{1, 80}));
+  EXPECT_EQ(first.gathers, (MessageCount{2, 4 + 7}));
+  EXPECT_EQ(first.gathers_to_all, (MessageCount{2, 13 * size}));
+  EXPECT_EQ(first.broadcasts, (MessageCount{3, 24 + 8 + 3}));
+  EXPECT_EQ(first.barriers, (MessageCount{1, 0}));
+  EXPECT_EQ(first.sends, (MessageCount{2, 32}));
+  EXPECT_EQ(first.collectives(), (MessageCount{10, record + 80 + 11 + 13 * size + 35}));
+  ranks.barrier();
+  MessageCounts expected;
+  expected.barriers = {1, 0};
+  EXPECT_EQ(message_counts() - first, expected);
+  expected += first;
+  EXPECT_EQ(message_counts(), expected);
+  reset_message_counts();
+  EXPECT_EQ(message_counts(), MessageCounts{});
 }
 
 // The next two end the process. Serially they are run in a child; under the launcher ctest runs

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "framework/base/console.hpp"
 #include "framework/base/json.hpp"
 #include "framework/base/text.hpp"
@@ -39,6 +41,14 @@ Json to_json(const LevelCost& level) {
   return {{"cells", level.cells},          {"boxes", level.boxes},
           {"most_cells", level.max_cells}, {"domain_cells", level.domain_cells},
           {"substeps", level.substeps},    {"cell_updates", level.updates}};
+}
+
+Json to_json(const MessageCounts& counts) {
+  Json kinds = Json::object();
+  counts.for_each([&](const char* name, const MessageCount& n) {
+    kinds[name] = {{"calls", n.calls}, {"bytes", n.bytes}};
+  });
+  return kinds;
 }
 
 }  // namespace
@@ -81,6 +91,7 @@ Json to_json(const RunReport& r) {
           {"regrid_s", r.regrid_seconds},
           {"balances", r.balances},
           {"balance_s", r.balance_seconds},
+          {"messages", to_json(r.messages)},
           {"blocks_run", r.blocks_run},
           {"blocks_asleep", r.blocks_skipped},
           {"step_limit", r.step_limit},
@@ -151,6 +162,22 @@ std::string work_text(const RunReport& r) {
 }
 
 }  // namespace
+
+std::string messages_text(const RunReport& r) {
+  if (r.messages == MessageCounts{} || r.steps == 0) return {};
+  using Align = TextTable::Align;
+  TextTable table(
+      {{"messages"}, {"calls per step", Align::right}, {"bytes per step", Align::right}});
+  const auto add = [&](std::string name, const MessageCount& n) {
+    if (n.calls == 0) return;
+    std::replace(name.begin(), name.end(), '_', ' ');
+    table.row({name, fmt::format("{:.1f}", static_cast<double>(n.calls) / r.steps),
+               human_bytes(static_cast<double>(n.bytes) / r.steps)});
+  };
+  r.messages.for_each(add);
+  add("all but sends", r.messages.collectives());
+  return table.text("  ");
+}
 
 std::string summary(const RunReport& r) {
   std::string text =

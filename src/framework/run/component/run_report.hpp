@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "framework/base/message_counts.hpp"
 #include "framework/run/component/run_status.hpp"
 #include "framework/task/effect.hpp"
 
@@ -62,6 +63,8 @@ struct RunReport {
   double regrid_seconds = 0;
   int balances = 0;  // times that boxes moved to other ranks, regrids aside
   double balance_seconds = 0;
+  // While steps were taken, output aside: collectives of rank 0, sends of all ranks together.
+  MessageCounts messages;
   std::string step_limit;  // what has set the last step
   std::string events_json = "{}";
   std::string conservation_json = "{}";
@@ -79,5 +82,7 @@ struct RunReport {
 
 Json to_json(const RunReport& report);
 std::string summary(const RunReport& report);
+// A line a kind: calls and bytes per step; empty where nothing was sent.
+std::string messages_text(const RunReport& report);
 
 }  // namespace sluice

@@ -73,6 +73,23 @@ TEST(RunReport, TellsWorkByParticleWhereCellsCarryNothing) {
   EXPECT_EQ(to_json(r).at("ns_per_particle_step"), 1.25e6);
 }
 
+TEST(RunReport, TellsMessagesByStep) {
+  RunReport r = two_of_three_levels();
+  EXPECT_EQ(messages_text(r), "");
+  r.messages.reductions = {25, 5600};
+  r.messages.gathers_to_all = {10, 20480};
+  r.messages.sends = {40, 40000};
+  const std::string text = messages_text(r);
+  EXPECT_THAT(text, testing::ContainsRegex("reductions +2.5 +560 B"));
+  EXPECT_THAT(text, testing::ContainsRegex("gathers to all +1.0 +2.0 KiB"));
+  EXPECT_THAT(text, testing::ContainsRegex("sends +4.0 +3.9 KiB"));
+  EXPECT_THAT(text, Not(HasSubstr("barriers")));
+  EXPECT_THAT(text, testing::ContainsRegex("all but sends +3.5 +2.5 KiB"));
+  const Json json = to_json(r).at("messages");
+  EXPECT_EQ(json.at("sends").at("bytes"), 40000);
+  EXPECT_EQ(json.at("barriers").at("calls"), 0);
+}
+
 TEST(RunReport, SaysNothingOfLevelsWhereThereIsOne) {
   RunReport r = two_of_three_levels();
   r.levels.resize(1);

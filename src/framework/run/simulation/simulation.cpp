@@ -285,6 +285,7 @@ void Simulation::keep(const StepPlan& plan, const StepEnd& end) {
 // the next step will be made with.
 void Simulation::prepare_next(const StepPlan& plan, const StepEnd& end) {
   const auto start = std::chrono::steady_clock::now();
+  const MessageCounts sent_before = message_counts();
   const bool regridded = hierarchy_->regrid(plan.step);
   if (hierarchy_->balance(plan.step) || regridded) {
     limit_ = hierarchy_->rates().limit();
@@ -293,6 +294,7 @@ void Simulation::prepare_next(const StepPlan& plan, const StepEnd& end) {
   }
   stepping_seconds_ +=
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  messages_ += message_counts() - sent_before;
   if (output_ == nullptr) return;
   sample_levels();
   if (!end.checkpoint) return;
@@ -327,6 +329,7 @@ void Simulation::step() {
   StepPlan plan = time_.plan(limit_.dt * energies_.factor());
   if (!plan.message.empty() && communicator_->is_root()) progress_->note(plan.message);
   const auto start = std::chrono::steady_clock::now();
+  const MessageCounts sent_before = message_counts();
   if (options_.plant_nan && options_.plant_nan->first == plan.step)
     plant_nan(options_.plant_nan->second);
   CycleResult result;
@@ -337,6 +340,7 @@ void Simulation::step() {
   limit_ = hierarchy_->rates().limit();
   stepping_seconds_ +=
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  messages_ += message_counts() - sent_before;
   const RunControl::Answer& answer = result.control;
   const StepEnd end = time_.accept(plan, answer.wall_seconds, answer.terminate());
   act_on_switches(result.sums);

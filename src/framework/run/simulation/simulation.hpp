@@ -122,6 +122,7 @@ class Simulation {
   int steps_ = 0, last_checkpoint_step_ = -1;
   std::int64_t particle_updates_ = 0;  // of this rank
   double start_seconds_ = 0, stepping_seconds_ = 0;
+  MessageCounts messages_;  // of this rank, likewise while steps were taken
   bool state_is_sound_ = true;
 };
 

@@ -4,6 +4,20 @@
 #include "framework/run/simulation/simulation.hpp"
 
 namespace sluice {
+namespace {
+
+std::vector<EffectCost> costs_of(const EffectList& effects, const StepGraphs& graphs,
+                                 const std::vector<double>& seconds) {
+  const std::vector<int> tasks = graphs.effect_tasks();
+  const std::vector<double> doubles = graphs.effect_doubles();
+  std::vector<EffectCost> costs;
+  for (int e = 0; e < effects.size(); ++e)
+    costs.push_back(
+        {effects[e], tasks[e], doubles[e] * static_cast<double>(sizeof(double)), seconds[e]});
+  return costs;
+}
+
+}  // namespace
 
 RunReport Simulation::report() const {
   RunReport r;
@@ -42,19 +56,18 @@ RunReport Simulation::report() const {
   Reduction of_all;
   const auto run = of_all.add_count(r.blocks_run), asleep = of_all.add_count(r.blocks_skipped),
              updates = of_all.add_count(r.updates_skipped),
-             particles_moved = of_all.add_count(particle_updates_);
+             particles_moved = of_all.add_count(particle_updates_),
+             sends = of_all.add_count(messages_.sends.calls),
+             bytes_sent = of_all.add_count(messages_.sends.bytes);
   communicator_->reduce(of_all);
   r.blocks_run = of_all.count(run);
   r.blocks_skipped = of_all.count(asleep);
   r.updates_skipped = of_all.count(updates);
   r.particle_updates = of_all.count(particles_moved);
+  r.messages = messages_;
+  r.messages.sends = {of_all.count(sends), of_all.count(bytes_sent)};
   r.particles_alone = component_->particles() != nullptr && component_->state().slots().empty();
-  const std::vector<int> tasks = hierarchy_->level(0).graphs().effect_tasks();
-  const std::vector<double> doubles = hierarchy_->level(0).graphs().effect_doubles();
-  for (int e = 0; e < component_->effects().size(); ++e) {
-    r.effects.push_back({component_->effects()[e], tasks[e],
-                         doubles[e] * static_cast<double>(sizeof(double)), seconds[e]});
-  }
+  r.effects = costs_of(component_->effects(), hierarchy_->level(0).graphs(), seconds);
   r.events_json = ledger_.to_json().dump();
   r.conservation_json = conservation_.to_json().dump();
   r.worst_drift = conservation_.worst_drift();

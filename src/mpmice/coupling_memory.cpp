@@ -1,0 +1,95 @@
+// Counting the numbers that LevelCoupling keeps of a cell, and the cells of its box.
+#include "mpmice/coupling_memory.hpp"
+
+#include <algorithm>
+
+#include "mpmice/mpmice.hpp"
+#include "mpmice/step/solid_fields.hpp"
+
+namespace sluice::mpmice {
+namespace {
+
+Bounds bounds_of(const mpm::SeedObject& object) {
+  const Bounds piece = object.piece->bounds();
+  if (!object.mapped) return piece;
+  Bounds image = Bounds::nothing();
+  for (int n = 0; n < 8; ++n) {
+    const Vec3 x = piece.corner(n);
+    Vec3 to = object.shift;
+    for (int d = 0; d < 3; ++d)
+      for (int e = 0; e < 3; ++e) to[d] += object.map[static_cast<std::size_t>(3 * d + e)] * x[e];
+    image = bounding(image, {to, to});
+  }
+  return image;
+}
+
+// The cells of the domain in which solids are at the start.
+template <int D>
+CellBox<D> cells_of_pieces(const Frame<D>& frame, const mpm::MpmScene& scene) {
+  CellBox<D> cells;
+  for (const mpm::SolidMaterial& material : scene.materials)
+    for (const mpm::SeedObject& object : material.objects) {
+      const Bounds bounds = bounds_of(object);
+      CellBox<D> of;
+      for (std::size_t a = 0; a < D; ++a) {
+        const int d = frame.direction[a];
+        const auto cell = [&](double x) {  // pieces may reach to infinity
+          const double n = (x - frame.anchor[d]) / frame.spacing[d];
+          return std::clamp<double>(n, frame.domain.lower[a], frame.domain.upper[a]);
+        };
+        of.lower[a] = static_cast<int>(std::floor(cell(bounds.lower[d])));
+        of.upper[a] = static_cast<int>(std::ceil(cell(bounds.upper[d])));
+      }
+      cells.include(of);
+    }
+  return cells;
+}
+
+bool exchanges(const MpmIce& both) {
+  const ice::IceScene& ice = both.fluid().part().scene();
+  for (int k = 0; k < static_cast<int>(both.solids().scene().materials.size()); ++k)
+    if (ice.momentum_of_all(k, ice.solids) > 0 || ice.heat_of_all(k, ice.solids) > 0) return true;
+  return false;
+}
+
+// What a step keeps of a cell, as it is laid out in level_coupling.hpp, and the most that its
+// temporaries hold beside.
+template <int D>
+double bytes_per_cell(const MpmIce& both) {
+  const ice::SchemeOptions& o = both.fluid().part().options();
+  const int fluids = static_cast<int>(o.materials.fluids.size());
+  const int amounts = 1 + o.grid.components + 3 * fluids +
+                      static_cast<int>(o.materials.scalars.size());  // and the volume
+  static_assert(sizeof(SolidFields<D>) % sizeof(Column) == 0);
+  int fields = static_cast<int>(sizeof(SolidFields<D>) / sizeof(Column));
+  if (!o.transport.viscous) fields -= D;  // no friction
+  const int sums = (D + 1) + (2 * D + 1) + std::max(amounts, D + 4);
+  const int products = both.burns().empty() ? 0 : fluids;
+  const int temporary = exchanges(both) ? 3 * D + 6 + D : 2 * D + 3;
+  constexpr int flags = 9;  // bytes
+  return 8.0 * (fields + sums + 2 * (amounts + 1) + products + temporary) + flags;
+}
+
+template <int D>
+double bytes_of(const MpmIce& both, const Level& level) {
+  Frame<D> frame(level);
+  const CellBox<D> solids = cells_of_pieces<D>(frame, both.solids().scene());
+  if (solids.empty()) return 0;
+  frame.look_at(solids);
+  return bytes_per_cell<D>(both) * static_cast<double>(frame.box.cells());
+}
+
+}  // namespace
+
+double coupling_bytes(const MpmIce& both, const Level& level) {
+  switch (level.active_count()) {
+    case 1:
+      return bytes_of<1>(both, level);
+    case 2:
+      return bytes_of<2>(both, level);
+    default:
+      return bytes_of<3>(both, level);
+  }
+}
+
+}  // namespace sluice::mpmice

@@ -1,0 +1,13 @@
+// The memory of the coupling's arrays: over one box around all solids, whole on every rank.
+#pragma once
+#include "framework/grid/level.hpp"
+
+namespace sluice::mpmice {
+
+class MpmIce;
+
+// Bytes at the start, with solids where the scene puts them, on the level that holds them. Bodies
+// that part need more later. Outer faces, which grow with the surface alone, are not counted.
+double coupling_bytes(const MpmIce& both, const Level& level);
+
+}  // namespace sluice::mpmice
