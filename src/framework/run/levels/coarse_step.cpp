@@ -32,6 +32,8 @@ CoarseStep::CoarseStep(const Component& component, Levels& levels, GhostsInTime&
 }
 
 void CoarseStep::renew() {
+  if (levels_->count() == levels_in_cycle_) return;
+  levels_in_cycle_ = levels_->count();
   StepShape shape;
   component_->step().declare_stages(shape);
   for (int l = 1; l < levels_->possible() && !shape.plain(); ++l)
@@ -84,7 +86,7 @@ void CoarseStep::reject() {
 
 Schedule CoarseStep::schedule_of(int l) {
   Schedule s = component_->step().before_sweep((*levels_)[l]);
-  const int width = halo_width(component_->state());
+  const int width = (*levels_)[l].states().width();
   s.push_back(
       {GhostExchange{"of old state", l, width, [this, l](const StepScope& scope, StepJournal&) {
                        ghosts_->fill(l, scope.time);

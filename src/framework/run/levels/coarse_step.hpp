@@ -48,7 +48,7 @@ class CoarseStep {
              Communicator& communicator, ParticleCloud* particles,
              std::vector<std::vector<double>>& maxima);
 
-  // The schedule of the levels that exist now.
+  // Makes the schedule of the levels that exist now, unless it is that already.
   void renew();
   std::string describe() const { return sluice::describe(cycle_); }
 
@@ -86,6 +86,7 @@ class CoarseStep {
   ParticleCloud* particles_;
   std::vector<std::vector<double>>* maxima_;
   Schedule cycle_;
+  int levels_in_cycle_ = 0;
   StepShape::Link link_;
   StepJudge judge_;
   StepJournal journal_;  // of the last attempt, until it is accepted or rejected

@@ -85,9 +85,8 @@ void Hierarchy::accept() {
 }
 
 bool Hierarchy::regrid(int step) {
-  const int before = level_count();
   const bool changed = regridding_.regrid(step, time_);
-  if (level_count() != before) coarse_step_.renew();
+  coarse_step_.renew();
   return changed;
 }
 

@@ -66,7 +66,7 @@ const Level* Levels::finer_than(int l) const {
 }
 
 void Levels::make_interface(int coarser) {
-  const int rank = communicator_->rank(), width = halo_width(component_->state());
+  const int rank = communicator_->rank(), width = solvers_[coarser]->states().width();
   auto& interface = interfaces_[coarser];
   interface.reset();
   const Level& coarse = solvers_[coarser]->level();
@@ -88,9 +88,8 @@ void Levels::connect(int first) {
     if (l > 0 && interfaces_[l - 1] != nullptr)
       recorder.as_fine = &interfaces_[l - 1]->fluxes.fine_faces();
     if (l >= first)
-      ends_of_levels_[l] =
-          InterfaceDistance(level, rank, component_->levels().interface_depth(level),
-                            halo_width(component_->state()));
+      ends_of_levels_[l] = InterfaceDistance(
+          level, rank, component_->levels().interface_depth(level), solvers_[l]->states().width());
     if (!ends_of_levels_[l].empty()) recorder.ends = &ends_of_levels_[l];
     solvers_[l]->graphs().join(recorder, LevelCoverage(level, finer_than(l), rank));
   }
@@ -120,8 +119,8 @@ void Levels::lay_out(int l, std::vector<GridBox> boxes, bool from_deck) {
     LevelCopy(earlier, now, rank).run(before, solver.state(), solver.state_slots());
   if (l == 0 || solver.state_slots().empty()) return;  // cells of solids carry nothing
   LevelSolver& coarser = *solvers_[l - 1];
-  Interpolation fresh = Interpolation::for_new_cells(
-      coarser.level(), halo_width(component_->state()), now, earlier.boxes, rank);
+  Interpolation fresh = Interpolation::for_new_cells(coarser.level(), coarser.states().width(), now,
+                                                     earlier.boxes, rank);
   fresh.run(nullptr, &coarser.state(), 1.0, solver.state(), solver.state_slots(),
             component_->levels().transfer(), scene_->refinement.interpolation_order, solver.team());
 }

@@ -1,7 +1,6 @@
 // A component of tests that is each of its facets itself.
 #pragma once
 #include "framework/run/component/component.hpp"
-#include "framework/run/component/no_transfer.hpp"
 
 namespace sluice::run_test {
 

@@ -70,7 +70,6 @@ class KindsMock final : public run_test::AllFacets {
   }
   std::vector<std::vector<Label>> checkpoint_labels() const override { return {}; }
   Label mask_label() const override { return kinds_labels().mask; }
-  const TransferOperators& transfer() const override { return transfer_; }
   Label refine_flag() const override { return {}; }
   bool skipping_allowed() const override { return true; }
   double courant_number() const override { return 0.5; }
@@ -107,7 +106,6 @@ class KindsMock final : public run_test::AllFacets {
   const Level* level_;
   Start start_;
   EffectList effects_;
-  NoTransfer transfer_;
 };
 
 inline void KindsMock::initialise(Warehouse& state) const {

@@ -38,7 +38,6 @@ class MockComponent : public AllFacets {
   std::vector<SlotInfo> slots() const override { return {{mock_labels().q, 0, 1, 1}}; }
   std::vector<std::vector<Label>> checkpoint_labels() const override { return {{mock_labels().q}}; }
   Label mask_label() const override { return mock_labels().mask; }
-  const TransferOperators& transfer() const override { return transfer_; }
   Label refine_flag() const override { return mock_labels().square; }
   bool skipping_allowed() const override { return true; }
   double courant_number() const override { return greed; }
@@ -147,7 +146,6 @@ class MockComponent : public AllFacets {
 
   const Level* level_;
   EffectList effects_;
-  NoTransfer transfer_;
 };
 
 // A tube of 40 cells of length 1/8, cut into boxes.
