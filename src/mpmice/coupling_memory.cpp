@@ -1,4 +1,4 @@
-// Counting the numbers that LevelCoupling keeps of a cell, and the cells of its box.
+// Counting the numbers that LevelCoupling keeps of a cell, and the cells that it keeps.
 #include "mpmice/coupling_memory.hpp"
 
 #include <algorithm>
@@ -25,8 +25,9 @@ Bounds bounds_of(const mpm::SeedObject& object) {
 
 // The cells of the domain in which solids are at the start.
 template <int D>
-CellBox<D> cells_of_pieces(const Frame<D>& frame, const mpm::MpmScene& scene) {
-  CellBox<D> cells;
+OccupiedCells<D> cells_of_pieces(const Frame<D>& frame, const mpm::MpmScene& scene) {
+  OccupiedCells<D> cells;
+  cells.begin(frame.room());
   for (const mpm::SolidMaterial& material : scene.materials)
     for (const mpm::SeedObject& object : material.objects) {
       const Bounds bounds = bounds_of(object);
@@ -40,7 +41,7 @@ CellBox<D> cells_of_pieces(const Frame<D>& frame, const mpm::MpmScene& scene) {
         of.lower[a] = static_cast<int>(std::floor(cell(bounds.lower[d])));
         of.upper[a] = static_cast<int>(std::ceil(cell(bounds.upper[d])));
       }
-      cells.include(of);
+      cells.add(of);
     }
   return cells;
 }
@@ -73,10 +74,9 @@ double bytes_per_cell(const MpmIce& both) {
 template <int D>
 double bytes_of(const MpmIce& both, const Level& level) {
   Frame<D> frame(level);
-  const CellBox<D> solids = cells_of_pieces<D>(frame, both.solids().scene());
-  if (solids.empty()) return 0;
-  frame.look_at(solids);
-  return bytes_per_cell<D>(both) * static_cast<double>(frame.box.cells());
+  frame.look_at(cells_of_pieces<D>(frame, both.solids().scene()));
+  if (frame.cells.block_count() == 0) return 0;
+  return bytes_per_cell<D>(both) * static_cast<double>(frame.cells.size());
 }
 
 }  // namespace

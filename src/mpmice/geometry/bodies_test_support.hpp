@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "mpmice/geometry/cell_blocks.hpp"
 #include "mpmice/geometry/outer_faces.hpp"
 
 namespace sluice::mpmice {
@@ -239,10 +240,29 @@ std::vector<NamedMotion<D>> motions() {
           {"deforming", deformation<D>(), none}};
 }
 
-// Wide enough for all of them.
+// Cells wide enough for all of them, and the blocks around these.
 template <int D>
-CellBox<D> test_box() {
-  return {all<D>(-6), all<D>(16)};
+struct TestCells {
+  Cell<D> lower = all<D>(-6), upper = all<D>(16);
+  CellBlocks<D> blocks = CellBlocks<D>::around({lower, upper});
+
+  std::size_t index(const Cell<D>& c) const { return blocks.index(c); }
+  std::size_t size() const { return blocks.size(); }
+};
+template <int D>
+const TestCells<D>& test_cells() {
+  static const TestCells<D> cells;
+  return cells;
+}
+// Those of arrays over them.
+template <template <int> class Arrays, int D>
+const TestCells<D>& cells_of(const Arrays<D>&) {
+  return test_cells<D>();
+}
+template <int D, class Act>
+void for_cells(const TestCells<D>& cells, Act&& act) {
+  for_each_cell_of<D>({cells.lower, cells.upper},
+                      [&](const Cell<D>& c) { act(c, cells.index(c)); });
 }
 
 template <int D, class Act>

@@ -63,6 +63,17 @@ struct CellBox {
   friend bool operator==(const CellBox&, const CellBox&) = default;
 };
 
+// What lies in both; it may be empty.
+template <int D>
+CellBox<D> common(const CellBox<D>& a, const CellBox<D>& b) {
+  CellBox<D> to;
+  for (std::size_t d = 0; d < D; ++d) {
+    to.lower[d] = std::max(a.lower[d], b.lower[d]);
+    to.upper[d] = std::min(a.upper[d], b.upper[d]);
+  }
+  return to;
+}
+
 // The cells of a box in its active directions, of which the first D of `active` are taken.
 template <int D>
 CellBox<D> cell_box(const IndexBox& box, const std::array<int, 3>& active) {
@@ -74,31 +85,19 @@ CellBox<D> cell_box(const IndexBox& box, const std::array<int, 3>& active) {
   return to;
 }
 
-// act(first, n): where the rows along x of the cells of `part` begin in an array over `box`, the
-// highest along direction d first (rows along x are whole), and how many cells they have.
+// act(cell) for the cells of a box, x fastest.
 template <int D, class Act>
-void for_each_row_down(const CellBox<D>& box, const CellBox<D>& part, int d, Act&& act) {
-  if (part.empty()) return;
-  const std::size_t n = static_cast<std::size_t>(part.size(0));
-  Cell<D> cell = part.lower;
-  const auto place = [&](int axis, int i) {
-    const auto a = static_cast<std::size_t>(axis);
-    cell[a] = axis == d ? part.upper[a] - 1 - i : part.lower[a] + i;
-  };
-  if constexpr (D == 1) {
-    act(box.index(cell), n);
-  } else if constexpr (D == 2) {
-    for (int j = 0; j < part.size(1); ++j) {
-      place(1, j);
-      act(box.index(cell), n);
+void for_each_cell_of(const CellBox<D>& box, Act&& act) {
+  if (box.empty()) return;
+  Cell<D> c = box.lower;
+  for (;;) {
+    act(static_cast<const Cell<D>&>(c));
+    std::size_t d = 0;
+    for (; d < D; ++d) {
+      if (++c[d] < box.upper[d]) break;
+      c[d] = box.lower[d];
     }
-  } else {
-    for (int k = 0; k < part.size(2); ++k)
-      for (int j = 0; j < part.size(1); ++j) {
-        place(2, k);
-        place(1, j);
-        act(box.index(cell), n);
-      }
+    if (d == D) return;
   }
 }
 

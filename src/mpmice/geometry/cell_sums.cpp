@@ -1,87 +1,47 @@
 #include "mpmice/geometry/cell_sums.hpp"
 
-#include <fmt/format.h>
-
-#include <limits>
 #include <stdexcept>
 
 #include "framework/base/communicator.hpp"
-#include "framework/base/reduction.hpp"
 
 namespace sluice::mpmice {
 
 template <int D>
-CellBox<D> box_of_all(const CellBox<D>& mine, Communicator& ranks) {
-  Reduction ends;
-  std::array<Reduction::Minimum, D> low;
-  std::array<Reduction::Maximum, D> high;
-  const bool none = mine.empty();
-  for (std::size_t d = 0; d < D; ++d) {
-    low[d] = ends.add_minimum(none ? std::numeric_limits<int>::max() : mine.lower[d]);
-    high[d] = ends.add_maximum(none ? std::numeric_limits<int>::min() : mine.upper[d]);
-  }
-  ranks.reduce(ends);
-  CellBox<D> box;
-  if (ends.minimum(low[0]) > ends.maximum(high[0])) return box;  // all are empty
-  for (std::size_t d = 0; d < D; ++d) {
-    box.lower[d] = static_cast<int>(ends.minimum(low[d]));
-    box.upper[d] = static_cast<int>(ends.maximum(high[d]));
-  }
-  return box;
-}
-
-template <int D>
-void CellSums<D>::begin(const CellBox<D>& box, int lanes) {
-  box_ = box;
-  reached_ = {};
-  cells_ = box.cells();
-  sums_.assign(cells_ * static_cast<std::size_t>(lanes), 0);
-}
-
-template <int D>
-void CellSums<D>::reach(const CellBox<D>& cells) {
-  if (!box_.contains(cells))
-    throw std::out_of_range(
-        fmt::format("faces of solids reach cells [{}) to [{}), beyond the box [{}) to [{})",
-                    fmt::join(cells.lower, " "), fmt::join(cells.upper, " "),
-                    fmt::join(box_.lower, " "), fmt::join(box_.upper, " ")));
-  reached_.include(cells);
+void CellSums<D>::begin(const CellBlocks<D>& cells, int lanes) {
+  cells_ = &cells;
+  count_ = cells.size();
+  lanes_ = lanes;
+  sums_.assign(count_ * static_cast<std::size_t>(lanes), 0);
 }
 
 template <int D>
 void CellSums<D>::merge(const CellSums& other) {
-  if (!(other.box_ == box_) || other.sums_.size() != sums_.size())
-    throw std::logic_error("sums over different boxes are merged");
-  reached_.include(other.reached_);
+  if (other.cells_ != cells_ || other.sums_.size() != sums_.size())
+    throw std::logic_error("sums over different cells are merged");
   for (std::size_t i = 0; i < sums_.size(); ++i) sums_[i] += other.sums_[i];
 }
 
 template <int D>
 void CellSums<D>::sum_over_ranks(Communicator& ranks) {
-  if (ranks.size() == 1) return;
-  ranks.sum(sums_.data(), sums_.size());
-  reached_ = box_of_all<D>(reached_, ranks);
+  if (ranks.size() > 1) ranks.sum(sums_.data(), sums_.size());
 }
 
 template <int D>
 void CellSums<D>::fold(const PeriodicSides<D>& sides, int lane_of) {
-  reach(box_);
   std::uint64_t* sums = lane(lane_of);
   for (std::size_t d = 0; d < D; ++d) {
     if (!sides.periodic[d]) continue;
     const int low = sides.domain.lower[d], high = sides.domain.upper[d], n = high - low;
-    for (int layer = box_.lower[d]; layer < box_.upper[d]; ++layer) {
-      if (layer >= low && layer < high) continue;
-      CellBox<D> beyond = box_;
-      beyond.lower[d] = layer;
-      beyond.upper[d] = layer + 1;
-      const int image = low + ((layer - low) % n + n) % n;
-      const std::ptrdiff_t shift = (image - layer) * box_.stride(static_cast<int>(d));
-      for_each_row_down<D>(box_, beyond, 0, [&](std::size_t first, std::size_t count) {
-        for (std::size_t i = first; i < first + count; ++i) {
-          sums[static_cast<std::ptrdiff_t>(i) + shift] += sums[i];
-          sums[i] = 0;
-        }
+    for (std::size_t b = 1; b <= cells_->block_count(); ++b) {
+      const CellBox<D> block = cells_->cells(b);
+      if (block.lower[d] >= low && block.upper[d] <= high) continue;
+      for_each_cell_of<D>(block, [&](Cell<D> c) {
+        if (c[d] >= low && c[d] < high) return;
+        std::uint64_t& beyond = sums[cells_->index(c)];
+        if (beyond == 0) return;
+        c[d] = low + ((c[d] - low) % n + n) % n;
+        sums[cells_->index_to_add(c)] += beyond;
+        beyond = 0;
       });
     }
   }
@@ -89,31 +49,29 @@ void CellSums<D>::fold(const PeriodicSides<D>& sides, int lane_of) {
 
 template <int D>
 void CellSums<D>::add_from_above(int lane_of, int d) {
+  constexpr std::size_t cells = CellBlocks<D>::block_cells, edge = CellBlocks<D>::edge;
   std::uint64_t* sums = lane(lane_of);
-  CellBox<D> part = reached_;
-  --part.upper[static_cast<std::size_t>(d)];  // the highest has nothing above it
-  const std::ptrdiff_t above = box_.stride(d);
-  for_each_row_down<D>(box_, part, d, [&](std::size_t first, std::size_t n) {
-    std::uint64_t* row = sums + first;
-    if (d == 0)
-      for (std::size_t i = n; i-- > 0;) row[i] += row[i + 1];
-    else
-      for (std::size_t i = 0; i < n; ++i) row[i] += row[static_cast<std::ptrdiff_t>(i) + above];
-  });
+  const std::size_t step = CellBlocks<D>::stride(d), layer = cells / edge;
+  // The n-th cell of a layer across d: below step lie those along the directions before d.
+  const auto place = [&](std::size_t n) { return n % step + n / step * step * edge; };
+  for (std::size_t b = cells_->block_count(); b > 0; --b) {
+    std::uint64_t* block = sums + b * cells;
+    const std::size_t above = cells_->above(b, d);
+    for (std::size_t n = 0; n < layer; ++n) {
+      std::uint64_t* row = block + place(n);
+      if (above != 0) row[(edge - 1) * step] += sums[above * cells + place(n)];
+      for (std::size_t k = edge - 1; k-- > 0;) row[k * step] += row[(k + 1) * step];
+    }
+  }
 }
 
 template <int D>
 void CellSums<D>::values(int lane_of, std::vector<double>& to) const {
-  to.assign(cells_, 0.0);
+  to.resize(count_);
   const std::uint64_t* sums = lane(lane_of);
-  for_each_row_down<D>(box_, reached_, 0, [&](std::size_t first, std::size_t n) {
-    for (std::size_t i = first; i < first + n; ++i) to[i] = from_sum(sums[i]);
-  });
+  for (std::size_t i = 0; i < count_; ++i) to[i] = from_sum(sums[i]);
 }
 
-template CellBox<1> box_of_all<1>(const CellBox<1>&, Communicator&);
-template CellBox<2> box_of_all<2>(const CellBox<2>&, Communicator&);
-template CellBox<3> box_of_all<3>(const CellBox<3>&, Communicator&);
 template class CellSums<1>;
 template class CellSums<2>;
 template class CellSums<3>;

@@ -1,4 +1,4 @@
-// Sums over facets in the cells of a box as exact integers: no bit depends on the order of facets,
+// Sums over facets in the cells of blocks as exact integers: no bit depends on the order of facets,
 // on threads or on ranks.
 //
 // A contribution c enters as round(c 2^56), finer than its own round-off, and sums are taken
@@ -12,11 +12,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "mpmice/geometry/cell_blocks.hpp"
 #include "mpmice/geometry/periodic_sides.hpp"
-
-namespace sluice {
-class Communicator;
-}
 
 namespace sluice::mpmice {
 
@@ -32,42 +29,35 @@ inline double from_sum(std::uint64_t sum) {
   return static_cast<double>(static_cast<std::int64_t>(sum)) * (1 / sum_unit);
 }
 
-// Collective: the smallest box around those of all ranks; empty ones count for nothing.
-template <int D>
-CellBox<D> box_of_all(const CellBox<D>& mine, Communicator& ranks);
-
-// Lanes of integers over the cells of a box.
+// Lanes of integers over the cells of blocks.
 template <int D>
 class CellSums {
  public:
-  // All zero. Keeps its memory.
-  void begin(const CellBox<D>& box, int lanes);
-  // Cells that facets reach: must lie in the box (std::out_of_range).
-  void reach(const CellBox<D>& cells);
-  // Adds sums over the same box: of another thread.
+  // All zero. Keeps its memory, and a reference to the blocks.
+  void begin(const CellBlocks<D>& cells, int lanes);
+  // Adds sums over the same blocks: of another thread.
   void merge(const CellSums& other);
-  // Collective: all ranks have the same box and get the sums of all.
+  // Collective: all ranks have the same blocks and get the sums of all.
   void sum_over_ranks(Communicator& ranks);
-  // The sums of cells beyond periodic sides join those of their images, and end as 0. Of one lane;
-  // all of the box is reached then.
+  // The sums of cells beyond periodic sides join those of their images, and end as 0. Of one lane.
   void fold(const PeriodicSides<D>& sides, int lane);
-  // Each cell gets the sum of itself and all cells above it along d: what is 0 beyond the high end
-  // of every row follows from its differences.
+  // Each cell gets the sum of itself and all cells above it along d, as far as there are blocks:
+  // what is 0 where these end follows from its differences.
   void add_from_above(int lane, int d);
-  // Values of a lane into an array over the box, zero outside of reached().
+  // Values of a lane into an array over the cells.
   void values(int lane, std::vector<double>& to) const;
 
-  int lanes() const { return cells_ > 0 ? static_cast<int>(sums_.size() / cells_) : 0; }
-  const CellBox<D>& box() const { return box_; }
-  const CellBox<D>& reached() const { return reached_; }
-  std::uint64_t* lane(int i) { return sums_.data() + static_cast<std::size_t>(i) * cells_; }
+  int lanes() const { return lanes_; }
+  const CellBlocks<D>& cells() const { return *cells_; }
+  std::uint64_t* lane(int i) { return sums_.data() + static_cast<std::size_t>(i) * count_; }
   const std::uint64_t* lane(int i) const {
-    return sums_.data() + static_cast<std::size_t>(i) * cells_;
+    return sums_.data() + static_cast<std::size_t>(i) * count_;
   }
 
  private:
-  CellBox<D> box_, reached_;
-  std::size_t cells_ = 0;
+  const CellBlocks<D>* cells_ = nullptr;
+  std::size_t count_ = 0;
+  int lanes_ = 0;
   std::vector<std::uint64_t> sums_;
 };
 

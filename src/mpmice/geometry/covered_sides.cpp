@@ -19,10 +19,9 @@ std::array<double, D> choice(std::array<double, D> normal, bool outer) {
 }  // namespace
 
 template <int D>
-void CoveredSides<D>::begin(const CellBox<D>& box, const PeriodicSides<D>& sides) {
+void CoveredSides<D>::begin(const CellBlocks<D>& cells, const PeriodicSides<D>& sides) {
   sides_ = sides;
-  sums_.begin(box, D);
-  sums_.reach(box);
+  sums_.begin(cells, D);
 }
 
 template <int D>
@@ -33,7 +32,7 @@ void CoveredSides<D>::add_piece(const Cell<D>& cell, const std::array<double, D>
     if (!under && !over) continue;
     Cell<D> to = cell;
     to[d] = sides_.domain.upper[d];
-    std::uint64_t& sum = sums_.lane(static_cast<int>(d))[sums_.box().index(to)];
+    std::uint64_t& sum = sums_.lane(static_cast<int>(d))[sums_.cells().index_to_add(to)];
     sum += under ? to_sum(-area[d]) : to_sum(area[d]);
   }
 }
@@ -89,13 +88,18 @@ template <int D>
 void CoveredSides<D>::add_to(int d, std::uint64_t* lane) const {
   const auto a = static_cast<std::size_t>(d);
   if (!sides_.periodic[a]) return;
-  CellBox<D> first = sums_.box();
-  first.lower[a] = sides_.domain.upper[a];
-  first.upper[a] = first.lower[a] + 1;
   const std::uint64_t* from = sums_.lane(d);
-  for_each_row_down<D>(sums_.box(), first, 0, [&](std::size_t begin, std::size_t n) {
-    for (std::size_t i = begin; i < begin + n; ++i) lane[i] += from[i];
-  });
+  const int high = sides_.domain.upper[a];
+  for (std::size_t b = 1; b <= sums_.cells().block_count(); ++b) {
+    CellBox<D> first = sums_.cells().cells(b);
+    if (high < first.lower[a] || high >= first.upper[a]) continue;
+    first.lower[a] = high;
+    first.upper[a] = high + 1;
+    for_each_cell_of<D>(first, [&](const Cell<D>& c) {
+      const std::size_t i = sums_.cells().index(c);
+      lane[i] += from[i];
+    });
+  }
 }
 
 template class CoveredSides<1>;

@@ -20,7 +20,7 @@ namespace sluice::mpmice {
 template <int D>
 class CoveredSides {
  public:
-  void begin(const CellBox<D>& box, const PeriodicSides<D>& sides);
+  void begin(const CellBlocks<D>& cells, const PeriodicSides<D>& sides);
   // Faces of the particles that crosses() names: outer ones, then inner ones.
   void add(const OuterFaces<D>& faces, bool outer, When when);
   // The time mean over the step, with mixed shapes (swept_volumes.hpp).

@@ -62,31 +62,8 @@ void OuterFaces<D>::add(const CornerColumns<D>& from, const CornerColumns<D>* to
   put<D>(end, *this, begin, to != nullptr ? *to : from, units, first);
 }
 
-template <int D>
-CellBox<D> cells_reached(const OuterFaces<D>& faces, std::size_t begin, std::size_t end) {
-  CellBox<D> box;
-  if (begin >= end) return box;
-  for (std::size_t d = 0; d < D; ++d) {
-    double low = faces.start[0][d][begin], high = low;
-    for (const auto* places : {&faces.start, &faces.end})
-      for (const auto& corner : *places) {
-        const double* x = corner[d].data();
-        for (std::size_t i = begin; i < end; ++i) {
-          low = std::min(low, x[i]);
-          high = std::max(high, x[i]);
-        }
-      }
-    box.lower[d] = static_cast<int>(std::ceil(low)) - 1;
-    box.upper[d] = static_cast<int>(std::floor(high)) + 1;
-  }
-  return box;
-}
-
 template struct OuterFaces<1>;
 template struct OuterFaces<2>;
 template struct OuterFaces<3>;
-template CellBox<1> cells_reached<1>(const OuterFaces<1>&, std::size_t, std::size_t);
-template CellBox<2> cells_reached<2>(const OuterFaces<2>&, std::size_t, std::size_t);
-template CellBox<3> cells_reached<3>(const OuterFaces<3>&, std::size_t, std::size_t);
 
 }  // namespace sluice::mpmice

@@ -60,9 +60,4 @@ struct OuterFaces {
   }
 };
 
-// Cells that pieces of faces begin to end - 1 may lie in, between start and end of the step. Faces
-// in a grid plane may belong to the cells on both sides. Empty without faces.
-template <int D>
-CellBox<D> cells_reached(const OuterFaces<D>& faces, std::size_t begin, std::size_t end);
-
 }  // namespace sluice::mpmice

@@ -32,7 +32,7 @@ OuterFaces<D> all_faces(const Body<D>& body, std::size_t first, std::size_t end,
 template <int D>
 SolidInCells<D> geometry(const OuterFaces<D>& faces, When when) {
   SolidSums<D> sums;
-  sums.begin(test_box<D>());
+  sums.begin(test_cells<D>().blocks);
   sums.add(faces, when, 0, faces.size());
   SolidInCells<D> to;
   sums.finish(to);
@@ -50,7 +50,7 @@ template <int D>
 void check_theta() {
   const Body<D> body = block<D>("block", 4, {});
   const std::vector<double> part = parts_of<D>(body.size()), whole(body.size(), 1.0);
-  std::vector<double> sum(test_box<D>().cells(), 0.0);
+  std::vector<double> sum(test_cells<D>().size(), 0.0);
   for (std::size_t p = 0; p < body.size(); ++p) {
     const auto one = geometry<D>(all_faces(body, p, p + 1, whole), When::start);
     for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += part[p] * one.theta[i];
@@ -84,28 +84,19 @@ void check_identity() {
   const OuterFaces<D> faces = all_faces(body, 0, body.size(), parts_of<D>(body.size()));
   const auto before = geometry<D>(faces, When::start), after = geometry<D>(faces, When::end);
   SweptSums<D> sums;
-  sums.begin(test_box<D>());
+  sums.begin(test_cells<D>().blocks);
   sums.add(faces, 0, faces.size());
   SweptVolumes<D> s;
   sums.finish(s);
-  Cell<D> c = s.box.lower;
-  for (std::size_t left = s.box.cells(); left-- > 0;) {
-    const std::size_t at = s.box.index(c);
+  for_cells<D>(cells_of(s), [&](const Cell<D>& c, std::size_t at) {
     double gain = s.q[at];
-    bool inside = true;
-    for (std::size_t d = 0; d < D; ++d) inside &= c[d] + 1 < s.box.upper[d];
-    for (int d = 0; d < D && inside; ++d) {
-      const auto& C = s.C[static_cast<std::size_t>(d)];
-      gain += C[at] - C[at + static_cast<std::size_t>(s.box.stride(d))];
-    }
-    if (inside) {
-      EXPECT_NEAR(after.theta[at] - before.theta[at], gain, of_identity) << D;
-    }
     for (std::size_t d = 0; d < D; ++d) {
-      if (++c[d] < s.box.upper[d]) break;
-      c[d] = s.box.lower[d];
+      Cell<D> above = c;
+      if (++above[d] == cells_of(s).upper[d]) return;
+      gain += s.C[d][at] - s.C[d][cells_of(s).index(above)];
     }
-  }
+    EXPECT_NEAR(after.theta[at] - before.theta[at], gain, of_identity) << D;
+  });
 }
 
 TEST(PartialParticles, SweepWhatThetaChangesBy) {

@@ -1,19 +1,17 @@
 #include "mpmice/geometry/solid_in_cells.hpp"
 
-#include "mpmice/geometry/open_rows.hpp"
 #include "mpmice/geometry/pieces.hpp"
 
 namespace sluice::mpmice {
 
 template <int D>
 void SolidSums<D>::add(const OuterFaces<D>& faces, When when, std::size_t begin, std::size_t end) {
-  sums_.reach(cells_reached<D>(faces, begin, end));
-  const CellBox<D>& box = sums_.box();
+  const CellBlocks<D>& cells = sums_.cells();
   std::array<std::uint64_t*, D + 1> lanes;
   for (int i = 0; i <= D; ++i) lanes[static_cast<std::size_t>(i)] = sums_.lane(i);
   for_each_piece<D>(faces, when, begin, end,
                     [&](std::size_t i, int, const FacetNodes<D>& nodes, const Piece<D>& piece) {
-                      const std::size_t c = box.index(piece.cell);
+                      const std::size_t c = cells.index_to_add(piece.cell);
                       const double weight = faces.weight_of(i);
                       for (std::size_t d = 0; d < D; ++d)
                         lanes[d][c] += to_sum(weight * piece.area[d]);
@@ -26,8 +24,6 @@ void SolidSums<D>::add(const OuterFaces<D>& faces, When when, std::size_t begin,
 
 template <int D>
 void SolidSums<D>::finish(SolidInCells<D>& to, const CoveredSides<D>* sides) {
-  to.box = sums_.box();
-  const Cell<D> high = sums_.reached().upper;
   for (int lane = 0; lane <= D && sides != nullptr; ++lane) sums_.fold(sides->sides(), lane);
   for (int d = 0; d < D; ++d) {
     const auto a = static_cast<std::size_t>(d);
@@ -36,17 +32,13 @@ void SolidSums<D>::finish(SolidInCells<D>& to, const CoveredSides<D>* sides) {
     sums_.add_from_above(d, d);
     sums_.values(d, to.a[a]);
   }
-  // theta = a_x(upper) + T_x; a is 0 beyond the high end.
+  // theta = a_x(upper) + T_x
   std::uint64_t* T = sums_.lane(D);
   const std::uint64_t* a = sums_.lane(0);
-  for_each_row_down<D>(sums_.box(), sums_.reached(), 0, [&](std::size_t first, std::size_t n) {
-    for (std::size_t i = first; i + 1 < first + n; ++i) T[i] += a[i + 1];
-  });
+  const CellBlocks<D>& cells = sums_.cells();
+  for (std::size_t i = CellBlocks<D>::block_cells; i < cells.size(); ++i)
+    T[i] += a[cells.cell_above(i, 0)];
   sums_.values(D, to.theta);
-  for (int d = 0; d < D; ++d)
-    if (sides == nullptr || !sides->sides().periodic[static_cast<std::size_t>(d)])
-      raise_open_rows<D>(to.box, sums_.reached(), d, high[static_cast<std::size_t>(d)],
-                         to.a[static_cast<std::size_t>(d)], d == 0 ? &to.theta : nullptr);
 }
 
 void clean_covered_parts(std::span<double> a) {

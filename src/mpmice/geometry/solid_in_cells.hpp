@@ -7,9 +7,10 @@
 //   a_d(lower face) = a_d(upper face) + N_d,   theta = a_d(upper face) + T_d  for every d
 //
 // (divergence theorem, for fields 1 and x_d in the part of the cell that is solid). Bodies are
-// closed, so that a = 0 beyond the high end of every row: whole rows are summed from there. A body
-// that ends on a side of the domain has faces there too, whose pieces belong to the cell that the
-// normal points to: the box of cells needs a layer beyond the domain. theta is taken with d = x.
+// closed, and blocks of cells hold all of them: a = 0 where no block is above, and rows are summed
+// from there. A body that ends on a side of the domain has faces there too, whose pieces belong to
+// the cell that the normal points to: a layer beyond the domain must have blocks. theta is taken
+// with d = x.
 // Across periodic sides sums join those of the image cells, and rows begin with what covers the
 // side (covered_sides.hpp).
 #pragma once
@@ -20,10 +21,9 @@
 
 namespace sluice::mpmice {
 
-// Arrays over the cells of a box, zero where no surface is near. As summed: clean_... below.
+// Arrays over the cells of blocks, zero where no surface is near. As summed: clean_... below.
 template <int D>
 struct SolidInCells {
-  CellBox<D> box;
   std::vector<double> theta;             // volume fraction of solid
   std::array<std::vector<double>, D> a;  // lower faces along d: the part inside or touched by solid
   std::array<std::vector<double>, D> n;  // N_d = a(lower) - a(upper): area vector of the surface
@@ -32,8 +32,9 @@ struct SolidInCells {
 template <int D>
 class SolidSums {
  public:
-  void begin(const CellBox<D>& box) { sums_.begin(box, D + 1); }
-  // Faces begin to end - 1; their cells (cells_reached) must lie in the box.
+  // Keeps a reference to the blocks.
+  void begin(const CellBlocks<D>& cells) { sums_.begin(cells, D + 1); }
+  // Faces begin to end - 1. Throws std::out_of_range where a piece lies in no block.
   void add(const OuterFaces<D>& faces, When when, std::size_t begin, std::size_t end);
   void merge(const SolidSums& other) { sums_.merge(other.sums_); }
   void sum_over_ranks(Communicator& ranks) { sums_.sum_over_ranks(ranks); }

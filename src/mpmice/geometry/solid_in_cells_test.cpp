@@ -8,7 +8,6 @@
 #include <numeric>
 
 #include "mpmice/geometry/bodies_test_support.hpp"
-#include "mpmice/geometry/open_rows.hpp"
 #include "mpmice/geometry/particle_volume.hpp"
 #include "mpmice/geometry/pieces.hpp"
 
@@ -25,25 +24,14 @@ constexpr double of_mirrors = 2e-14;           // 4.8e-15
 constexpr double of_forces = 8e-15;            // 2e-15
 
 template <int D>
-SolidInCells<D> geometry(const OuterFaces<D>& faces, const CellBox<D>& box = test_box<D>()) {
+SolidInCells<D> geometry(const OuterFaces<D>& faces,
+                         const CellBlocks<D>& blocks = test_cells<D>().blocks) {
   SolidSums<D> sums;
-  sums.begin(box);
+  sums.begin(blocks);
   sums.add(faces, When::start, 0, faces.size());
   SolidInCells<D> to;
   sums.finish(to);
   return to;
-}
-
-template <int D, class Act>
-void for_cells(const CellBox<D>& box, Act&& act) {
-  Cell<D> c = box.lower;
-  for (std::size_t left = box.cells(); left-- > 0;) {
-    act(c, box.index(c));
-    for (std::size_t d = 0; d < D; ++d) {
-      if (++c[d] < box.upper[d]) break;
-      c[d] = box.lower[d];
-    }
-  }
 }
 
 // How much of [i, i + 1] lies in [low, high].
@@ -57,7 +45,7 @@ double error_of_box(Point<D> low, int n) {
   const Body<D> body = block<D>("", n, low);
   const SolidInCells<D> g = geometry<D>(body.faces());
   double worst = 0;
-  for_cells<D>(g.box, [&](const Cell<D>& c, std::size_t at) {
+  for_cells<D>(cells_of(g), [&](const Cell<D>& c, std::size_t at) {
     std::array<double, D> part;
     double theta = 1;
     for (std::size_t d = 0; d < D; ++d) theta *= part[d] = overlap(c[d], low[d], low[d] + 0.5 * n);
@@ -87,22 +75,24 @@ TEST(SolidInCells, ABlockIsTheProductOfItsOverlaps) {
 // A surface in a grid plane belongs to the cell outside, on both sides alike.
 TEST(SolidInCells, SurfacesInGridPlanesLieInTheCellsTheyTouch) {
   const SolidInCells<3> g = geometry<3>(block<3>("", 4, {0, 0, 0}).faces());  // [0, 2]^3
-  EXPECT_EQ(g.n[0][g.box.index({-1, 0, 1})], -1);
-  EXPECT_EQ(g.n[0][g.box.index({2, 1, 0})], 1);
-  EXPECT_EQ(g.n[2][g.box.index({1, 0, -1})], -1);
-  EXPECT_EQ(g.n[2][g.box.index({1, 0, 2})], 1);
-  EXPECT_EQ(g.n[0][g.box.index({0, 0, 0})], 0);
-  for (const int i : {0, 1, 2}) EXPECT_EQ(g.a[0][g.box.index({i, 1, 1})], 1) << i;
-  EXPECT_EQ(g.a[0][g.box.index({-1, 1, 1})], 0);
-  EXPECT_EQ(g.a[0][g.box.index({3, 1, 1})], 0);
+  EXPECT_EQ(g.n[0][cells_of(g).index({-1, 0, 1})], -1);
+  EXPECT_EQ(g.n[0][cells_of(g).index({2, 1, 0})], 1);
+  EXPECT_EQ(g.n[2][cells_of(g).index({1, 0, -1})], -1);
+  EXPECT_EQ(g.n[2][cells_of(g).index({1, 0, 2})], 1);
+  EXPECT_EQ(g.n[0][cells_of(g).index({0, 0, 0})], 0);
+  for (const int i : {0, 1, 2}) EXPECT_EQ(g.a[0][cells_of(g).index({i, 1, 1})], 1) << i;
+  EXPECT_EQ(g.a[0][cells_of(g).index({-1, 1, 1})], 0);
+  EXPECT_EQ(g.a[0][cells_of(g).index({3, 1, 1})], 0);
 }
 
-TEST(SolidInCells, FacesBeyondTheBoxAreRefused) {
+TEST(SolidInCells, FacesBeyondTheBlocksAreRefused) {
   const OuterFaces<2> faces = block<2>("", 4, {0, 0}).faces();
   SolidSums<2> sums;
-  sums.begin({{0, 0}, {3, 3}});
+  const auto small = CellBlocks<2>::around({{0, 0}, {3, 3}}),
+             large = CellBlocks<2>::around({{-1, -1}, {3, 3}});
+  sums.begin(small);
   EXPECT_THROW(sums.add(faces, When::start, 0, faces.size()), std::out_of_range);
-  sums.begin({{-1, -1}, {3, 3}});
+  sums.begin(large);
   EXPECT_NO_THROW(sums.add(faces, When::start, 0, faces.size()));
 }
 
@@ -150,7 +140,7 @@ TEST(SolidInCells, ATurnedSquareIsWhatClippingGives) {
       outline.push_back({body.start[corner][0][p], body.start[corner][1][p]});
     }
     const SolidInCells<2> g = geometry<2>(body.faces());
-    for_cells<2>(g.box, [&](const Cell<2>& c, std::size_t at) {
+    for_cells<2>(cells_of(g), [&](const Cell<2>& c, std::size_t at) {
       const Clipped exact = clipped(outline, c);
       worst = std::max(worst, std::abs(g.theta[at] - exact.area));
       worst = std::max(worst, std::abs(g.a[0][at] - exact.length));
@@ -165,21 +155,22 @@ template <int D>
 double error_of_directions(const OuterFaces<D>& faces) {
   const SolidInCells<D> g = geometry<D>(faces);
   std::array<std::vector<double>, D> T;
-  for (auto& t : T) t.assign(g.box.cells(), 0.0);
+  for (auto& t : T) t.assign(cells_of(g).size(), 0.0);
   for_each_piece<D>(faces, When::start, 0, faces.size(),
                     [&](std::size_t, int, const FacetNodes<D>& x, const Piece<D>& piece) {
                       for (std::size_t d = 0; d < D; ++d)
                         for (std::size_t k = 0; k < D; ++k)
-                          T[d][g.box.index(piece.cell)] +=
+                          T[d][cells_of(g).index(piece.cell)] +=
                               piece.n[d] * piece.m[k] * (x[k][d] - piece.cell[d]);
                     });
   double worst = 0;
-  for_cells<D>(g.box, [&](const Cell<D>& c, std::size_t at) {
+  for_cells<D>(cells_of(g), [&](const Cell<D>& c, std::size_t at) {
     for (std::size_t d = 0; d < D; ++d) {
       Cell<D> above = c;
-      const double a = ++above[d] < g.box.upper[d] ? g.a[d][g.box.index(above)] : 0;
+      const double a = ++above[d] < cells_of(g).upper[d] ? g.a[d][cells_of(g).index(above)] : 0;
       worst = std::max(worst, std::abs(g.theta[at] - (a + T[d][at])));
-      if (c[d] == g.box.lower[d]) worst = std::max(worst, std::abs(g.a[d][at]));  // rows close
+      if (c[d] == cells_of(g).lower[d])
+        worst = std::max(worst, std::abs(g.a[d][at]));  // rows close
     }
   });
   return worst;
@@ -246,7 +237,7 @@ TEST(SolidInCells, CellsThatAreFullOrEmptyAreSo) {
   const SolidInCells<3> g = geometry<3>(ball<3>().faces());
   int full = 0, empty = 0;
   double worst = 0;
-  for_cells<3>(g.box, [&](const Cell<3>& c, std::size_t at) {
+  for_cells<3>(cells_of(g), [&](const Cell<3>& c, std::size_t at) {
     double nearest = 0, farthest = 0;
     for (std::size_t d = 0; d < 3; ++d) {
       const double low = c[d] - body_middle[d], high = low + 1;
@@ -266,7 +257,7 @@ TEST(SolidInCells, CellsThatAreFullOrEmptyAreSo) {
 template <int D>
 double error_of_mirror(const Body<D>& body, std::size_t along) {
   const SolidInCells<D> g = geometry<D>(body.faces());
-  const double sum = g.box.lower[along] + g.box.upper[along];
+  const double sum = cells_of(g).lower[along] + cells_of(g).upper[along];
   Body<D> twin = body;
   for (std::size_t k = 0; k < Body<D>::corners; ++k)
     for (std::size_t d = 0; d < D; ++d) {
@@ -282,14 +273,14 @@ double error_of_mirror(const Body<D>& body, std::size_t along) {
   twin.end = twin.start;
   const SolidInCells<D> m = geometry<D>(twin.faces());
   double worst = 0;
-  for_cells<D>(g.box, [&](const Cell<D>& c, std::size_t at) {
+  for_cells<D>(cells_of(g), [&](const Cell<D>& c, std::size_t at) {
     Cell<D> image = c;
-    image[along] = g.box.lower[along] + g.box.upper[along] - 1 - c[along];
-    worst = std::max(worst, std::abs(g.theta[at] - m.theta[g.box.index(image)]));
+    image[along] = cells_of(g).lower[along] + cells_of(g).upper[along] - 1 - c[along];
+    worst = std::max(worst, std::abs(g.theta[at] - m.theta[cells_of(g).index(image)]));
     for (std::size_t d = 0; d < D; ++d) {
       Cell<D> face = image;
-      if (d == along && ++face[d] == g.box.upper[d]) continue;
-      worst = std::max(worst, std::abs(g.a[d][at] - m.a[d][g.box.index(face)]));
+      if (d == along && ++face[d] == cells_of(g).upper[d]) continue;
+      worst = std::max(worst, std::abs(g.a[d][at] - m.a[d][cells_of(g).index(face)]));
     }
   });
   return worst;
@@ -327,14 +318,14 @@ double error_of_forces(const Body<D>& body) {
   const SolidInCells<D> g = geometry<D>(faces);
   std::array<std::vector<double>, D> on_nodes, in_cells;
   for (auto* to : {&on_nodes, &in_cells})
-    for (auto& column : *to) column.assign(g.box.cells(), 0.0);
+    for (auto& column : *to) column.assign(cells_of(g).size(), 0.0);
   const auto spread = [&](const Point<D>& x, std::size_t d, double value) {
     Cell<D> low;
     for (std::size_t e = 0; e < D; ++e) low[e] = static_cast<int>(std::floor(x[e]));
     for (unsigned corner = 0; corner < (1u << D); ++corner) {
       Cell<D> node = low;
       for (std::size_t e = 0; e < D; ++e) node[e] += static_cast<int>(corner >> e) & 1;
-      on_nodes[d][g.box.index(node)] += value * hat<D>(node, x);
+      on_nodes[d][cells_of(g).index(node)] += value * hat<D>(node, x);
     }
   };
   for_each_piece<D>(faces, When::start, 0, faces.size(),
@@ -349,7 +340,7 @@ double error_of_forces(const Body<D>& body) {
                           x[d] = body.start[corner][d][faces.particle[i]];
                         for (std::size_t d = 0; d < D; ++d) {
                           spread(x, d, piece.n[d] * share[k]);
-                          in_cells[d][g.box.index(piece.cell)] += piece.n[d] * share[k];
+                          in_cells[d][cells_of(g).index(piece.cell)] += piece.n[d] * share[k];
                         }
                       }
                     });
@@ -365,7 +356,7 @@ double error_of_forces(const Body<D>& body) {
   }
   double worst = 0;
   for (std::size_t d = 0; d < D; ++d)
-    for (std::size_t c = 0; c < g.box.cells(); ++c)
+    for (std::size_t c = 0; c < cells_of(g).size(); ++c)
       worst = std::max({worst, std::abs(on_nodes[d][c]), std::abs(in_cells[d][c] - g.n[d][c])});
   return worst;
 }
@@ -390,8 +381,8 @@ TEST(SolidInCells, NoBitDependsOnTheOrderOfFaces) {
   const OuterFaces<3> faces = body.faces();
   const SolidInCells<3> whole = geometry<3>(faces);
   SolidSums<3> first, second;  // another order, in two parts
-  first.begin(test_box<3>());
-  second.begin(test_box<3>());
+  first.begin(test_cells<3>().blocks);
+  second.begin(test_cells<3>().blocks);
   for (std::size_t i = faces.size(); i-- > 0;)
     (i % 3 == 0 ? first : second).add(faces, When::start, i, i + 1);
   second.merge(first);
@@ -400,11 +391,15 @@ TEST(SolidInCells, NoBitDependsOnTheOrderOfFaces) {
   EXPECT_EQ(whole.theta, parts.theta);
   EXPECT_EQ(whole.a, parts.a);
   EXPECT_EQ(whole.n, parts.n);
-  // Nor on the box: the smallest possible one.
-  const SolidInCells<3> tight = geometry<3>(faces, cells_reached<3>(faces, 0, faces.size()));
-  for_cells<3>(tight.box, [&](const Cell<3>& c, std::size_t at) {
-    EXPECT_EQ(tight.theta[at], whole.theta[whole.box.index(c)]);
-    EXPECT_EQ(tight.a[1][at], whole.a[1][whole.box.index(c)]);
+  // Nor on the blocks: no more than needed.
+  const CellBox<3> near{{1, 1, 1}, {8, 8, 8}};
+  const auto blocks = CellBlocks<3>::around(near);
+  ASSERT_LT(blocks.size(), test_cells<3>().size());
+  const SolidInCells<3> tight = geometry<3>(faces, blocks);
+  for_each_cell_of<3>(near, [&](const Cell<3>& c) {
+    const std::size_t i = blocks.index(c), j = cells_of(whole).index(c);
+    EXPECT_EQ(tight.theta[i], whole.theta[j]);
+    EXPECT_EQ(tight.a[1][i], whole.a[1][j]);
   });
 }
 
@@ -415,18 +410,6 @@ TEST(SolidInCells, CleanValuesLieBetweenNoughtAndOne) {
   std::vector<double> theta{-3e-16, 5e-15, 2e-14, 0.5, 1 - 2e-10, 1 - 5e-11, 1.3};
   clean_volume_fractions(theta);
   EXPECT_EQ(theta, (std::vector<double>{0, 0, 2e-14, 0.5, 1 - 2e-10, 1, 1}));
-}
-
-// Only a row that faces reach to the high end of is open there; elsewhere a body is folded.
-TEST(SolidInCells, RowsOfFoldedBodiesAreNotOpen) {
-  const CellBox<1> box{{0}, {12}};
-  const std::vector<double> covered{0, 0, 0.5, -0.25, 0.75, 0, 0, 0, 0, 0, 0, 0};
-  std::vector<double> inside = covered, cut = covered, theta = covered;
-  raise_open_rows<1>(box, box, 0, 6, inside, nullptr);
-  EXPECT_EQ(inside, covered);
-  raise_open_rows<1>(box, box, 0, 11, cut, &theta);
-  for (std::size_t i = 0; i < cut.size(); ++i) EXPECT_EQ(cut[i], covered[i] + 0.25);
-  EXPECT_EQ(theta, cut);
 }
 
 }  // namespace

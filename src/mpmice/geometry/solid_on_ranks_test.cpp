@@ -4,6 +4,7 @@
 
 #include "framework/base/close_ranks_test_support.hpp"
 #include "mpmice/geometry/bodies_test_support.hpp"
+#include "mpmice/geometry/occupied_cells.hpp"
 #include "mpmice/geometry/solid_in_cells.hpp"
 #include "mpmice/geometry/swept_volumes.hpp"
 
@@ -27,7 +28,7 @@ TEST(SolidOnRanks, ThetaAndFacesHaveTheBitsOfOne) {
   const OuterFaces<3> faces = moving_faces();
   const auto find = [&](std::size_t begin, std::size_t end, bool sum) {
     SolidSums<3> sums;
-    sums.begin(test_box<3>());
+    sums.begin(test_cells<3>().blocks);
     sums.add(faces, When::start, begin, end);
     if (sum) sums.sum_over_ranks(world());
     SolidInCells<3> g;
@@ -45,7 +46,7 @@ TEST(SolidOnRanks, SweptVolumesHaveTheBitsOfOne) {
   const OuterFaces<3> faces = moving_faces();
   const auto find = [&](std::size_t begin, std::size_t end, bool sum) {
     SweptSums<3> sums;
-    sums.begin(test_box<3>(), true);
+    sums.begin(test_cells<3>().blocks, true);
     sums.add(faces, begin, end);
     if (sum) sums.sum_over_ranks(world());
     SweptVolumes<3> s;
@@ -60,23 +61,28 @@ TEST(SolidOnRanks, SweptVolumesHaveTheBitsOfOne) {
   EXPECT_EQ(s.M, whole.M);
 }
 
-TEST(SolidOnRanks, TheBoxOfAllHoldsEveryOther) {
+TEST(SolidOnRanks, KnowTheCellsThatAnyOneOccupies) {
   const int rank = world().rank(), last = world().size() - 1;
-  CellBox<2> mine;  // empty on rank 1
-  if (rank != 1) mine = {{3 - rank, rank}, {5, 6 + rank}};
+  OccupiedCells<2> cells;
+  cells.begin({{-8, -8}, {24, 24}});
+  if (rank != 1) cells.add({{3 - rank, rank}, {5, 6 + rank}});  // rank 1 has none
+  cells.join(world());
   const int edge = last == 1 ? 0 : last;
-  EXPECT_EQ(box_of_all<2>(mine, world()), (CellBox<2>{{3 - edge, 0}, {5, 6 + edge}}));
-  EXPECT_TRUE(box_of_all<2>({}, world()).empty());
+  EXPECT_EQ(cells.hull(), (CellBox<2>{{3 - edge, 0}, {5, 6 + edge}}));
+  for (const CellBox<2>& box : cells.boxes()) {
+    const CellBox<2> blocks = BlockDirectory<2>::blocks_of(box);
+    EXPECT_EQ(blocks.cells(), 1u);
+  }
 }
 
 TEST(SolidOnRanks, NoFacesAtAll) {
   SolidSums<2> sums;
-  sums.begin(test_box<2>());
+  sums.begin(test_cells<2>().blocks);
   sums.add(OuterFaces<2>(), When::start, 0, 0);
   sums.sum_over_ranks(world());
   SolidInCells<2> g;
   sums.finish(g);
-  EXPECT_EQ(g.theta, std::vector<double>(test_box<2>().cells(), 0.0));
+  EXPECT_EQ(g.theta, std::vector<double>(test_cells<2>().size(), 0.0));
 }
 
 }  // namespace

@@ -48,21 +48,21 @@ struct SweptRows {
     Tl[d][at] += sign * (2 * N) * arm - N * moved;
   }
 
-  // C along d of the lower faces of all but the lowest cells, into an array over `box`.
-  void add_to(int d, const CellBox<D>& box, std::uint64_t* C) const {
+  // C along d of the lower faces of all but the lowest cells, into an array over blocks.
+  void add_to(int d, const CellBlocks<D>& blocks, std::uint64_t* C) const {
     const auto a = static_cast<std::size_t>(d);
     CellBox<D> tops = cells;
     tops.lower[a] = tops.upper[a] - 1;
-    const std::ptrdiff_t step = cells.stride(d), stride = box.stride(d);
+    const std::ptrdiff_t step = cells.stride(d);
     Cell<D> cell = tops.lower;
     for (std::size_t row = tops.cells(); row-- > 0;) {
       auto from = static_cast<std::ptrdiff_t>(cells.index(cell));
-      auto to = static_cast<std::ptrdiff_t>(box.index(cell));
+      Cell<D> face = cell;
       double W = 0, B = 0;
-      for (int i = cells.size(d); i-- > 1; from -= step, to -= stride) {
+      for (int i = cells.size(d); i-- > 1; from -= step, --face[a]) {
         W += B + Tl[a][from];
         B += Nl[a][from];
-        C[to] += to_sum(W);
+        C[blocks.index_to_add(face)] += to_sum(W);
       }
       for (std::size_t k = 0; k < D; ++k) {  // the next row
         if (++cell[k] < tops.upper[k]) break;

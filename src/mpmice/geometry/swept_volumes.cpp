@@ -5,7 +5,6 @@
 #include <stdexcept>
 
 #include "mpmice/geometry/face_moments.hpp"
-#include "mpmice/geometry/open_rows.hpp"
 #include "mpmice/geometry/swept_rows.hpp"
 
 namespace sluice::mpmice {
@@ -39,7 +38,7 @@ template <int D, bool WithMoments>
 class FacetSums {
  public:
   FacetSums(CellSums<D>& sums, std::vector<double>& memory)
-      : box_(sums.box()), memory_(memory), q_(sums.lane(lane_of_q<D>)) {
+      : cells_(sums.cells()), memory_(memory), q_(sums.lane(lane_of_q<D>)) {
     for (int d = 0; d < D; ++d) {
       const auto a = static_cast<std::size_t>(d);
       A_[a] = sums.lane(lane_of_A(d));
@@ -71,7 +70,7 @@ class FacetSums {
     });
     for (int d = 0; d < D; ++d) {
       const auto a = static_cast<std::size_t>(d);
-      if (f.is_split[a]) rows.add_to(d, box_, C_[a]);
+      if (f.is_split[a]) rows.add_to(d, cells_, C_[a]);
     }
   }
 
@@ -80,7 +79,7 @@ class FacetSums {
   void add_piece(const MixedFacet<D>& f, const std::array<Slots, D>& slots,
                  const FacetNodes<D>& nodes, const std::array<double, D>& N, const Cell<D>& cell,
                  const Moments<D>& piece, SweptRows<D>& rows) {
-    const std::size_t c = box_.index(cell), here = rows.any ? rows.cells.index(cell) : 0;
+    const std::size_t c = cells_.index_to_add(cell), here = rows.any ? rows.cells.index(cell) : 0;
     double swept = 0;
     for (std::size_t d = 0; d < D; ++d) {
       double moved = 0, arm = 0;
@@ -97,7 +96,7 @@ class FacetSums {
 
   void add_moments(const FaceMoments<D>& moments, const Cell<D>& cell, const Moments<D>& piece,
                    double weight) {
-    const std::size_t c = box_.index(cell);
+    const std::size_t c = cells_.index_to_add(cell);
     for (std::size_t u = 0; u < D; ++u) {
       const std::array<double, D> moment = moments.of(u, cell[u], piece.m);
       for (std::size_t d = 0; d < D; ++d)
@@ -105,7 +104,7 @@ class FacetSums {
     }
   }
 
-  CellBox<D> box_;
+  const CellBlocks<D>& cells_;
   std::vector<double>& memory_;  // of SweptRows
   std::uint64_t* q_;
   std::array<std::uint64_t*, D> A_, C_;
@@ -115,14 +114,13 @@ class FacetSums {
 }  // namespace
 
 template <int D>
-void SweptSums<D>::begin(const CellBox<D>& box, bool with_moments) {
+void SweptSums<D>::begin(const CellBlocks<D>& cells, bool with_moments) {
   with_moments_ = with_moments;
-  sums_.begin(box, 2 * D + 1 + (with_moments ? face_moments<D> : 0));
+  sums_.begin(cells, 2 * D + 1 + (with_moments ? face_moments<D> : 0));
 }
 
 template <int D>
 void SweptSums<D>::add(const OuterFaces<D>& faces, std::size_t begin, std::size_t end) {
-  sums_.reach(cells_reached<D>(faces, begin, end));
   const auto add_all = [&](auto to) {
     for (std::size_t i = begin; i < end; ++i)
       for (int t = 0; t < facets_of_face<D>; ++t)
@@ -138,8 +136,6 @@ void SweptSums<D>::add(const OuterFaces<D>& faces, std::size_t begin, std::size_
 
 template <int D>
 void SweptSums<D>::finish(SweptVolumes<D>& to, const CoveredSides<D>* sides) {
-  to.box = sums_.box();
-  const Cell<D> high = sums_.reached().upper;
   for (int lane = 0; lane <= 2 * D && sides != nullptr; ++lane) sums_.fold(sides->sides(), lane);
   sums_.values(lane_of_q<D>, to.q);
   for (int d = 0; d < D; ++d) {
@@ -147,8 +143,6 @@ void SweptSums<D>::finish(SweptVolumes<D>& to, const CoveredSides<D>* sides) {
     if (sides != nullptr) sides->add_to(d, sums_.lane(lane_of_A(d)));
     sums_.add_from_above(lane_of_A(d), d);
     sums_.values(lane_of_A(d), to.A[a]);
-    if (sides == nullptr || !sides->sides().periodic[a])
-      raise_open_rows<D>(to.box, sums_.reached(), d, high[a], to.A[a], nullptr);
     sums_.values(lane_of_C<D>(d), to.C[a]);
   }
   for (int i = 0; i < face_moments<D>; ++i) {

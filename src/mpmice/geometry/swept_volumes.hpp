@@ -29,10 +29,9 @@ namespace sluice::mpmice {
 template <int D>
 inline constexpr int face_moments = D * (D - 1);
 
-// Arrays over the cells of a box, zero where no surface is near.
+// Arrays over the cells of blocks, zero where no surface is near.
 template <int D>
 struct SweptVolumes {
-  CellBox<D> box;
   std::vector<double> q;
   std::array<std::vector<double>, D> A, C;  // lower faces along d
   // M_du of lower faces, [d (D - 1) + j]: u is the j-th other direction, rising. Empty unless asked
@@ -43,8 +42,9 @@ struct SweptVolumes {
 template <int D>
 class SweptSums {
  public:
-  void begin(const CellBox<D>& box, bool with_moments = false);
-  // Faces begin to end - 1; their cells (cells_reached) must lie in the box.
+  // Keeps a reference to the blocks.
+  void begin(const CellBlocks<D>& cells, bool with_moments = false);
+  // Faces begin to end - 1. Throws std::out_of_range where a piece lies in no block.
   void add(const OuterFaces<D>& faces, std::size_t begin, std::size_t end);
   void merge(const SweptSums& other) { sums_.merge(other.sums_); }
   void sum_over_ranks(Communicator& ranks) { sums_.sum_over_ranks(ranks); }

@@ -23,7 +23,7 @@ constexpr double of_moments = 1e-15;         // 5.6e-17
 template <int D>
 SolidInCells<D> geometry(const OuterFaces<D>& faces, When when) {
   SolidSums<D> sums;
-  sums.begin(test_box<D>());
+  sums.begin(test_cells<D>().blocks);
   sums.add(faces, when, 0, faces.size());
   SolidInCells<D> to;
   sums.finish(to);
@@ -33,32 +33,19 @@ SolidInCells<D> geometry(const OuterFaces<D>& faces, When when) {
 template <int D>
 SweptVolumes<D> swept(const OuterFaces<D>& faces, bool moments = false) {
   SweptSums<D> sums;
-  sums.begin(test_box<D>(), moments);
+  sums.begin(test_cells<D>().blocks, moments);
   sums.add(faces, 0, faces.size());
   SweptVolumes<D> to;
   sums.finish(to);
   return to;
 }
 
-template <int D, class Act>
-void for_cells(const CellBox<D>& box, Act&& act) {
-  Cell<D> c = box.lower;
-  for (std::size_t left = box.cells(); left-- > 0;) {
-    act(c, box.index(c));
-    for (std::size_t d = 0; d < D; ++d) {
-      if (++c[d] < box.upper[d]) break;
-      c[d] = box.lower[d];
-    }
-  }
-}
-
 // Lower minus upper face of a cell.
 template <int D>
-double difference(const std::vector<double>& f, const CellBox<D>& box, const Cell<D>& c, int d) {
-  const std::size_t at = box.index(c);
+double difference(const std::vector<double>& f, const TestCells<D>& cells, Cell<D> c, int d) {
+  const double low = f[cells.index(c)];
   const auto a = static_cast<std::size_t>(d);
-  const auto above = at + static_cast<std::size_t>(box.stride(d));
-  return f[at] - (c[a] + 1 < box.upper[a] ? f[above] : 0.0);
+  return low - (++c[a] < cells.upper[a] ? f[cells.index(c)] : 0.0);
 }
 
 struct Errors {
@@ -77,12 +64,12 @@ Errors errors_of(const OuterFaces<D>& faces, const Point<D>& v) {
   const SweptVolumes<D> s = swept<D>(faces);
   Errors e;
   double grown = 0, moved = 0;
-  for_cells<D>(s.box, [&](const Cell<D>& c, std::size_t at) {
+  for_cells<D>(cells_of(s), [&](const Cell<D>& c, std::size_t at) {
     double gain = s.q[at], uniform = s.q[at];
     for (int d = 0; d < D; ++d) {
       const auto a = static_cast<std::size_t>(d);
-      gain += difference<D>(s.C[a], s.box, c, d);
-      uniform -= v[a] * difference<D>(s.A[a], s.box, c, d);
+      gain += difference<D>(s.C[a], cells_of(s), c, d);
+      uniform -= v[a] * difference<D>(s.A[a], cells_of(s), c, d);
     }
     e.identity = std::max(e.identity, std::abs(after.theta[at] - before.theta[at] - gain));
     if (v[0] < 1e300) e.uniform = std::max(e.uniform, std::abs(uniform));
@@ -147,7 +134,7 @@ TEST(SweptVolumes, BodiesAtRestSweepNothing) {
 template <int D>
 std::array<std::vector<double>, D> passed(const Body<D>& body, const Point<D>& v, int n) {
   std::array<std::vector<double>, D> sum;
-  for (auto& column : sum) column.assign(test_box<D>().cells(), 0.0);
+  for (auto& column : sum) column.assign(test_cells<D>().size(), 0.0);
   for (int i = 0; i < n; ++i) {
     Body<D> there = body;
     there.move([&](const Point<D>& x) {
@@ -225,7 +212,7 @@ TEST(SweptVolumes, TheBallPassesNearlyAsTheIntegral) {
 template <int D>
 double error_of_mirror(const Body<D>& body, std::size_t along) {
   const SweptVolumes<D> s = swept<D>(body.faces());
-  const double sum = s.box.lower[along] + s.box.upper[along];
+  const double sum = cells_of(s).lower[along] + cells_of(s).upper[along];
   Body<D> twin = body;
   for (std::size_t k = 0; k < Body<D>::corners; ++k)
     for (std::size_t d = 0; d < D; ++d) {
@@ -243,16 +230,16 @@ double error_of_mirror(const Body<D>& body, std::size_t along) {
   }
   const SweptVolumes<D> m = swept<D>(twin.faces());
   double worst = 0;
-  for_cells<D>(s.box, [&](const Cell<D>& c, std::size_t at) {
+  for_cells<D>(cells_of(s), [&](const Cell<D>& c, std::size_t at) {
     Cell<D> image = c;
-    image[along] = s.box.lower[along] + s.box.upper[along] - 1 - c[along];
-    worst = std::max(worst, std::abs(s.q[at] - m.q[s.box.index(image)]));
+    image[along] = cells_of(s).lower[along] + cells_of(s).upper[along] - 1 - c[along];
+    worst = std::max(worst, std::abs(s.q[at] - m.q[cells_of(s).index(image)]));
     for (std::size_t d = 0; d < D; ++d) {
       Cell<D> face = image;
-      if (d == along && ++face[d] == s.box.upper[d]) continue;
+      if (d == along && ++face[d] == cells_of(s).upper[d]) continue;
       const double sign = d == along ? -1 : 1;
-      worst = std::max(worst, std::abs(s.C[d][at] - sign * m.C[d][s.box.index(face)]));
-      worst = std::max(worst, std::abs(s.A[d][at] - m.A[d][s.box.index(face)]));
+      worst = std::max(worst, std::abs(s.C[d][at] - sign * m.C[d][cells_of(s).index(face)]));
+      worst = std::max(worst, std::abs(s.A[d][at] - m.A[d][cells_of(s).index(face)]));
     }
   });
   return worst;
@@ -287,7 +274,7 @@ TEST(SweptVolumes, MomentsOfABlockAreThoseOfRectangles) {
     return std::array{to - from, 0.5 * ((to - 0.5) * (to - 0.5) - (from - 0.5) * (from - 0.5))};
   };
   double worst = 0;
-  for_cells<3>(s.box, [&](const Cell<3>& c, std::size_t at) {
+  for_cells<3>(cells_of(s), [&](const Cell<3>& c, std::size_t at) {
     for (std::size_t d = 0; d < 3; ++d) {
       const bool meets = c[d] >= low[d] && c[d] <= low[d] + 2.5;
       std::size_t j = 0;
@@ -317,7 +304,7 @@ double error_of_turning(double angle, bool with_moments) {
   for (auto& column : H) column.assign(s.q.size(), 0.0);
   const double g[2][2] = {{std::cos(angle) - 1, -std::sin(angle)},
                           {std::sin(angle), std::cos(angle) - 1}};  // grad v
-  for_cells<3>(s.box, [&](const Cell<3>& c, std::size_t at) {
+  for_cells<3>(cells_of(s), [&](const Cell<3>& c, std::size_t at) {
     for (std::size_t d = 0; d < 2; ++d) {
       const double x = c[0] + (d == 0 ? 0 : 0.5) - body_middle[0];
       const double y = c[1] + (d == 1 ? 0 : 0.5) - body_middle[1];
@@ -330,11 +317,12 @@ double error_of_turning(double angle, bool with_moments) {
   });
   double sum = 0;
   int cells = 0;
-  for_cells<3>(s.box, [&](const Cell<3>& c, std::size_t at) {
+  for_cells<3>(cells_of(s), [&](const Cell<3>& c, std::size_t at) {
     const double V = 1 - before.theta[at];
     if (V < 0.5 || V > 1 - 1e-12) return;
     double V_L = 1 - after.theta[at];
-    for (int d = 0; d < 2; ++d) V_L -= difference<3>(H[static_cast<std::size_t>(d)], s.box, c, d);
+    for (int d = 0; d < 2; ++d)
+      V_L -= difference<3>(H[static_cast<std::size_t>(d)], cells_of(s), c, d);
     sum += std::abs(V_L / V - 1);
     ++cells;
   });
@@ -354,8 +342,8 @@ TEST(SweptVolumes, NoBitDependsOnTheOrderOfFaces) {
   const OuterFaces<3> faces = body.faces();
   const SweptVolumes<3> whole = swept<3>(faces, true);
   SweptSums<3> first, second;
-  first.begin(test_box<3>(), true);
-  second.begin(test_box<3>(), true);
+  first.begin(test_cells<3>().blocks, true);
+  second.begin(test_cells<3>().blocks, true);
   for (std::size_t i = faces.size(); i-- > 0;) (i % 3 == 0 ? first : second).add(faces, i, i + 1);
   second.merge(first);
   SweptVolumes<3> parts;
@@ -370,7 +358,8 @@ TEST(SweptVolumes, CornersThatJumpFarAreRefused) {
   Body<1> body = block<1>("", 2, {0});
   body.move([](const Point<1>& x) -> Point<1> { return {x[0] + 40}; });
   SweptSums<1> sums;
-  sums.begin({{-10}, {60}});
+  const auto cells = CellBlocks<1>::around({{-10}, {60}});
+  sums.begin(cells);
   const OuterFaces<1> faces = body.faces();
   EXPECT_THROW(sums.add(faces, 0, faces.size()), std::out_of_range);
 }

@@ -15,15 +15,14 @@ template <int D>
 double LevelCoupling<D>::most_parts_given(const StageScope& scope,
                                           const std::vector<Given>& given) const {
   CellSums<D> parts;
-  parts.begin(frame_.box, 1);
-  parts.reach(frame_.box);
+  parts.begin(frame_.cells, 1);
   for (const Given& g : given) {
     const SolidSet<D>& s = sets_[g.set];
     for_each_part<D>(frame_, corner_columns<D>(frame_, *s.columns, *s.next), *s.next, g.particle,
                      [&](std::size_t i) { ++parts.lane(0)[i]; });
   }
   parts.sum_over_ranks(*scope.ranks);
-  return static_cast<double>(*std::max_element(parts.lane(0), parts.lane(0) + frame_.box.cells()));
+  return static_cast<double>(*std::max_element(parts.lane(0), parts.lane(0) + frame_.cells.size()));
 }
 
 // Cells get what particles have given: each cell of a particle as many parts as lie in it, by
@@ -53,8 +52,7 @@ bool LevelCoupling<D>::give_to_cells(const StageScope& scope, int product,
   most_speed = all.maximum(maxima[3]);
   const double room = most_parts_given(scope, given);
   CellSums<D> sums;
-  sums.begin(frame_.box, momentum + components);
-  sums.reach(frame_.box);
+  sums.begin(frame_.cells, momentum + components);
   const auto weight = [&](std::size_t i) { return in_cells.empty() ? 1.0 : in_cells[i]; };
   for (const Given& g : given) {
     const SolidSet<D>& s = sets_[g.set];

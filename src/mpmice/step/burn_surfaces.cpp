@@ -11,7 +11,7 @@ namespace sluice::mpmice {
 // Hottest fluid in a cell, or around it where asked or where the cell has little; 0: none.
 template <int D>
 double LevelCoupling<D>::hottest_fluid(const Cell<D>& c, bool around) const {
-  const std::size_t here = frame_.box.index(c);
+  const std::size_t here = frame_.cells.index(c);
   if (!around && amounts_.volume[here] > seen_volume) return heat_of(here).temperature;
   double most = 0;
   for_each_around(c, 1, [&](std::size_t i) {
@@ -94,8 +94,7 @@ void LevelCoupling<D>::mean_of_pieces(const StageScope& scope,
   scope.ranks->reduce(all);
   largest = all.maximum(slot);
   CellSums<D> sums;
-  sums.begin(frame_.box, 1);
-  sums.reach(frame_.box);
+  sums.begin(frame_.cells, 1);
   for (std::size_t n = 0; n < pieces.size(); ++n)
     sums.lane(0)[pieces[n].cell] += to_sum(values[n] / largest / most);
   sums.sum_over_ranks(*scope.ranks);
@@ -109,12 +108,11 @@ template <int D>
 double LevelCoupling<D>::count_pieces(const StageScope& scope,
                                       const std::vector<BurningPiece>& pieces,
                                       CellSums<D>& counts) const {
-  counts.begin(frame_.box, 1);
-  counts.reach(frame_.box);
+  counts.begin(frame_.cells, 1);
   for (const BurningPiece& piece : pieces) ++counts.lane(0)[piece.cell];
   counts.sum_over_ranks(*scope.ranks);
   return static_cast<double>(
-      *std::max_element(counts.lane(0), counts.lane(0) + frame_.box.cells()));
+      *std::max_element(counts.lane(0), counts.lane(0) + frame_.cells.size()));
 }
 
 // What is not 0, for the archive.
@@ -125,11 +123,10 @@ void LevelCoupling<D>::keep_in_cells(const StageScope& scope, Label kept, int so
   const int slot = next.find(kept, solid);
   for (int b = 0; b < static_cast<int>(next.local_boxes().size()); ++b) {
     const RealView to = next.view(slot, 0, b);
-    for_each_cell(frame_.held(next.local_boxes()[static_cast<std::size_t>(b)].cells),
-                  [&](IntVec3 c) {
-                    const double value = values[frame_.box.index(frame_.cell(c))];
-                    if (value != 0) to(c) = value;
-                  });
+    frame_.for_each_held(next.local_boxes()[static_cast<std::size_t>(b)].cells,
+                         [&](IntVec3 c, std::size_t i) {
+                           if (values[i] != 0) to(c) = values[i];
+                         });
   }
 }
 
@@ -141,7 +138,7 @@ void LevelCoupling<D>::store_burning(const StageScope& scope, const models::Soli
   CellSums<D> counts;
   const double most = count_pieces(scope, pieces, counts);
   for (const BurningField& field : fields) {
-    Column mean(frame_.box.cells(), 0.0), values;
+    Column mean(frame_.cells.size(), 0.0), values;
     if (field.value == BurningValue::burns) {
       for (std::size_t i = 0; i < mean.size(); ++i) mean[i] = counts.lane(0)[i] > 0 ? 1 : 0;
     } else {

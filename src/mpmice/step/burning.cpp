@@ -28,7 +28,7 @@ constexpr double least_share = 1e-9;   // of its mass that burns in a step
 template <int D>
 void LevelCoupling<D>::burn_cells(const StageScope& scope, const models::SolidBurn& burn,
                                   const models::CellLaw& law, Column& shares) {
-  shares.assign(frame_.box.cells(), 0.0);
+  shares.assign(frame_.cells.size(), 0.0);
   const double t = scope.step.time, dt = scope.step.dt;
   if (!law.depends_on_state()) {
     std::fill(shares.begin(), shares.end(), law.share({}, t, dt));
@@ -72,8 +72,7 @@ void LevelCoupling<D>::mean_in_cells(const StageScope& scope, int kind, Column& 
   most_mass = all.maximum(a);
   most_pressure = all.maximum(b);
   CellSums<D> sums;
-  sums.begin(frame_.box, 2);
-  sums.reach(frame_.box);
+  sums.begin(frame_.cells, 2);
   for_particles([&](const SolidSet<D>& s, std::size_t p, double m, double pressure_of_p) {
     const double share = m / most_mass / most_parts<D>;
     for_each_part<D>(frame_, corner_columns<D>(frame_, *s.columns, *s.next), *s.next, p,
@@ -190,7 +189,7 @@ void LevelCoupling<D>::begin_burning() {
   const int materials = solids_->material_count() + fluid_->material_count();
   burned_.begin(materials);
   next_switch_ = 0;
-  products_.assign(amounts_.mass.size(), Column(frame_.box.cells(), 0.0));
+  products_.assign(amounts_.mass.size(), Column(frame_.cells.size(), 0.0));
   for (SolidSet<D>& s : sets_) {
     if (s.part < 0) continue;
     s.stays.assign(s.set->size(), 1.0);
@@ -262,7 +261,7 @@ bool LevelCoupling<D>::burn_by(const StageScope& scope, const models::SolidBurn&
 // Mass per cell volume that burning has made, of all products.
 template <int D>
 Column LevelCoupling<D>::all_products() const {
-  Column all(frame_.box.cells(), 0.0);
+  Column all(frame_.cells.size(), 0.0);
   for (const Column& of_one : products_)
     for (std::size_t i = 0; i < all.size(); ++i) all[i] += of_one[i];
   return all;

@@ -23,18 +23,20 @@ void start_fractions_of(Warehouse& state, const ice::FluidPart& fluid, const mpm
   Frame<D> frame(state.level());
   const auto& particles = *solids.particles();
   std::vector<ParticleSet> sets;
-  CellBox<D> cells;
+  OccupiedCells<D> occupied;
+  occupied.begin(frame.room());
   for (int k = 0; k < static_cast<int>(solids.scene().materials.size()); ++k) {
     ParticleSet& set = sets.emplace_back(particles.kinds()[static_cast<std::size_t>(k)].columns());
     particles.start(k, state.level(), state.level().domain, set);
     const mpm::Columns& c = solids.carried()[static_cast<std::size_t>(k)].columns;
-    cells.include(cells_of<D>(frame, corner_columns<D>(frame, c, set), set.size()));
+    const CornerColumns<D> corners = corner_columns<D>(frame, c, set);
+    for (std::size_t p = 0; p < set.size(); ++p) occupied.add(cells_of<D>(frame, corners, p));
   }
-  frame.look_at(cells);
+  frame.look_at(occupied);
   SolidSums<D> sums;
-  sums.begin(frame.box);
+  sums.begin(frame.cells);
   CoveredSides<D> at_sides;
-  at_sides.begin(frame.box, frame.sides());
+  at_sides.begin(frame.cells, frame.sides());
   for (std::size_t k = 0; k < sets.size(); ++k) {
     SolidSet<D> s;
     s.columns = &solids.carried()[k].columns;
@@ -55,7 +57,7 @@ void start_fractions_of(Warehouse& state, const ice::FluidPart& fluid, const mpm
     const RealView to = state.view(slot, 0, b);
     for_each_cell(to.box, [&](IntVec3 c) {
       const Cell<D> cell = frame.mirrored(frame.cell(c));
-      to(c) = frame.holds(cell) ? found.theta[frame.box.index(cell)] : 0.0;
+      to(c) = found.theta[frame.cells.index(cell)];
     });
   }
 }

@@ -9,20 +9,17 @@ namespace sluice::mpmice {
 template <int D>
 class KnownByOne {
  public:
-  void begin(const CellBox<D>& box, int lanes) { sums_.begin(box, lanes); }
+  void begin(const CellBlocks<D>& cells, int lanes) { sums_.begin(cells, lanes); }
   // By the one rank that knows it.
   void put(int lane, std::size_t cell, double value) {
     sums_.lane(lane)[cell] = std::bit_cast<std::uint64_t>(value);
   }
-  void tell_all(Communicator& ranks) {
-    sums_.reach(sums_.box());
-    sums_.sum_over_ranks(ranks);
-  }
+  void tell_all(Communicator& ranks) { sums_.sum_over_ranks(ranks); }
   double value(int lane, std::size_t cell) const {
     return std::bit_cast<double>(sums_.lane(lane)[cell]);
   }
   void take(int lane, std::vector<double>& to) const {
-    to.resize(sums_.box().cells());
+    to.resize(sums_.cells().size());
     for (std::size_t i = 0; i < to.size(); ++i) to[i] = value(lane, i);
   }
 

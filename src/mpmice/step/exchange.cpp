@@ -80,8 +80,7 @@ void LevelCoupling<D>::exchange_with(const StageScope& scope, int kind, double K
   most_speed = all.maximum(b);
   most_T = all.maximum(t);
   CellSums<D> sums;
-  sums.begin(frame_.box, 2 + D);
-  sums.reach(frame_.box);
+  sums.begin(frame_.cells, 2 + D);
   for (const SolidSet<D>& s : sets_) {
     if (s.kind != kind) continue;
     const CornerColumns<D> x = corner_columns<D>(frame_, *s.columns, *s.next);
@@ -107,8 +106,8 @@ void LevelCoupling<D>::exchange_with(const StageScope& scope, int kind, double K
   const double to_density = most_mass * (most_parts<D> / (1 << D)) / frame_.cell_volume;
   // Exchange in cells: dv and the energy that the particles get, by cell.
   std::array<Column, D> dv;
-  for (Column& of : dv) of.assign(frame_.box.cells(), 0.0);
-  Column gain(frame_.box.cells(), 0.0), warm(frame_.box.cells(), 0.0);
+  for (Column& of : dv) of.assign(frame_.cells.size(), 0.0);
+  Column gain(frame_.cells.size(), 0.0), warm(frame_.cells.size(), 0.0);
   std::array<double, D> impulse{};  // on the fluid; of rigid solids it comes from outside
   double work = 0;                  // likewise, and heat; alike on every rank
   std::array<int, 3> component{-1, -1, -1};

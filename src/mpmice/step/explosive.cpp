@@ -32,7 +32,7 @@ ExplosiveCells LevelCoupling<D>::look_at_explosive(const StageScope& scope,
                                                    const models::SolidBurn& burn,
                                                    const models::Ddt1& law) {
   ExplosiveCells cells;
-  const std::size_t count = frame_.box.cells();
+  const std::size_t count = frame_.cells.size();
   mean_in_cells(scope, burn.solid, cells.reactant, cells.pressure);
   cells.product = amounts_.mass[static_cast<std::size_t>(burn.product)];
   for (auto* values : {&cells.detonates, &cells.gain}) values->assign(count, 0.0);
@@ -59,14 +59,13 @@ void LevelCoupling<D>::find_hot_cells(const StageScope& scope, const models::Sol
   enum Lane { hot, surfaces, cracks, lanes };
   const double ignition = law.flame.ignition_temperature;
   CellSums<D> counts;
-  counts.begin(frame_.box, lanes);
-  counts.reach(frame_.box);
+  counts.begin(frame_.cells, lanes);
   for (const SolidSet<D>& s : sets_) {
     if (s.kind != burn.solid) continue;
     const double* T = s.next->column(static_cast<std::size_t>(s.columns->temperature));
     for (std::size_t p = 0; p < s.set->size(); ++p) {
       if (!(s.stays[p] > 0)) continue;
-      const std::size_t i = frame_.box.index(middle_of(s, p));
+      const std::size_t i = frame_.cells.index(middle_of(s, p));
       if (T[p] > ignition) ++counts.lane(hot)[i];
       if (law.spread && s.flame[p].burns())
         ++counts.lane(s.flame[p].kind == models::Ignition::surface ? surfaces : cracks)[i];
@@ -129,11 +128,10 @@ void LevelCoupling<D>::mark_burning_surfaces(const StageScope& scope,
                                              const std::vector<Column>& shares,
                                              ExplosiveCells& cells) const {
   CellSums<D> counts;
-  counts.begin(frame_.box, 1);
-  counts.reach(frame_.box);
+  counts.begin(frame_.cells, 1);
   for (std::size_t n = 0; n < sets_.size(); ++n)
     for (std::size_t p = 0; p < shares[n].size(); ++p)
-      if (shares[n][p] > 0) ++counts.lane(0)[frame_.box.index(middle_of(sets_[n], p))];
+      if (shares[n][p] > 0) ++counts.lane(0)[frame_.cells.index(middle_of(sets_[n], p))];
   counts.sum_over_ranks(*scope.ranks);
   for (std::size_t i = 0; i < cells.surface_burns.size(); ++i)
     cells.surface_burns[i] = counts.lane(0)[i] > 0 ? 1 : 0;
@@ -150,7 +148,7 @@ void LevelCoupling<D>::burn_cracks(const models::Ddt1& law, const ExplosiveCells
   const double* T = s.next->column(static_cast<std::size_t>(s.columns->temperature));
   for (std::size_t p = 0; p < shares.size(); ++p) {
     if (!(s.stays[p] > 0)) continue;
-    const std::size_t i = frame_.box.index(middle_of(s, p));
+    const std::size_t i = frame_.cells.index(middle_of(s, p));
     const double pressure = cells.pressure[i], density = mass[p] / volume[p];
     if (!law.deflagrates(pressure) || cells.beside_detonation[i] != 0) continue;
     const bool burns = law.spread
@@ -228,7 +226,7 @@ void LevelCoupling<D>::store_explosive(const StageScope& scope, const models::So
   for (std::size_t n = 0; n < sets_.size(); ++n) {
     const SolidSet<D>& s = sets_[n];
     for (std::size_t p = 0; p < of_surfaces[n].size(); ++p) {
-      const std::size_t i = frame_.box.index(middle_of(s, p));
+      const std::size_t i = frame_.cells.index(middle_of(s, p));
       if (of_surfaces[n][p] > 0) surfaces.push_back({n, p, i});
       if (of_cracks[n][p] > 0) cracks.push_back({n, p, i});
       if (!law.spread || !s.flame[p].lit()) continue;
@@ -242,7 +240,7 @@ void LevelCoupling<D>::store_explosive(const StageScope& scope, const models::So
   CellSums<D> on_the_way, set_out;
   const double most_coming = count_pieces(scope, coming, on_the_way),
                most_lit = count_pieces(scope, lit, set_out);
-  Column kind(frame_.box.cells(), 0.0);
+  Column kind(frame_.cells.size(), 0.0);
   CellSums<D> counts;
   for (std::size_t i = 0; i < kind.size(); ++i) kind[i] = on_the_way.lane(0)[i] > 0 ? 1 : 0;
   for (const auto& [pieces, number] : {std::pair{&surfaces, models::Ignition::surface},
@@ -252,7 +250,7 @@ void LevelCoupling<D>::store_explosive(const StageScope& scope, const models::So
       if (counts.lane(0)[i] > 0) kind[i] = number;
   }
   for (const BurningField& field : fields) {
-    Column values(frame_.box.cells(), 0.0);
+    Column values(frame_.cells.size(), 0.0);
     for (std::size_t i = 0; i < values.size(); ++i) {
       const double all = cells.reactant[i] + cells.product[i];
       if (field.value == BurningValue::detonates) values[i] = cells.detonates[i] > 0 ? 1 : 0;

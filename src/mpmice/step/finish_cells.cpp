@@ -20,10 +20,10 @@ void LevelCoupling<D>::gather(const StageScope& scope) {
   const int C = fluid.components, M = fluid.materials();
   const int kinetic = 0, momentum = 1, first = momentum + C;  // then three of each material
   const int scalar = first + 3 * M, scalars = static_cast<int>(fluid.scalar.size());
-  known_.begin(frame_.box, scalar + scalars);
-  amounts_.volume.assign(frame_.box.cells(), 1.0);
-  amounts_.near.assign(frame_.box.cells(), 0);
-  amounts_.touched.assign(frame_.box.cells(), 0);
+  known_.begin(frame_.cells, scalar + scalars);
+  amounts_.volume.assign(frame_.cells.size(), 1.0);
+  amounts_.near.assign(frame_.cells.size(), 0);
+  amounts_.touched.assign(frame_.cells.size(), 0);
   for_each_cell_near([&](const Cell<D>& c, std::size_t i) {
     amounts_.volume[i] = 1 - fields_.theta_next[i];
     if (!has_solid(i) && swept_with_solid_[i] == 0) return;
@@ -34,9 +34,8 @@ void LevelCoupling<D>::gather(const StageScope& scope) {
   const Warehouse& state = scope.levels.front()->attempted();
   for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
     const FluidBox cells = fluid.box(b);
-    for_each_cell(
-        frame_.held(state.local_boxes()[static_cast<std::size_t>(b)].cells), [&](IntVec3 at) {
-          const std::size_t i = frame_.box.index(frame_.cell(at));
+    frame_.for_each_held(
+        state.local_boxes()[static_cast<std::size_t>(b)].cells, [&](IntVec3 at, std::size_t i) {
           if (amounts_.near[i] == 0) return;
           const bool solid = swept_with_solid_[i] != 0;
           double rho = 0, squares = 0;
@@ -182,7 +181,7 @@ bool LevelCoupling<D>::settle_cell(std::size_t i, const ice::mixture::Equilibrat
 // scalars, which change by themselves, all the way.
 template <int D>
 void LevelCoupling<D>::fill_dry_cells() {
-  filled_.assign(frame_.box.cells(), 0);
+  filled_.assign(frame_.cells.size(), 0);
   std::vector<std::pair<Cell<D>, std::size_t>> dry;
   for_each_cell_near([&](const Cell<D>& c, std::size_t i) {
     if (!(amounts_.volume[i] > 0))
@@ -224,27 +223,26 @@ void LevelCoupling<D>::store(const StageScope& scope) {
   const FluidCells before(*fluid_, scope.levels.front()->state()), fluid(*fluid_, next);
   for (int b = 0; b < static_cast<int>(next.local_boxes().size()); ++b) {
     const FluidBox cells = fluid.box(b), old = before.box(b);
-    for_each_cell(
-        frame_.held(next.local_boxes()[static_cast<std::size_t>(b)].cells), [&](IntVec3 at) {
-          const std::size_t i = frame_.box.index(frame_.cell(at));
-          if (amounts_.touched[i] == 0) return;
-          const bool known = filled_[i] != 0;
-          for (int m = 0; m < fluid.materials(); ++m) {
-            const auto k = static_cast<std::size_t>(m);
-            cells.mass(m, at) = known ? settled_.mass[k][i] : old.mass(m, at);
-            cells.energy(m, at) = known ? settled_.energy[k][i] : old.energy(m, at);
-            if (fluid.materials() > 1)
-              cells.volume(m, at) = known ? settled_.filled[k][i] : old.volume(m, at);
-          }
-          for (std::size_t s = 0; s < fluid.scalar.size(); ++s)
-            cells.scalar(s, at) = known ? settled_.scalar[s][i] : old.scalar(s, at);
-          for (int c = 0; c < fluid.components; ++c)
-            cells.momentum(c, at) =
-                known ? settled_.momentum[static_cast<std::size_t>(c)][i] : old.momentum(c, at);
-          cells.bind(at);
-          cells.fraction(at) = fields_.theta_next[i];
-        });
-    next.forget(b, frame_.held(next.local_boxes()[static_cast<std::size_t>(b)].cells));
+    const IndexBox& own = next.local_boxes()[static_cast<std::size_t>(b)].cells;
+    frame_.for_each_held(own, [&](IntVec3 at, std::size_t i) {
+      if (amounts_.touched[i] == 0) return;
+      const bool known = filled_[i] != 0;
+      for (int m = 0; m < fluid.materials(); ++m) {
+        const auto k = static_cast<std::size_t>(m);
+        cells.mass(m, at) = known ? settled_.mass[k][i] : old.mass(m, at);
+        cells.energy(m, at) = known ? settled_.energy[k][i] : old.energy(m, at);
+        if (fluid.materials() > 1)
+          cells.volume(m, at) = known ? settled_.filled[k][i] : old.volume(m, at);
+      }
+      for (std::size_t s = 0; s < fluid.scalar.size(); ++s)
+        cells.scalar(s, at) = known ? settled_.scalar[s][i] : old.scalar(s, at);
+      for (int c = 0; c < fluid.components; ++c)
+        cells.momentum(c, at) =
+            known ? settled_.momentum[static_cast<std::size_t>(c)][i] : old.momentum(c, at);
+      cells.bind(at);
+      cells.fraction(at) = fields_.theta_next[i];
+    });
+    frame_.for_each_held_part(own, [&](const IndexBox& part) { next.forget(b, part); });
   }
 }
 
@@ -279,7 +277,7 @@ Verdict LevelCoupling<D>::share_small_cells(const StageScope& scope) {
 template <int D>
 Verdict LevelCoupling<D>::finish_cells(const StageScope& scope) {
   const Column moved = fields_.theta_next;  // parting solids do no work
-  swept_with_solid_.assign(frame_.box.cells(), 0);
+  swept_with_solid_.assign(frame_.cells.size(), 0);
   for_each_cell_near([&](const Cell<D>&, std::size_t i) { swept_with_solid_[i] = has_solid(i); });
   part_torn(scope);
   gather(scope);

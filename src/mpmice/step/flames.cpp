@@ -76,7 +76,7 @@ void LevelCoupling<D>::spread_flames(const models::Ddt1& law, const ExplosiveCel
     models::Ignition& flame = s.flame[p];
     if (!(s.stays[p] > 0) || flame.burns()) continue;
     const Cell<D> c = middle_of(s, p);
-    const std::size_t i = frame_.box.index(c);
+    const std::size_t i = frame_.cells.index(c);
     const double pressure = cells.pressure[i];
     if (!law.deflagrates(pressure) || cells.beside_detonation[i] != 0) continue;
     const bool hot = open[p] != 0 && T[p] > law.flame.ignition_temperature,

@@ -38,8 +38,8 @@ class LevelCoupling final : public Coupling {
  private:
   void list_sets(const StageScope& scope);
   void find_all_faces(const StageScope& scope, bool moved);
-  CellBox<D> cells_of_solids(const StageScope& scope, bool moved) const;
-  CellBox<D> cells_kept_closed(const StageScope& scope) const;
+  void add_cells_of_solids();
+  void add_cells_kept_closed(const StageScope& scope);
   void add_geometry(const StageScope& scope, When when, Column& theta,
                     std::array<Column, D>& covered);
   void take_kept_fractions(const StageScope& scope);
@@ -47,8 +47,8 @@ class LevelCoupling final : public Coupling {
   void open_faces_of_fluid();
   void keep_pockets();
   void close_cells_at_sides();
-  bool stays_near(const CellBox<D>& end) const;
-  IndexBox seen_from(IndexBox cells) const;
+  bool stays_near() const;
+  bool may_see_solids(const CellBox<D>& part) const;
   std::vector<SeenPlace> places_seen(const IndexBox& box, int along) const;
   Column velocity_at_faces(std::size_t n) const;
   void find_pressures(const StageScope& scope, bool solved);
@@ -204,18 +204,15 @@ class LevelCoupling final : public Coupling {
   // the start of the step, the pieces that look into cells with fluid.
   template <class F>
   void for_each_open_piece(const SolidSet<D>& s, F&& act) const;
-  // act(cell, place in the arrays) for the cells near solids.
+  // act(cell, place in the arrays) for the cells of the domain near solids.
   template <class F>
   void for_each_cell_near(F&& act) const {
-    for_each_cell_in(frame_.window, act);
+    frame_.cells.for_each_cell(frame_.domain, act);
   }
-  // The same for the cells of a part of the arrays.
-  template <class F>
-  void for_each_cell_in(const CellBox<D>& part, F&& act) const;
 
   Frame<D> frame_;
   std::array<mpm::Axis, D> axes_;  // of the corners
-  CellBox<D> solids_at_start_;     // cells in which they lie
+  OccupiedCells<D> occupied_;      // cells in which solids lie, or gaps that they keep
   const ice::FluidPart* fluid_;
   const mpm::Mpm* solids_;
   std::shared_ptr<mpm::SolidLevels> step_;
@@ -251,7 +248,7 @@ void LevelCoupling<D>::for_each_neighbour(const Cell<D>& c, F&& act) const {
         if (!frame_.periodic[d]) continue;
         other = frame_.inside(other);
       }
-      act(frame_.box.index(other));
+      act(frame_.cells.index(other));
     }
 }
 
@@ -278,7 +275,7 @@ void LevelCoupling<D>::for_each_offset(const Cell<D>& c, int reach, F&& act) con
     for (std::size_t d = 0; d < D; ++d)
       there &= frame_.periodic[d] ||
                (other[d] >= frame_.domain.lower[d] && other[d] < frame_.domain.upper[d]);
-    if (there) act(frame_.box.index(frame_.inside(other)), offset);
+    if (there) act(frame_.cells.index(frame_.inside(other)), offset);
   }
 }
 
@@ -295,32 +292,13 @@ void LevelCoupling<D>::for_each_open_piece(const SolidSet<D>& s, F&& act) const 
                             (c[d] < frame_.domain.lower[d] || c[d] >= frame_.domain.upper[d]))
                           return;  // on a side of the domain
                       c = frame_.inside(c);
-                      const std::size_t k = frame_.box.index(c);
+                      const std::size_t k = frame_.cells.index(c);
                       if (!wet(k)) return;
                       std::array<double, D> area = piece.area;
                       for (int d = 0; d < D; ++d)
                         area[static_cast<std::size_t>(d)] *= frame_.face_area(d);
                       act(p, s.faces.face[i], area, c, k);
                     });
-}
-
-template <int D>
-template <class F>
-void LevelCoupling<D>::for_each_cell_in(const CellBox<D>& part, F&& act) const {
-  Cell<D> c = part.lower;
-  const auto along_x = [&] {
-    c[0] = part.lower[0];
-    std::size_t i = frame_.box.index(c);
-    for (; c[0] < part.upper[0]; ++c[0], ++i) act(static_cast<const Cell<D>&>(c), i);
-  };
-  if constexpr (D == 1) {
-    along_x();
-  } else if constexpr (D == 2) {
-    for (c[1] = part.lower[1]; c[1] < part.upper[1]; ++c[1]) along_x();
-  } else {
-    for (c[2] = part.lower[2]; c[2] < part.upper[2]; ++c[2])
-      for (c[1] = part.lower[1]; c[1] < part.upper[1]; ++c[1]) along_x();
-  }
 }
 
 }  // namespace sluice::mpmice

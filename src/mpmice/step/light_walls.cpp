@@ -45,7 +45,7 @@ double LevelCoupling<D>::length_of_smooth(std::size_t i) const {
 template <int D>
 void LevelCoupling<D>::find_light_walls(const StageScope& scope, const Column& rho,
                                         const Column& sound) {
-  fields_.lightness.assign(frame_.box.cells(), 0.0);
+  fields_.lightness.assign(frame_.cells.size(), 0.0);
   bool any = false;  // alike on every rank
   for_each_cell_near([&](const Cell<D>&, std::size_t i) {
     if (!wet(i) || !(fields_.area[i] > 0)) return;
@@ -95,8 +95,7 @@ void LevelCoupling<D>::find_pressures_behind(const StageScope& scope) {
   most_stress = std::max(all.maximum(of_stress), 1e-300);
 
   CellSums<D> sums;
-  sums.begin(frame_.box, 1 + count);
-  sums.reach(frame_.box);
+  sums.begin(frame_.cells, 1 + count);
   for (const SolidSet<D>& s : sets_) {
     if (!counts(s)) continue;
     const CornerColumns<D> corners = corner_columns<D>(frame_, *s.columns, *s.set);

@@ -15,9 +15,7 @@ template <int D>
 class Neighbourhoods {
  public:
   Neighbourhoods(const Frame<D>& frame, const SolidFields<D>& solids, const CellAmounts<D>& a)
-      : frame_(frame), solids_(solids), amounts_(a), box_(frame.box) {
-    for (std::size_t d = 0; d < D; ++d) stride_[d] = box_.stride(static_cast<int>(d));
-  }
+      : frame_(frame), solids_(solids), amounts_(a) {}
 
   // False: a cell without volume has no neighbour to go to.
   bool find(Cell<D>& stuck) {
@@ -25,9 +23,7 @@ class Neighbourhoods {
     begin_.clear();
     cells_.clear();
     bool good = true;
-    Cell<D> cell{};
-    visit(cell, D - 1, [&](const Cell<D>& c) {
-      const std::size_t i = box_.index(c);
+    frame_.cells.for_each_cell(frame_.domain, [&](const Cell<D>& c, std::size_t i) {
       if (!small(i)) return;
       if (!add(c, i) && good) {
         stuck = c;
@@ -77,15 +73,6 @@ class Neighbourhoods {
   }
 
  private:
-  template <class F>
-  void visit(Cell<D>& cell, std::size_t d, const F& f) {
-    for (cell[d] = frame_.window.lower[d]; cell[d] < frame_.window.upper[d]; ++cell[d]) {
-      if (d == 0)
-        f(cell);
-      else
-        visit(cell, d - 1, f);
-    }
-  }
   bool spoilt(std::size_t i) const { return !amounts_.spoilt.empty() && amounts_.spoilt[i] != 0; }
   bool left(std::size_t i) const {
     bool any = amounts_.kinetic[i] != 0;
@@ -148,7 +135,7 @@ class Neighbourhoods {
           there &= frame_.periodic[d] ||
                    (other[d] >= frame_.domain.lower[d] && other[d] < frame_.domain.upper[d]);
         if (!there) continue;
-        const std::size_t j = box_.index(frame_.inside(other));
+        const std::size_t j = frame_.cells.index(frame_.inside(other));
         if (amounts_.near[j] == 0 || !(amounts_.volume[j] > least) || held(j)) continue;
         holds_.push_back(j);
         found = true;
@@ -166,12 +153,12 @@ class Neighbourhoods {
   bool take(const Cell<D>& c, std::size_t i, std::size_t d, int side, bool covered_too) {
     Cell<D> other = c;
     other[d] += side == 0 ? -1 : 1;
-    const std::size_t face = side == 0 ? i : i + static_cast<std::size_t>(stride_[d]);
+    const std::size_t face = side == 0 ? i : frame_.cells.cell_above(i, static_cast<int>(d));
     if (!frame_.in_domain(other)) {
       if (!frame_.periodic[d]) return false;
       other = frame_.inside(other);
     }
-    const std::size_t j = box_.index(other);
+    const std::size_t j = frame_.cells.index(other);
     if (amounts_.near[j] == 0) return false;  // what it holds was not gathered
     const bool larger = amounts_.volume[j] > amounts_.volume[i] + margin;
     if (!larger && !(spoilt(i) && amounts_.volume[j] > 0)) return false;
@@ -184,8 +171,6 @@ class Neighbourhoods {
   const Frame<D>& frame_;
   const SolidFields<D>& solids_;
   const CellAmounts<D>& amounts_;
-  const CellBox<D>& box_;
-  std::array<std::ptrdiff_t, D> stride_{};
   std::vector<std::size_t> cells_, begin_, holds_, touched_;
   std::vector<std::uint16_t> shared_;
   std::vector<std::uint8_t> is_small_;

@@ -1,7 +1,7 @@
 // What the fluid is told of the solids in the cells of a level, and what of it solids are told.
 //
-// Arrays over a box of cells: those near solids and layers around them, whole on every rank, so
-// that no bit depends on boxes or ranks. Directions are the active ones.
+// Arrays over blocks of cells near solids, whole on every rank, so that no bit depends on boxes or
+// ranks. Directions are the active ones.
 #pragma once
 #include <cmath>
 #include <cstdint>
@@ -9,6 +9,7 @@
 
 #include "framework/grid/level.hpp"
 #include "mpmice/geometry/cell_sums.hpp"
+#include "mpmice/geometry/occupied_cells.hpp"
 #include "mpmice/geometry/periodic_sides.hpp"
 
 namespace sluice::mpmice {
@@ -24,9 +25,9 @@ struct Frame {
   std::array<int, D> direction{};
   Vec3 spacing{}, anchor{};
   double cell_volume = 1;
-  IntVec3 base{};  // index along directions that are not active
-  // Cells of the domain; those near solids, which a step may touch; those of the arrays.
-  CellBox<D> domain, window, box;
+  IntVec3 base{};                  // index along directions that are not active
+  CellBox<D> domain;               // its cells
+  CellBlocks<D> cells;             // those near solids, over which the arrays are
   std::array<bool, D> periodic{};  // sides that solids are near
 
   explicit Frame(const Level& level) {
@@ -40,42 +41,36 @@ struct Frame {
       domain.lower[n] = level.domain.lower[d];
       domain.upper[n] = level.domain.upper[d];
     }
-    look_at({});
+    look_at(OccupiedCells<D>{});
     spacing = level.spacing;
     anchor = level.anchor;
     cell_volume = level.cell_volume();
   }
-  // To solids that lie in these cells.
-  void look_at(const CellBox<D>& solids) {
+  // Cells in which solids may lie: layers beyond the sides too.
+  CellBox<D> room() const {
+    CellBox<D> all = domain;
     for (std::size_t a = 0; a < D; ++a) {
-      window.lower[a] = solids.lower[a] - (most_move + reach);
-      window.upper[a] = solids.upper[a] + (most_move + reach);
-      periodic[a] = repeats_[a] && !solids.empty() &&
-                    (window.lower[a] <= domain.lower[a] || window.upper[a] >= domain.upper[a]);
-      window.lower[a] = periodic[a] || solids.empty() ? domain.lower[a]
-                                                      : std::max(window.lower[a], domain.lower[a]);
-      window.upper[a] = periodic[a]      ? domain.upper[a]
-                        : solids.empty() ? domain.lower[a]
-                                         : std::min(window.upper[a], domain.upper[a]);
-      window.upper[a] = std::max(window.upper[a], window.lower[a]);
+      const int beyond = repeats_[a] ? periodic_layers : layers;
+      all.lower[a] -= beyond;
+      all.upper[a] += beyond;
+    }
+    return all;
+  }
+  // To solids that lie in these cells: the arrays are over all that a step may touch.
+  void look_at(const OccupiedCells<D>& solids) {
+    const CellBox<D> hull = touched_around(solids.hull());
+    CellBox<D> all = domain;
+    for (std::size_t a = 0; a < D; ++a) {
+      periodic[a] = repeats_[a] && !hull.empty() &&
+                    (hull.lower[a] <= domain.lower[a] || hull.upper[a] >= domain.upper[a]);
       const int beyond = periodic[a] ? periodic_layers : layers;
-      box.lower[a] = window.lower[a] - beyond;
-      box.upper[a] = window.upper[a] + beyond;
+      all.lower[a] -= beyond;
+      all.upper[a] += beyond;
     }
-  }
-  // Those of `cells` that the arrays hold.
-  IndexBox held(IndexBox cells) const {
-    for (std::size_t a = 0; a < D; ++a) {
-      const int d = direction[a];
-      cells.lower[d] = std::max(cells.lower[d], box.lower[a]);
-      cells.upper[d] = std::max(std::min(cells.upper[d], box.upper[a]), cells.lower[d]);
-    }
-    return cells;
-  }
-  bool holds(const Cell<D>& c) const {
-    for (std::size_t a = 0; a < D; ++a)
-      if (c[a] < box.lower[a] || c[a] >= box.upper[a]) return false;
-    return true;
+    held_ = all;
+    cells.begin(all);
+    for (const CellBox<D>& box : solids.boxes()) add_images(touched_around(box), 0);
+    cells.finish();
   }
   PeriodicSides<D> sides() const { return {domain, periodic}; }
   Cell<D> cell(IntVec3 c) const {
@@ -149,7 +144,60 @@ struct Frame {
     return most;
   }
 
+  // Along the active directions.
+  CellBox<D> box(const IndexBox& cells_of) const {
+    CellBox<D> to;
+    for (std::size_t a = 0; a < D; ++a) {
+      to.lower[a] = cells_of.lower[direction[a]];
+      to.upper[a] = cells_of.upper[direction[a]];
+    }
+    return to;
+  }
+  // Around all cells that the arrays hold.
+  CellBox<D> held() const { return held_; }
+  // act(cell, where it lies in the arrays) for those of `part` that the arrays hold.
+  template <class Act>
+  void for_each_held(const IndexBox& part, Act&& act) const {
+    cells.for_each_part(box(part), [&](const CellBox<D>& held) {
+      for_each_cell_of<D>(held, [&](const Cell<D>& c) { act(index(c), cells.index(c)); });
+    });
+  }
+  // act(box of cells) for parts of `part` that together are what the arrays hold of it.
+  template <class Act>
+  void for_each_held_part(const IndexBox& part, Act&& act) const {
+    cells.for_each_part(box(part), [&](const CellBox<D>& held) {
+      IndexBox of = part;
+      for (std::size_t a = 0; a < D; ++a) {
+        of.lower[direction[a]] = held.lower[a];
+        of.upper[direction[a]] = held.upper[a];
+      }
+      act(of);
+    });
+  }
+
  private:
+  // Cells that solids in these may touch in a step.
+  static CellBox<D> touched_around(CellBox<D> solids) {
+    if (solids.empty()) return {};
+    for (std::size_t a = 0; a < D; ++a) {
+      solids.lower[a] -= most_move + reach;
+      solids.upper[a] += most_move + reach;
+    }
+    return solids;
+  }
+  // Adds a box and its images across periodic sides along directions a, ..., D - 1.
+  void add_images(CellBox<D> box, std::size_t a) {
+    if (a == D) return cells.add(box);
+    const int n = periodic[a] ? domain.upper[a] - domain.lower[a] : 0;
+    for (int image = n > 0 ? -1 : 0; image <= (n > 0 ? 1 : 0); ++image) {
+      CellBox<D> moved = box;
+      moved.lower[a] += image * n;
+      moved.upper[a] += image * n;
+      add_images(moved, a + 1);
+    }
+  }
+
+  CellBox<D> held_;                // the domain and layers beyond its sides
   std::array<bool, D> repeats_{};  // the level's periodic directions
 };
 

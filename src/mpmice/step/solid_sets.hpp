@@ -47,18 +47,16 @@ CornerColumns<D> corner_columns(const Frame<D>& frame, const mpm::Columns& c,
   return to;
 }
 
-// The cells in which particles of a set lie, with these corners.
+// The cells in which the p-th particle of a set lies, with these corners.
 template <int D>
-CellBox<D> cells_of(const Frame<D>& frame, const CornerColumns<D>& corners, std::size_t count) {
+CellBox<D> cells_of(const Frame<D>& frame, const CornerColumns<D>& corners, std::size_t p) {
   CellBox<D> to;
-  if (count == 0) return to;
   for (std::size_t a = 0; a < D; ++a) {
-    double low = 1e300, high = -1e300;
-    for (const auto& corner : corners)
-      for (std::size_t p = 0; p < count; ++p) {
-        low = std::min(low, corner[a][p]);
-        high = std::max(high, corner[a][p]);
-      }
+    double low = corners[0][a][p], high = low;
+    for (const auto& corner : corners) {
+      low = std::min(low, corner[a][p]);
+      high = std::max(high, corner[a][p]);
+    }
     to.lower[a] = frame.cell_at(low, a);
     to.upper[a] = frame.cell_at(high, a) + 1;
   }
@@ -186,7 +184,7 @@ void for_each_part(const Frame<D>& frame, const CornerColumns<D>& corners, const
     Cell<D> c;
     for (std::size_t a = 0; a < D; ++a)
       c[a] = frame.cell_at(0.5 * (corner[a][p] + set.coordinate(frame.direction[a])[p]), a);
-    act(frame.box.index(frame.inside(c)));
+    act(frame.cells.index(frame.inside(c)));
   }
 }
 

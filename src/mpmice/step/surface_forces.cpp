@@ -21,7 +21,7 @@ std::vector<mpm::CornerForce> LevelCoupling<D>::forces_on(const SolidSet<D>& s) 
                     [&](std::size_t i, int t, const FacetNodes<D>&, const Piece<D>& piece) {
                       // A body that a side of the domain cuts has no surface there.
                       if (!frame_.in_domain(frame_.wrapped(piece.cell))) return;
-                      const std::size_t c = frame_.box.index(frame_.inside(piece.cell));
+                      const std::size_t c = frame_.cells.index(frame_.inside(piece.cell));
                       const double p =
                           (fields_.wall_pressure[c] - reference_pressure_) * s.faces.weight_of(i);
                       const double size = rubs ? area_of(piece) * s.faces.weight_of(i) : 0.0;
@@ -101,8 +101,8 @@ double LevelCoupling<D>::force_of_walls(std::size_t d) const {
     const auto closed = [&](const Cell<D>& face, Cell<D> beyond) {
       const bool side = !frame_.in_domain(beyond) && !frame_.periodic[d];
       beyond = frame_.inside(beyond);
-      return side || wet(frame_.box.index(beyond)) ? fields_.covered[d][frame_.box.index(face)]
-                                                   : 1.0;
+      return side || wet(frame_.cells.index(beyond)) ? fields_.covered[d][frame_.cells.index(face)]
+                                                     : 1.0;
     };
     Cell<D> below = c, above = c;
     --below[d];
@@ -122,11 +122,11 @@ void LevelCoupling<D>::find_overlaps() {
   for (std::size_t d = 0; d < D; ++d) {
     const Column& covered = fields_.covered[d];
     Column& beyond = fields_.normal_beyond[d];
-    beyond.assign(frame_.box.cells(), 0.0);
+    beyond.assign(frame_.cells.size(), 0.0);
     for_each_cell_near([&](const Cell<D>& c, std::size_t i) {
       Cell<D> above = c;
       ++above[d];
-      const double more = covered[i] - covered[frame_.box.index(above)] - fields_.normal[d][i];
+      const double more = covered[i] - covered[frame_.cells.index(above)] - fields_.normal[d][i];
       if (!(std::fabs(more) > cleaned)) return;
       beyond[i] = more;
       overlap_ = true;
@@ -151,7 +151,7 @@ void LevelCoupling<D>::book_outside(const StageScope& scope) {
                       [&](std::size_t i, int, const FacetNodes<D>& nodes, const Piece<D>& piece) {
                         const Cell<D> c = frame_.wrapped(piece.cell);
                         if (!frame_.in_domain(c)) return;
-                        const std::size_t n = frame_.box.index(c);
+                        const std::size_t n = frame_.cells.index(c);
                         const double weight = s.faces.weight_of(i);
                         const double size = rigid && rubs ? area_of(piece) * piece.s * weight : 0.0;
                         const Vec3 v = rigid && rubs ? velocity_of(s, i, nodes, piece) : Vec3{};

@@ -61,20 +61,18 @@ void LevelCoupling<D>::list_sets(const StageScope& scope) {
 }
 
 template <int D>
-CellBox<D> LevelCoupling<D>::cells_of_solids(const StageScope& scope, bool moved) const {
-  CellBox<D> all;
-  for (const SolidSet<D>& s : sets_)
-    all.include(cells_of<D>(frame_, corner_columns<D>(frame_, *s.columns, moved ? *s.next : *s.set),
-                            s.set->size()));
-  return box_of_all<D>(all, *scope.ranks);
+void LevelCoupling<D>::add_cells_of_solids() {
+  for (const SolidSet<D>& s : sets_) {
+    const CornerColumns<D> corners = corner_columns<D>(frame_, *s.columns, *s.set);
+    for (std::size_t p = 0; p < s.set->size(); ++p) occupied_.add(cells_of<D>(frame_, corners, p));
+  }
 }
 
 // Cells that the last step left closed in part, if only as gaps that no fluid has reached.
 template <int D>
-CellBox<D> LevelCoupling<D>::cells_kept_closed(const StageScope& scope) const {
+void LevelCoupling<D>::add_cells_kept_closed(const StageScope& scope) {
   const Warehouse& state = scope.levels.front()->state();
   const int slot = state.find(ice::labels().solid_fraction, fluid_->options().place(0));
-  CellBox<D> all;
   for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
     const RealView fraction = state.view(slot, 0, b);
     state.for_each_part_other(slot, b, 0.0, [&](const IndexBox& part) {
@@ -83,24 +81,23 @@ CellBox<D> LevelCoupling<D>::cells_kept_closed(const StageScope& scope) const {
         const Cell<D> c = frame_.cell(at);
         CellBox<D> one{c, c};
         for (int& upper : one.upper) ++upper;
-        all.include(one);
+        occupied_.add(one);
       });
     });
   }
-  return box_of_all<D>(all, *scope.ranks);
 }
 
 // theta and a at one end of the step.
 template <int D>
 void LevelCoupling<D>::add_geometry(const StageScope& scope, When when, Column& theta,
                                     std::array<Column, D>& covered) {
-  geometry_.begin(frame_.box);
+  geometry_.begin(frame_.cells);
   for (const SolidSet<D>& s : sets_)
     if (s.faces.size() > 0) geometry_.add(s.faces, when, 0, s.faces.size());
   geometry_.sum_over_ranks(*scope.ranks);
   const bool periodic = frame_.sides().any();
   if (periodic) {
-    at_sides_.begin(frame_.box, frame_.sides());
+    at_sides_.begin(frame_.cells, frame_.sides());
     for (const SolidSet<D>& s : sets_) {
       at_sides_.add(s.outer_at_sides, true, when);
       at_sides_.add(s.inner_at_sides, false, when);
@@ -133,14 +130,13 @@ void LevelCoupling<D>::find_all_faces(const StageScope& scope, bool moved) {
 // kept open and gaps that hold no fluid.
 template <int D>
 void LevelCoupling<D>::take_kept_fractions(const StageScope& scope) {
-  known_.begin(frame_.box, 1);
+  known_.begin(frame_.cells, 1);
   const LevelSolver& level = *scope.levels.front();
   const FluidCells fluid(*fluid_, level.state());
   for (int b = 0; b < static_cast<int>(level.state().local_boxes().size()); ++b) {
     const FluidBox cells = fluid.box(b);
-    for_each_cell(
-        frame_.held(level.state().local_boxes()[static_cast<std::size_t>(b)].cells),
-        [&](IntVec3 at) { known_.put(0, frame_.box.index(frame_.cell(at)), cells.fraction(at)); });
+    frame_.for_each_held(level.state().local_boxes()[static_cast<std::size_t>(b)].cells,
+                         [&](IntVec3 at, std::size_t i) { known_.put(0, i, cells.fraction(at)); });
   }
   known_.tell_all(*scope.ranks);
   for_each_cell_near([&](const Cell<D>&, std::size_t i) { fields_.theta[i] = known_.value(0, i); });
@@ -149,10 +145,11 @@ void LevelCoupling<D>::take_kept_fractions(const StageScope& scope) {
 template <int D>
 Verdict LevelCoupling<D>::find_surfaces(const StageScope& scope) {
   list_sets(scope);
-  solids_at_start_ = cells_of_solids(scope, false);
-  CellBox<D> near = solids_at_start_;
-  near.include(cells_kept_closed(scope));
-  frame_.look_at(near);
+  occupied_.begin(frame_.room());
+  add_cells_of_solids();
+  add_cells_kept_closed(scope);
+  occupied_.join(*scope.ranks);
+  frame_.look_at(occupied_);
   for (SolidSet<D>& s : sets_) read_filled<D>(s);
   find_all_faces(scope, false);
   add_geometry(scope, When::start, fields_.theta, fields_.covered);
@@ -211,18 +208,17 @@ void LevelCoupling<D>::mean_over_surfaces(const StageScope& scope) {
   const bool rubs = fluid_->options().transport.viscous;
   const int lanes = rubs ? place + D : place;
   CellSums<D> sums;
-  sums.begin(frame_.box, lanes);
+  sums.begin(frame_.cells, lanes);
   std::array<double, D> of_largest;
   for (std::size_t a = 0; a < D; ++a)
     of_largest[a] = frame_.face_area(static_cast<int>(a)) / frame_.largest_face();
   for (const SolidSet<D>& s : sets_) {
     if (s.faces.size() == 0) continue;
-    sums.reach(cells_reached<D>(s.faces, 0, s.faces.size()));
     const auto stress = mpm::read_columns<6>(*s.set, s.columns->stress);
     for_each_piece<D>(
         s.faces, When::start, 0, s.faces.size(),
         [&](std::size_t i, int, const FacetNodes<D>& nodes, const Piece<D>& piece) {
-          const std::size_t p = s.faces.particle[i], c = frame_.box.index(piece.cell);
+          const std::size_t p = s.faces.particle[i], c = frame_.cells.index_to_add(piece.cell);
           std::array<double, D> unit = piece.n;
           double size = 0;
           for (std::size_t a = 0; a < D; ++a) {
@@ -270,12 +266,6 @@ void LevelCoupling<D>::mean_over_surfaces(const StageScope& scope) {
 template void LevelCoupling<1>::list_sets(const StageScope&);
 template void LevelCoupling<2>::list_sets(const StageScope&);
 template void LevelCoupling<3>::list_sets(const StageScope&);
-template CellBox<1> LevelCoupling<1>::cells_of_solids(const StageScope&, bool) const;
-template CellBox<2> LevelCoupling<2>::cells_of_solids(const StageScope&, bool) const;
-template CellBox<3> LevelCoupling<3>::cells_of_solids(const StageScope&, bool) const;
-template CellBox<1> LevelCoupling<1>::cells_kept_closed(const StageScope&) const;
-template CellBox<2> LevelCoupling<2>::cells_kept_closed(const StageScope&) const;
-template CellBox<3> LevelCoupling<3>::cells_kept_closed(const StageScope&) const;
 template void LevelCoupling<1>::find_all_faces(const StageScope&, bool);
 template void LevelCoupling<2>::find_all_faces(const StageScope&, bool);
 template void LevelCoupling<3>::find_all_faces(const StageScope&, bool);

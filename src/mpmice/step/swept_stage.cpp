@@ -9,15 +9,22 @@
 
 namespace sluice::mpmice {
 
-// Do solids end where the arrays have room for them.
+// Do the solids of this rank end where the arrays have room for them.
 template <int D>
-bool LevelCoupling<D>::stays_near(const CellBox<D>& end) const {
-  CellBox<D> room = solids_at_start_;
-  for (std::size_t a = 0; a < D; ++a) {
-    room.lower[a] -= Frame<D>::most_move;
-    room.upper[a] += Frame<D>::most_move;
+bool LevelCoupling<D>::stays_near() const {
+  for (const SolidSet<D>& s : sets_) {
+    const CornerColumns<D> from = corner_columns<D>(frame_, *s.columns, *s.set),
+                           to = corner_columns<D>(frame_, *s.columns, *s.next);
+    for (std::size_t p = 0; p < s.set->size(); ++p) {
+      CellBox<D> room = cells_of<D>(frame_, from, p);
+      for (std::size_t a = 0; a < D; ++a) {
+        room.lower[a] -= Frame<D>::most_move;
+        room.upper[a] += Frame<D>::most_move;
+      }
+      if (!room.contains(cells_of<D>(frame_, to, p))) return false;
+    }
   }
-  return room.contains(end);
+  return true;
 }
 
 // Away from cells that a solid meets in this step (one beside them a corner may cross within the
@@ -25,14 +32,14 @@ bool LevelCoupling<D>::stays_near(const CellBox<D>& end) const {
 // left: blocks that see no solid know of no such face.
 template <int D>
 void LevelCoupling<D>::open_faces_of_fluid() {
-  std::vector<std::uint8_t> beside(frame_.box.cells());
+  std::vector<std::uint8_t> beside(frame_.cells.size());
   for_each_cell_near([&](const Cell<D>& c, std::size_t i) {
     if (has_solid(i)) for_each_around(c, 1, [&](std::size_t j) { beside[j] = 1; });
   });
   const auto is_beside = [&](const Cell<D>& c) {
-    return frame_.holds(c) && beside[frame_.box.index(frame_.inside(c))] != 0;
+    return beside[frame_.cells.index(frame_.inside(c))] != 0;
   };
-  for_each_cell_in(frame_.box, [&](const Cell<D>& c, std::size_t i) {
+  frame_.cells.for_each_cell(frame_.held(), [&](const Cell<D>& c, std::size_t i) {
     if (is_beside(c)) return;
     for (std::size_t d = 0; d < D; ++d) {
       Cell<D> below = c;
@@ -47,19 +54,22 @@ void LevelCoupling<D>::open_faces_of_fluid() {
 
 template <int D>
 Verdict LevelCoupling<D>::find_swept_volumes(const StageScope& scope) {
-  if (!stays_near(cells_of_solids(scope, true))) {
+  Reduction all;
+  const auto any = all.add_any(!stays_near());
+  scope.ranks->reduce(all);
+  if (all.any(any)) {
     *scope.reason = fmt::format("a solid moves by more than {} cells", Frame<D>::most_move);
     return Verdict::reject;
   }
   find_all_faces(scope, true);
   add_geometry(scope, When::end, fields_.theta_next, fields_.covered_next);
-  swept_.begin(frame_.box);
+  swept_.begin(frame_.cells);
   for (const SolidSet<D>& s : sets_)
     if (s.faces.size() > 0) swept_.add(s.faces, 0, s.faces.size());
   swept_.sum_over_ranks(*scope.ranks);
   const bool periodic = frame_.sides().any();
   if (periodic) {
-    at_sides_.begin(frame_.box, frame_.sides());
+    at_sides_.begin(frame_.cells, frame_.sides());
     for (const SolidSet<D>& s : sets_) {
       at_sides_.add_mean(s.outer_at_sides, true);
       at_sides_.add_mean(s.inner_at_sides, false);
@@ -153,7 +163,7 @@ void LevelCoupling<D>::close_cells_at_sides() {
       Cell<D> above = c;
       ++above[d];
       if ((c[d] == frame_.domain.lower[d] && whole(d, i)) ||
-          (above[d] == frame_.domain.upper[d] && whole(d, frame_.box.index(above))))
+          (above[d] == frame_.domain.upper[d] && whole(d, frame_.cells.index(above))))
         closed.push_back(c);
     }
   });
@@ -161,7 +171,7 @@ void LevelCoupling<D>::close_cells_at_sides() {
     for (std::size_t d = 0; d < D; ++d) {
       Cell<D> above = c;
       ++above[d];
-      for (const std::size_t face : {frame_.box.index(c), frame_.box.index(above)})
+      for (const std::size_t face : {frame_.cells.index(c), frame_.cells.index(above)})
         for (auto* covered : {&fields_.covered, &fields_.covered_next, &fields_.mean_covered})
           (*covered)[d][face] = 1;
     }
@@ -188,8 +198,7 @@ void LevelCoupling<D>::mean_over_cells(const StageScope& scope) {
   most_mass = std::max(all.maximum(mass_slot), 1e-300);
   most_speed = std::max(all.maximum(speed_slot), 1e-300);
   CellSums<D> sums;
-  sums.begin(frame_.box, 1 + D);
-  sums.reach(frame_.box);
+  sums.begin(frame_.cells, 1 + D);
   for (const SolidSet<D>& s : sets_) {
     const CornerColumns<D> x = corner_columns<D>(frame_, *s.columns, *s.set);
     const double* m = s.set->column(static_cast<std::size_t>(s.columns->mass));

@@ -5,20 +5,28 @@
 
 namespace sluice::mpmice {
 
-// Of cells of a box with its ghosts, those that may see what the arrays hold, in a mirror too.
+// May cells of the domain or beyond its sides see, in a mirror too, what the arrays hold.
 template <int D>
-IndexBox LevelCoupling<D>::seen_from(IndexBox cells) const {
-  const IndexBox all = cells;
+bool LevelCoupling<D>::may_see_solids(const CellBox<D>& part) const {
+  CellBox<D> seen;
   for (std::size_t a = 0; a < D; ++a) {
-    const int d = frame_.direction[a];
-    // Behind a side that the window reaches lie ghosts alone.
-    if (frame_.window.lower[a] > frame_.domain.lower[a])
-      cells.lower[d] = std::max(all.lower[d], frame_.box.lower[a]);
-    if (frame_.window.upper[a] < frame_.domain.upper[a])
-      cells.upper[d] = std::min(all.upper[d], frame_.box.upper[a]);
-    cells.upper[d] = std::max(cells.upper[d], cells.lower[d]);
+    const int low = frame_.domain.lower[a], high = frame_.domain.upper[a];
+    const bool beyond = part.lower[a] < low || part.upper[a] > high;
+    if (beyond && frame_.periodic[a]) return true;
+    seen.lower[a] = std::max(part.lower[a], low);
+    seen.upper[a] = std::min(part.upper[a], high);
+    if (part.lower[a] < low) {
+      seen.lower[a] = low;
+      seen.upper[a] = std::max(seen.upper[a], 2 * low - part.lower[a] + 1);
+    }
+    if (part.upper[a] > high) {
+      seen.upper[a] = high + 1;
+      seen.lower[a] = std::min(seen.lower[a], 2 * high - part.upper[a]);
+    }
   }
-  return cells;
+  bool any = false;
+  frame_.cells.for_each_part(seen, [&](const CellBox<D>&) { any = true; });
+  return any;
 }
 
 // Of a box with its ghosts, the cells (along < 0) or the low faces along a direction that see what
@@ -26,12 +34,19 @@ IndexBox LevelCoupling<D>::seen_from(IndexBox cells) const {
 template <int D>
 std::vector<SeenPlace> LevelCoupling<D>::places_seen(const IndexBox& box, int along) const {
   std::vector<SeenPlace> seen;
-  for_each_cell(seen_from(box), [&](IntVec3 c) {
+  const auto look = [&](const Cell<D>& at) {
+    const IntVec3 c = frame_.index(at);
     bool flipped = false;
-    const Cell<D> cell =
-        along < 0 ? frame_.mirrored(frame_.cell(c))
-                  : frame_.mirrored_face(frame_.cell(c), static_cast<std::size_t>(along), flipped);
-    if (frame_.holds(cell)) seen.push_back({c, frame_.box.index(cell), flipped});
+    const Cell<D> cell = along < 0
+                             ? frame_.mirrored(at)
+                             : frame_.mirrored_face(at, static_cast<std::size_t>(along), flipped);
+    const std::size_t i = frame_.cells.index(cell);
+    if (i >= CellBlocks<D>::block_cells) seen.push_back({c, i, flipped});
+  };
+  const CellBox<D> all = frame_.box(box);
+  for_each_cell_of<D>(BlockDirectory<D>::blocks_of(all), [&](const Cell<D>& b) {
+    const CellBox<D> part = common<D>(BlockDirectory<D>::cells_of(b), all);
+    if (may_see_solids(part)) for_each_cell_of<D>(part, look);
   });
   return seen;
 }
@@ -40,14 +55,13 @@ std::vector<SeenPlace> LevelCoupling<D>::places_seen(const IndexBox& box, int al
 // both cells by mass.
 template <int D>
 Column LevelCoupling<D>::velocity_at_faces(std::size_t n) const {
-  Column to(frame_.box.cells(), 0.0);
+  Column to(frame_.cells.size(), 0.0);
   const Column &mass = fields_.mass, &v = fields_.velocity[n];
-  for_each_cell_in(frame_.box, [&](const Cell<D>& face, std::size_t at) {
+  frame_.cells.for_each_cell(frame_.held(), [&](const Cell<D>& face, std::size_t at) {
     Cell<D> below = face;
     --below[n];
-    if (!frame_.holds(below)) return;
-    const std::size_t i = frame_.box.index(frame_.inside(below)),
-                      j = frame_.box.index(frame_.inside(face));
+    const std::size_t i = frame_.cells.index(frame_.inside(below)),
+                      j = frame_.cells.index(frame_.inside(face));
     const double M = mass[i] + mass[j];
     if (M > 0) to[at] = (mass[i] * v[i] + mass[j] * v[j]) / M;
   });
@@ -84,7 +98,8 @@ void LevelCoupling<D>::tell_fluid(const StageScope& scope) {
       tell(l.swept[d], a, fields_.swept[n], true);
       tell(l.solid_face_velocity[d], a, velocity[n], true);
     }
-    state.forget(b, seen_from(state.local_boxes()[static_cast<std::size_t>(b)].cells));
+    frame_.for_each_held_part(state.local_boxes()[static_cast<std::size_t>(b)].cells,
+                              [&](const IndexBox& part) { state.forget(b, part); });
   }
 }
 

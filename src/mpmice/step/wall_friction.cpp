@@ -31,7 +31,7 @@ typename LevelCoupling<D>::BeforeSurface LevelCoupling<D>::before_surface(
   if (at.distance < nearest * step) {
     Cell<D> beside = c;
     beside[along] += unit[along] > 0 ? 1 : -1;
-    const std::size_t j = frame_.box.index(frame_.inside(beside));
+    const std::size_t j = frame_.cells.index(frame_.inside(beside));
     if ((frame_.in_domain(beside) || frame_.periodic[along]) && wet(j)) {
       at.cell = j;
       at.distance += step;
@@ -44,7 +44,7 @@ typename LevelCoupling<D>::BeforeSurface LevelCoupling<D>::before_surface(
 template <int D>
 void LevelCoupling<D>::rub_on_walls(const Column& rho, const Column& viscosity,
                                     const std::array<Column, D>& u, double dt) {
-  for (Column& of : fields_.friction) of.assign(frame_.box.cells(), 0.0);
+  for (Column& of : fields_.friction) of.assign(frame_.cells.size(), 0.0);
   for_each_cell_near([&](const Cell<D>& c, std::size_t i) {
     if (!wet(i) || !(fields_.area[i] > 0) || !(viscosity[i] > 0)) return;
     std::array<double, D> unit, w;

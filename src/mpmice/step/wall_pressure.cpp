@@ -24,26 +24,25 @@ template <int D>
 void LevelCoupling<D>::find_pressures(const StageScope& scope, bool solved) {
   constexpr int density = 0, pressure = 1, speed = 2, velocity = 3, viscous = velocity + D;
   const bool rubs = fluid_->options().transport.viscous && !solved;
-  known_.begin(frame_.box, rubs ? viscous + 1 : viscous);
+  known_.begin(frame_.cells, rubs ? viscous + 1 : viscous);
   const LevelSolver& level = *scope.levels.front();
   const FluidCells fluid(*fluid_, level.state());
   const WorkPressure of_solve(*fluid_, level.state(), solved);
   for (int b = 0; b < static_cast<int>(level.state().local_boxes().size()); ++b) {
     const FluidBox cells = fluid.box(b);
     const WorkPressure::Box work = of_solve.box(b);
-    for_each_cell(frame_.held(level.state().local_boxes()[static_cast<std::size_t>(b)].cells),
-                  [&](IntVec3 at) {
-                    const std::size_t i = frame_.box.index(frame_.cell(at));
-                    if (!wet(i)) return;
-                    const FluidState s = cells.at(at);
-                    known_.put(density, i, s.rho);
-                    known_.put(pressure, i, work.at(at, s.pressure));
-                    known_.put(speed, i, s.sound);
-                    for (int a = 0; a < D; ++a)
-                      known_.put(velocity + a, i,
-                                 s.velocity[frame_.direction[static_cast<std::size_t>(a)]]);
-                    if (rubs) known_.put(viscous, i, cells.viscosity(at));
-                  });
+    frame_.for_each_held(level.state().local_boxes()[static_cast<std::size_t>(b)].cells,
+                         [&](IntVec3 at, std::size_t i) {
+                           if (!wet(i)) return;
+                           const FluidState s = cells.at(at);
+                           known_.put(density, i, s.rho);
+                           known_.put(pressure, i, work.at(at, s.pressure));
+                           known_.put(speed, i, s.sound);
+                           for (int a = 0; a < D; ++a)
+                             known_.put(velocity + a, i,
+                                        s.velocity[frame_.direction[static_cast<std::size_t>(a)]]);
+                           if (rubs) known_.put(viscous, i, cells.viscosity(at));
+                         });
   }
   known_.tell_all(*scope.ranks);
   Column rho, sound;
@@ -65,7 +64,7 @@ void LevelCoupling<D>::find_pressures(const StageScope& scope, bool solved) {
 
 template <int D>
 void LevelCoupling<D>::smooth_normals() {
-  for (Column& s : fields_.smooth) s.assign(frame_.box.cells(), 0.0);
+  for (Column& s : fields_.smooth) s.assign(frame_.cells.size(), 0.0);
   for_each_cell_near([&](const Cell<D>& c, std::size_t i) {
     if (!(fields_.area[i] > 0)) return;
     constexpr int around = D == 1 ? 3 : D == 2 ? 9 : 27;
@@ -79,7 +78,7 @@ void LevelCoupling<D>::smooth_normals() {
       }
       other = frame_.wrapped(other);
       if (!frame_.in_domain(other)) continue;
-      const std::size_t j = frame_.box.index(other);
+      const std::size_t j = frame_.cells.index(other);
       if (!wet(j)) continue;
       for (std::size_t d = 0; d < D; ++d)
         fields_.smooth[d][i] += weight * fields_.normal[d][j] *
@@ -148,8 +147,8 @@ double LevelCoupling<D>::approach_at_surface(const Cell<D>& c, std::size_t i, do
   to[along] = from[along] + away;
   for (const Cell<D>& other : {from, to})
     if (!frame_.periodic[along] && !frame_.in_domain(other)) return du;
-  const std::size_t a = frame_.box.index(frame_.inside(from)),
-                    b = frame_.box.index(frame_.inside(to));
+  const std::size_t a = frame_.cells.index(frame_.inside(from)),
+                    b = frame_.cells.index(frame_.inside(to));
   if (!wet(a) || !wet(b)) return du;
   double slope = 0;
   for (std::size_t d = 0; d < D; ++d) slope += (u[d][b] - u[d][a]) * (fields_.smooth[d][i] / size);
@@ -174,8 +173,8 @@ double LevelCoupling<D>::pressure_beside_wall(const Cell<D>& c, std::size_t i, d
     beside[d] += n > 0 ? 1 : -1;
     face[d] += n > 0 ? 1 : 0;
     if (!frame_.in_domain(beside) && !frame_.periodic[d]) continue;
-    const std::size_t j = frame_.box.index(frame_.inside(beside));
-    if (!wet(j) || !(fields_.covered[d][frame_.box.index(face)] < 0.5)) continue;
+    const std::size_t j = frame_.cells.index(frame_.inside(beside));
+    if (!wet(j) || !(fields_.covered[d][frame_.cells.index(face)] < 0.5)) continue;
     change += n * n * (fields_.pressure[j] - X);
   }
   return X + fields_.theta[i] * change;
@@ -185,7 +184,7 @@ double LevelCoupling<D>::pressure_beside_wall(const Cell<D>& c, std::size_t i, d
 // as inside. Which are known then.
 template <int D>
 std::vector<std::uint8_t> LevelCoupling<D>::fill_dry(Column& values) const {
-  std::vector<std::uint8_t> known(frame_.box.cells(), 0);
+  std::vector<std::uint8_t> known(frame_.cells.size(), 0);
   for_each_cell_near([&](const Cell<D>&, std::size_t i) { known[i] = wet(i) ? 1 : 0; });
   for (int layer = 0; layer < 2; ++layer) {
     std::vector<std::pair<std::size_t, double>> found;

@@ -31,13 +31,12 @@ Verdict LevelCoupling<D>::keep_work_pressure(const StageScope& scope) {
   for (int b = 0; b < static_cast<int>(next.local_boxes().size()); ++b) {
     const FluidBox cells = fluid.box(b);
     const RealView offset = next.view(slot, 0, b);
-    for_each_cell(frame_.held(next.local_boxes()[static_cast<std::size_t>(b)].cells),
-                  [&](IntVec3 at) {
-                    const std::size_t i = frame_.box.index(frame_.cell(at));
-                    if (amounts_.touched[i] == 0) return;
-                    offset(at) = known[i] != 0 ? X[i] - cells.at(at).pressure : 0.0;
-                  });
-    next.forget(b, frame_.held(next.local_boxes()[static_cast<std::size_t>(b)].cells));
+    const IndexBox& own = next.local_boxes()[static_cast<std::size_t>(b)].cells;
+    frame_.for_each_held(own, [&](IntVec3 at, std::size_t i) {
+      if (amounts_.touched[i] == 0) return;
+      offset(at) = known[i] != 0 ? X[i] - cells.at(at).pressure : 0.0;
+    });
+    frame_.for_each_held_part(own, [&](const IndexBox& part) { next.forget(b, part); });
   }
   return Verdict::good;
 }
