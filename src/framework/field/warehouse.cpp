@@ -173,10 +173,14 @@ void Warehouse::forget() {
 void Warehouse::forget(int b, const IndexBox& region) {
   if (blocks_.size() == 0) return;
   blocks_.any_block(b, region, [&](int block, const IndexBox& cells) {
-    for (Slot& s : slots_) s.uniform[block] = unknown;
-    marks_[b].clear(cells);
+    forget_block(b, block, cells);
     return false;
   });
+}
+
+void Warehouse::forget_block(int b, int block, const IndexBox& cells) {
+  for (Slot& s : slots_) s.uniform[block] = unknown;
+  marks_[b].clear(cells);
 }
 
 void Warehouse::clear(int slot, int b) {
@@ -192,6 +196,24 @@ void Warehouse::clear(int slot, int b) {
     set_uniform(slot, block, 0.0);
     return false;
   });
+}
+
+void Warehouse::clear_for(int slot, int b, const std::vector<IndexBox>& parts) {
+  Slot& s = slots_[slot];
+  s.filled.resize(local_.size());
+  std::optional<std::vector<IndexBox>>& filled = s.filled[b];
+  if (!filled) {
+    clear(slot, b);
+    filled.emplace();
+  }
+  for (const IndexBox& part : *filled)
+    for (int c = 0; c < s.info.components; ++c) fill(view(slot, c, b), part, 0.0);
+  if (blocks_.size() > 0)
+    blocks_.any_block(b, local_[b].cells, [&](int block, const IndexBox&) {
+      set_uniform(slot, block, 0.0);
+      return false;
+    });
+  *filled = parts;
 }
 
 std::size_t Warehouse::bytes() const {

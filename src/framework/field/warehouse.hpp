@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "framework/field/array_view.hpp"
@@ -88,9 +89,21 @@ class Warehouse {
   void forget();  // all slots and blocks, all marks
   // Of local box number `b`, all slots and marks of the blocks that a region meets.
   void forget(int b, const IndexBox& region);
+  // The same of the blocks of which meets(their cells) is true.
+  template <class Meets>
+  void forget_where(int b, Meets&& meets) {
+    if (blocks_.size() == 0) return;
+    blocks_.any_block(b, local_[b].cells, [&](int block, const IndexBox& cells) {
+      if (meets(cells)) forget_block(b, block, cells);
+      return false;
+    });
+  }
   // Zeros in all components of a slot in local box number `b`, ghost cells too. What is known to be
   // zero is not written again.
   void clear(int slot, int b);
+  // The same for a slot that its only writer fills in these parts of the box alone, ghost cells
+  // too, before the next call: only the parts of the last call are cleared.
+  void clear_for(int slot, int b, const std::vector<IndexBox>& parts);
   // Of the rows of local box number `b`; null where no blocks were cut.
   RowMarks* marks(int b) { return marks_.empty() ? nullptr : &marks_[b]; }
   const RowMarks* marks(int b) const { return marks_.empty() ? nullptr : &marks_[b]; }
@@ -117,8 +130,11 @@ class Warehouse {
     std::vector<AlignedArray> arrays;
     std::vector<RealView> views;
     std::vector<double> uniform;  // by block
-    std::int64_t numbers = 0;     // in arrays
+    // By local box: parts outside of which all is zero (clear_for); none: it is not known.
+    std::vector<std::optional<std::vector<IndexBox>>> filled;
+    std::int64_t numbers = 0;  // in arrays
   };
+  void forget_block(int b, int block, const IndexBox& cells);
   // Boxes that lie in one array each, by frame; found once for slots that follow each other and
   // are as wide.
   const std::vector<BoxFrame>& frames(int ghosts);

@@ -206,6 +206,47 @@ TEST(Warehouse, ClearsWhatIsNotKnownToBeZero) {
   }
 }
 
+// What lies outside of the parts that were filled is not looked at again.
+TEST(Warehouse, ClearsThePartsThatTheLastCallNamed) {
+  const Level level = level_of({12, 9, 1}, {2, 1, 1});
+  Warehouse w(level, 0), other(level, 0);
+  for (Warehouse* of : {&w, &other}) {
+    of->add({label(0), 0, 1, 2});
+    of->cut({3, 4, 1});
+    fill(of->view(0, 0, 1), of->view(0, 0, 1).box, 7.0);
+  }
+  const IndexBox all = w.view(0, 0, 1).box, ghost{all.lower, all.lower + IntVec3{1, 1, 1}};
+  w.clear_for(0, 1, {ghost});  // all of it, the first time
+  EXPECT_FALSE(any_other(w.view(0, 0, 1), all, 0.0));
+  w.view(0, 0, 1)(ghost.lower) = 3;
+  w.view(0, 0, 1)(all.upper - IntVec3{1, 1, 1}) = 5;  // was not named
+  w.swap(other);
+  other.clear_for(0, 1, {});
+  EXPECT_EQ(other.view(0, 0, 1)(ghost.lower), 0);
+  EXPECT_EQ(other.view(0, 0, 1)(all.upper - IntVec3{1, 1, 1}), 5);
+  w.clear_for(0, 1, {});
+  EXPECT_FALSE(any_other(w.view(0, 0, 1), all, 0.0));
+}
+
+// Blocks are forgotten by their cells.
+TEST(Warehouse, ForgetsTheBlocksThatMeet) {
+  const Level level = level_of({12, 9, 1}, {1, 1, 1});
+  Warehouse w(level, 0);
+  w.add({label(0), 0, 1, 1});
+  w.cut({3, 4, 1});
+  for (int block = 0; block < w.blocks().size(); ++block) w.set_uniform(0, block, 2.0);
+  int asked = 0;
+  w.forget_where(0, [&](const IndexBox& cells) {
+    ++asked;
+    return cells.contains(IntVec3{4, 5, 0});
+  });
+  EXPECT_EQ(asked, w.blocks().size());
+  int unknown = 0;
+  for (int block = 0; block < w.blocks().size(); ++block)
+    unknown += w.uniform(0, block) == 2.0 ? 0 : 1;
+  EXPECT_EQ(unknown, 1);
+}
+
 TEST(Warehouse, WhatIsKnownGoesWithTheFieldsAndIsForgotten) {
   const Level level = level_of({12, 1, 1}, {1, 1, 1});
   Warehouse old(level, 0), now(level, 0);

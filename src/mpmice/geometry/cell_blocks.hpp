@@ -135,6 +135,21 @@ class CellBlocks {
   // act(its cells in the box) for the blocks that meet a box.
   template <class Act>
   void for_each_part(const CellBox<D>& box, Act&& act) const;
+  // Has any cell of a box a block.
+  bool holds_any(const CellBox<D>& box) const {
+    const CellBox<D> blocks = Directory::blocks_of(box);
+    if (blocks.empty()) return false;
+    Cell<D> b = blocks.lower;
+    for (;;) {
+      if (directory_.find(b) != 0) return true;
+      std::size_t d = 0;
+      for (; d < D; ++d) {
+        if (++b[d] < blocks.upper[d]) break;
+        b[d] = blocks.lower[d];
+      }
+      if (d == D) return false;
+    }
+  }
 
  private:
   // act(first cell, where it lies) for each row of a block along x, in the order of cells.

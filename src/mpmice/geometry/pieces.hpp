@@ -63,4 +63,51 @@ void for_each_piece(const OuterFaces<D>& faces, When when, std::size_t begin, st
     }
 }
 
+// The pieces at one end of a step, cut once for all who ask for them.
+template <int D>
+class CutSurface {
+ public:
+  void cut(const OuterFaces<D>& faces, When when) {
+    when_ = when;
+    pieces_.clear();
+    for_each_piece<D>(
+        faces, when, 0, faces.size(),
+        [&](std::size_t i, int t, const FacetNodes<D>&, const Piece<D>& piece) {
+          pieces_.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(t),
+                             piece.cell, piece.s, piece.m});
+        });
+  }
+  // act(i, t, nodes, piece) as for_each_piece of these faces, to the bit.
+  template <class Act>
+  void for_each(const OuterFaces<D>& faces, Act&& act) const {
+    const auto& x = when_ == When::start ? faces.start : faces.end;
+    FacetNodes<D> nodes{};
+    Piece<D> piece{};
+    const Kept* last = nullptr;
+    for (const Kept& kept : pieces_) {
+      if (last == nullptr || kept.face != last->face || kept.facet != last->facet) {
+        nodes = facet_nodes<D>(x, kept.face, static_cast<int>(kept.facet));
+        piece.n = area_vector<D>(nodes, faces.face[kept.face]);
+      }
+      last = &kept;
+      piece.cell = kept.cell;
+      piece.s = kept.s;
+      piece.m = kept.m;
+      for (std::size_t d = 0; d < D; ++d) piece.area[d] = piece.n[d] * piece.s;
+      act(static_cast<std::size_t>(kept.face), static_cast<int>(kept.facet), nodes, piece);
+    }
+  }
+  std::size_t size() const { return pieces_.size(); }
+
+ private:
+  struct Kept {
+    std::uint32_t face, facet;
+    Cell<D> cell;
+    double s;
+    std::array<double, D> m;
+  };
+  When when_ = When::start;
+  std::vector<Kept> pieces_;
+};
+
 }  // namespace sluice::mpmice

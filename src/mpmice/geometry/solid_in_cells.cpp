@@ -5,21 +5,29 @@
 namespace sluice::mpmice {
 
 template <int D>
+void SolidSums<D>::add_piece(const Piece<D>& piece, const FacetNodes<D>& nodes, double weight) {
+  const std::size_t c = sums_.cells().index_to_add(piece.cell);
+  for (int d = 0; d < D; ++d)
+    sums_.lane(d)[c] += to_sum(weight * piece.area[static_cast<std::size_t>(d)]);
+  double first = 0;
+  for (std::size_t k = 0; k < D; ++k) first += piece.m[k] * (nodes[k][0] - piece.cell[0]);
+  sums_.lane(D)[c] += to_sum(weight * (piece.n[0] * first));
+}
+
+template <int D>
 void SolidSums<D>::add(const OuterFaces<D>& faces, When when, std::size_t begin, std::size_t end) {
-  const CellBlocks<D>& cells = sums_.cells();
-  std::array<std::uint64_t*, D + 1> lanes;
-  for (int i = 0; i <= D; ++i) lanes[static_cast<std::size_t>(i)] = sums_.lane(i);
   for_each_piece<D>(faces, when, begin, end,
                     [&](std::size_t i, int, const FacetNodes<D>& nodes, const Piece<D>& piece) {
-                      const std::size_t c = cells.index_to_add(piece.cell);
-                      const double weight = faces.weight_of(i);
-                      for (std::size_t d = 0; d < D; ++d)
-                        lanes[d][c] += to_sum(weight * piece.area[d]);
-                      double first = 0;
-                      for (std::size_t k = 0; k < D; ++k)
-                        first += piece.m[k] * (nodes[k][0] - piece.cell[0]);
-                      lanes[D][c] += to_sum(weight * (piece.n[0] * first));
+                      add_piece(piece, nodes, faces.weight_of(i));
                     });
+}
+
+template <int D>
+void SolidSums<D>::add(const OuterFaces<D>& faces, const CutSurface<D>& pieces) {
+  pieces.for_each(faces,
+                  [&](std::size_t i, int, const FacetNodes<D>& nodes, const Piece<D>& piece) {
+                    add_piece(piece, nodes, faces.weight_of(i));
+                  });
 }
 
 template <int D>

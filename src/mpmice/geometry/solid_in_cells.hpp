@@ -18,6 +18,7 @@
 
 #include "mpmice/geometry/cell_sums.hpp"
 #include "mpmice/geometry/covered_sides.hpp"
+#include "mpmice/geometry/pieces.hpp"
 
 namespace sluice::mpmice {
 
@@ -36,12 +37,16 @@ class SolidSums {
   void begin(const CellBlocks<D>& cells) { sums_.begin(cells, D + 1); }
   // Faces begin to end - 1. Throws std::out_of_range where a piece lies in no block.
   void add(const OuterFaces<D>& faces, When when, std::size_t begin, std::size_t end);
+  // All faces, of which these are the pieces.
+  void add(const OuterFaces<D>& faces, const CutSurface<D>& pieces);
   void merge(const SolidSums& other) { sums_.merge(other.sums_); }
   void sum_over_ranks(Communicator& ranks) { sums_.sum_over_ranks(ranks); }
   // Uses up the sums: begin() is next. `sides`: where bodies may cross periodic ones.
   void finish(SolidInCells<D>& to, const CoveredSides<D>* sides = nullptr);
 
  private:
+  void add_piece(const Piece<D>& piece, const FacetNodes<D>& nodes, double weight);
+
   CellSums<D> sums_;  // lanes N_d, T_x
 };
 

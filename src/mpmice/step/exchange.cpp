@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "framework/base/reduction.hpp"
+#include "mpmice/step/cell_masks.hpp"
 #include "mpmice/step/level_coupling.hpp"
 
 namespace sluice::mpmice {
@@ -51,6 +52,19 @@ typename LevelCoupling<D>::FluidHeat LevelCoupling<D>::heat_of(std::size_t i) co
   return heat;
 }
 
+// Cells in which the middles of particles lie that may meet fluid in a cell with both: no part of a
+// particle is farther from its middle than a cell.
+template <int D>
+CellMask LevelCoupling<D>::cells_that_exchange() const {
+  CellMask mask(frame_.cells.size(), 0);
+  for_each_cell_near([&](const Cell<D>&, std::size_t i) {
+    const double V = amounts_.volume[i];
+    mask[i] = V > 0 && V < 1 ? 1 : 0;
+  });
+  dilate(frame_, 1, mask);
+  return mask;
+}
+
 template <int D>
 void LevelCoupling<D>::exchange_with(const StageScope& scope, int kind, double K, double K_h) {
   const mpm::SolidMaterial& material = solids_->scene().materials[static_cast<std::size_t>(kind)];
@@ -81,11 +95,16 @@ void LevelCoupling<D>::exchange_with(const StageScope& scope, int kind, double K
   most_T = all.maximum(t);
   CellSums<D> sums;
   sums.begin(frame_.cells, 2 + D);
+  const CellMask meets = cells_that_exchange();
+  const auto is_apart = [&](const SolidSet<D>& s, std::size_t p) {
+    return meets[frame_.cells.index(middle_of(s, p))] == 0;
+  };
   for (const SolidSet<D>& s : sets_) {
     if (s.kind != kind) continue;
     const CornerColumns<D> x = corner_columns<D>(frame_, *s.columns, *s.next);
     const double* m = s.set->column(static_cast<std::size_t>(s.columns->mass));
     for (std::size_t p = 0; p < s.set->size(); ++p) {
+      if (is_apart(s, p)) continue;
       const double share = m[p] / most_mass / most_parts<D>;
       for_each_part<D>(frame_, x, *s.next, p, [&](std::size_t cell) {
         sums.lane(0)[cell] += to_sum(share);
@@ -162,6 +181,7 @@ void LevelCoupling<D>::exchange_with(const StageScope& scope, int kind, double K
     for (std::size_t d = 0; d < D; ++d)
       v[d] = s.next->column(static_cast<std::size_t>(s.columns->velocity + frame_.direction[d]));
     for (std::size_t p = 0; p < s.set->size(); ++p) {
+      if (is_apart(s, p)) continue;
       std::array<double, D> kick{};
       double heat = 0, energy = 0;  // per mass
       for_each_part<D>(frame_, x, *s.next, p, [&](std::size_t cell) {

@@ -242,7 +242,7 @@ void LevelCoupling<D>::store(const StageScope& scope) {
       cells.bind(at);
       cells.fraction(at) = fields_.theta_next[i];
     });
-    frame_.for_each_held_part(own, [&](const IndexBox& part) { next.forget(b, part); });
+    next.forget_where(b, [&](const IndexBox& part) { return frame_.holds_any(part); });
   }
 }
 

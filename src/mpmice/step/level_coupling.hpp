@@ -12,6 +12,7 @@
 #include "mpmice/geometry/pieces.hpp"
 #include "mpmice/geometry/solid_in_cells.hpp"
 #include "mpmice/geometry/swept_volumes.hpp"
+#include "mpmice/step/cell_masks.hpp"
 #include "mpmice/step/coupling.hpp"
 #include "mpmice/step/exact_lanes.hpp"
 #include "mpmice/step/solid_sets.hpp"
@@ -49,9 +50,10 @@ class LevelCoupling final : public Coupling {
   void close_cells_at_sides();
   bool stays_near() const;
   bool may_see_solids(const CellBox<D>& part) const;
-  std::vector<SeenPlace> places_seen(const IndexBox& box, int along) const;
+  SeenPlaces places_seen(const IndexBox& box, int along) const;
   Column velocity_at_faces(std::size_t n) const;
   void find_pressures(const StageScope& scope, bool solved);
+  CellMask cells_beside_walls() const;
   void smooth_normals();
   double length_of_smooth(std::size_t i) const;
   double cells_along_normal(std::size_t i, double size) const;
@@ -85,6 +87,7 @@ class LevelCoupling final : public Coupling {
   void book_surface_work(const StageScope& scope, const Column& moved);
   double growth_of_solids(const StageScope& scope) const;
   void mean_over_cells(const StageScope& scope);
+  CellMask cells_beside_fluid() const;
   void tell_fluid(const StageScope& scope);
   void gather(const StageScope& scope);
   void exchange(const StageScope& scope);
@@ -92,6 +95,7 @@ class LevelCoupling final : public Coupling {
     double temperature = 0, capacity = 0;
   };
   FluidHeat heat_of(std::size_t i) const;
+  CellMask cells_that_exchange() const;
   void exchange_with(const StageScope& scope, int kind, double drag, double heat);
   Verdict share_small_cells(const StageScope& scope);
   // What burns (burning.cpp), of surfaces (burn_surfaces.cpp).
@@ -282,23 +286,20 @@ void LevelCoupling<D>::for_each_offset(const Cell<D>& c, int reach, F&& act) con
 template <int D>
 template <class F>
 void LevelCoupling<D>::for_each_open_piece(const SolidSet<D>& s, F&& act) const {
-  for_each_piece<D>(s.faces, When::start, 0, s.faces.size(),
-                    [&](std::size_t i, int, const FacetNodes<D>&, const Piece<D>& piece) {
-                      const std::size_t p = s.faces.particle[i];
-                      if ((s.outer[p] >> s.faces.face[i] & 1) == 0 || !(s.filled[p] > 0)) return;
-                      Cell<D> c = piece.cell;
-                      for (std::size_t d = 0; d < D; ++d)
-                        if (!frame_.periodic[d] &&
-                            (c[d] < frame_.domain.lower[d] || c[d] >= frame_.domain.upper[d]))
-                          return;  // on a side of the domain
-                      c = frame_.inside(c);
-                      const std::size_t k = frame_.cells.index(c);
-                      if (!wet(k)) return;
-                      std::array<double, D> area = piece.area;
-                      for (int d = 0; d < D; ++d)
-                        area[static_cast<std::size_t>(d)] *= frame_.face_area(d);
-                      act(p, s.faces.face[i], area, c, k);
-                    });
+  s.pieces.for_each(s.faces, [&](std::size_t i, int, const FacetNodes<D>&, const Piece<D>& piece) {
+    const std::size_t p = s.faces.particle[i];
+    if ((s.outer[p] >> s.faces.face[i] & 1) == 0 || !(s.filled[p] > 0)) return;
+    Cell<D> c = piece.cell;
+    for (std::size_t d = 0; d < D; ++d)
+      if (!frame_.periodic[d] && (c[d] < frame_.domain.lower[d] || c[d] >= frame_.domain.upper[d]))
+        return;  // on a side of the domain
+    c = frame_.inside(c);
+    const std::size_t k = frame_.cells.index(c);
+    if (!wet(k)) return;
+    std::array<double, D> area = piece.area;
+    for (int d = 0; d < D; ++d) area[static_cast<std::size_t>(d)] *= frame_.face_area(d);
+    act(p, s.faces.face[i], area, c, k);
+  });
 }
 
 }  // namespace sluice::mpmice

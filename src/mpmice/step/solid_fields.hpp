@@ -162,18 +162,16 @@ struct Frame {
       for_each_cell_of<D>(held, [&](const Cell<D>& c) { act(index(c), cells.index(c)); });
     });
   }
-  // act(box of cells) for parts of `part` that together are what the arrays hold of it.
-  template <class Act>
-  void for_each_held_part(const IndexBox& part, Act&& act) const {
-    cells.for_each_part(box(part), [&](const CellBox<D>& held) {
-      IndexBox of = part;
-      for (std::size_t a = 0; a < D; ++a) {
-        of.lower[direction[a]] = held.lower[a];
-        of.upper[direction[a]] = held.upper[a];
-      }
-      act(of);
-    });
+  // A part of a box, of which these are the cells along the active directions.
+  IndexBox part_of(IndexBox whole, const CellBox<D>& part) const {
+    for (std::size_t a = 0; a < D; ++a) {
+      whole.lower[direction[a]] = part.lower[a];
+      whole.upper[direction[a]] = part.upper[a];
+    }
+    return whole;
   }
+  // Do the arrays hold any of these cells.
+  bool holds_any(const IndexBox& part) const { return cells.holds_any(box(part)); }
 
  private:
   // Cells that solids in these may touch in a step.
@@ -209,6 +207,12 @@ struct SeenPlace {
   IntVec3 cell;
   std::size_t at = 0;
   bool flipped = false;
+};
+
+// Those of a box with its ghosts, and parts of it in which all of them are.
+struct SeenPlaces {
+  std::vector<SeenPlace> places;
+  std::vector<IndexBox> parts;
 };
 
 template <int D>

@@ -7,6 +7,7 @@
 #include "models/burn/ddt1.hpp"
 #include "mpm/mpm.hpp"
 #include "mpmice/geometry/covered_sides.hpp"
+#include "mpmice/geometry/pieces.hpp"
 #include "mpmice/step/solid_fields.hpp"
 
 namespace sluice::mpmice {
@@ -19,6 +20,7 @@ struct SolidSet {
   const ParticleSet* set = nullptr;
   ParticleSet* next = nullptr;  // null: the particles do not move
   OuterFaces<D> faces;
+  CutSurface<D> pieces;  // of the faces, at the start of the step
   // Of particles that burn: what is left of each as the present step has it so far, the faces
   // that are outer since the last one vanished, what surfaces remember (empty: nothing).
   ParticleSet* present = nullptr;  // the set, for what a step leaves behind

@@ -17,26 +17,23 @@ std::vector<mpm::CornerForce> LevelCoupling<D>::forces_on(const SolidSet<D>& s) 
   for (std::size_t d = 0; d < D; ++d)
     per_largest[d] = frame_.face_area(static_cast<int>(d)) / frame_.largest_face();
   std::vector<std::array<std::array<double, corners_of_face<D>>, D>> sums(s.faces.size());
-  for_each_piece<D>(s.faces, When::start, 0, s.faces.size(),
-                    [&](std::size_t i, int t, const FacetNodes<D>&, const Piece<D>& piece) {
-                      // A body that a side of the domain cuts has no surface there.
-                      if (!frame_.in_domain(frame_.wrapped(piece.cell))) return;
-                      const std::size_t c = frame_.cells.index(frame_.inside(piece.cell));
-                      const double p =
-                          (fields_.wall_pressure[c] - reference_pressure_) * s.faces.weight_of(i);
-                      const double size = rubs ? area_of(piece) * s.faces.weight_of(i) : 0.0;
-                      const double share =
-                          overlap_ && fields_.area[c] > 0 ? area_of(piece) / fields_.area[c] : 0.0;
-                      for (std::size_t d = 0; d < D; ++d) {
-                        double force = -p * piece.n[d] * frame_.face_area(static_cast<int>(d));
-                        if (overlap_)
-                          force -= p * share * fields_.normal_beyond[d][c] * per_largest[d];
-                        if (rubs) force += fields_.friction[d][c] * size;
-                        std::array<double, D> moments = piece.m;
-                        for (double& m : moments) m *= force;
-                        add_to_corners<D>(t, moments, sums[i][d]);
-                      }
-                    });
+  s.pieces.for_each(s.faces, [&](std::size_t i, int t, const FacetNodes<D>&,
+                                 const Piece<D>& piece) {
+    // A body that a side of the domain cuts has no surface there.
+    if (!frame_.in_domain(frame_.wrapped(piece.cell))) return;
+    const std::size_t c = frame_.cells.index(frame_.inside(piece.cell));
+    const double p = (fields_.wall_pressure[c] - reference_pressure_) * s.faces.weight_of(i);
+    const double size = rubs ? area_of(piece) * s.faces.weight_of(i) : 0.0;
+    const double share = overlap_ && fields_.area[c] > 0 ? area_of(piece) / fields_.area[c] : 0.0;
+    for (std::size_t d = 0; d < D; ++d) {
+      double force = -p * piece.n[d] * frame_.face_area(static_cast<int>(d));
+      if (overlap_) force -= p * share * fields_.normal_beyond[d][c] * per_largest[d];
+      if (rubs) force += fields_.friction[d][c] * size;
+      std::array<double, D> moments = piece.m;
+      for (double& m : moments) m *= force;
+      add_to_corners<D>(t, moments, sums[i][d]);
+    }
+  });
   std::vector<mpm::CornerForce> forces;
   for (std::size_t i = 0; i < sums.size(); ++i)
     for (std::size_t k = 0; k < corners_of_face<D>; ++k) {
@@ -147,31 +144,30 @@ void LevelCoupling<D>::book_outside(const StageScope& scope) {
   ExactSum work;  // of friction on rigid bodies
   for (const SolidSet<D>& s : sets_) {
     const bool rigid = solids_->scene().materials[static_cast<std::size_t>(s.kind)].rigid;
-    for_each_piece<D>(s.faces, When::start, 0, s.faces.size(),
-                      [&](std::size_t i, int, const FacetNodes<D>& nodes, const Piece<D>& piece) {
-                        const Cell<D> c = frame_.wrapped(piece.cell);
-                        if (!frame_.in_domain(c)) return;
-                        const std::size_t n = frame_.cells.index(c);
-                        const double weight = s.faces.weight_of(i);
-                        const double size = rigid && rubs ? area_of(piece) * piece.s * weight : 0.0;
-                        const Vec3 v = rigid && rubs ? velocity_of(s, i, nodes, piece) : Vec3{};
-                        for (std::size_t d = 0; d < D; ++d) {
-                          const double area =
-                              scope.step.dt * piece.area[d] * frame_.face_area(static_cast<int>(d));
-                          if (!rigid) {
-                            outside[d].add(reference_pressure_ * weight * area);
-                            continue;
-                          }
-                          outside[d].add(fields_.wall_pressure[n] * area);
-                          on_rigid[d].add(-(fields_.wall_pressure[n] - reference_pressure_) * area);
-                          if (!rubs) continue;
-                          const double I = scope.step.dt * size * fields_.friction[d][n];
-                          outside[d].add(-I);
-                          on_rigid[d].add(I);
-                          friction[d].add(I);
-                          work.add(-I * v[frame_.direction[d]]);
-                        }
-                      });
+    s.pieces.for_each(s.faces, [&](std::size_t i, int, const FacetNodes<D>& nodes,
+                                   const Piece<D>& piece) {
+      const Cell<D> c = frame_.wrapped(piece.cell);
+      if (!frame_.in_domain(c)) return;
+      const std::size_t n = frame_.cells.index(c);
+      const double weight = s.faces.weight_of(i);
+      const double size = rigid && rubs ? area_of(piece) * piece.s * weight : 0.0;
+      const Vec3 v = rigid && rubs ? velocity_of(s, i, nodes, piece) : Vec3{};
+      for (std::size_t d = 0; d < D; ++d) {
+        const double area = scope.step.dt * piece.area[d] * frame_.face_area(static_cast<int>(d));
+        if (!rigid) {
+          outside[d].add(reference_pressure_ * weight * area);
+          continue;
+        }
+        outside[d].add(fields_.wall_pressure[n] * area);
+        on_rigid[d].add(-(fields_.wall_pressure[n] - reference_pressure_) * area);
+        if (!rubs) continue;
+        const double I = scope.step.dt * size * fields_.friction[d][n];
+        outside[d].add(-I);
+        on_rigid[d].add(I);
+        friction[d].add(I);
+        work.add(-I * v[frame_.direction[d]]);
+      }
+    });
   }
   Reduction all;
   std::array<Reduction::Sum, D> from_outside, of_rigid, of_friction;

@@ -93,7 +93,10 @@ void LevelCoupling<D>::add_geometry(const StageScope& scope, When when, Column& 
                                     std::array<Column, D>& covered) {
   geometry_.begin(frame_.cells);
   for (const SolidSet<D>& s : sets_)
-    if (s.faces.size() > 0) geometry_.add(s.faces, when, 0, s.faces.size());
+    if (when == When::start)
+      geometry_.add(s.faces, s.pieces);
+    else
+      geometry_.add(s.faces, when, 0, s.faces.size());
   geometry_.sum_over_ranks(*scope.ranks);
   const bool periodic = frame_.sides().any();
   if (periodic) {
@@ -118,12 +121,18 @@ void LevelCoupling<D>::add_geometry(const StageScope& scope, When when, Column& 
 template <int D>
 void LevelCoupling<D>::find_all_faces(const StageScope& scope, bool moved) {
   if (burns_.empty()) {
-    for (SolidSet<D>& s : sets_) find_faces<D>(frame_, s, moved, outer_faces_of<D>(s));
+    for (SolidSet<D>& s : sets_) {
+      find_faces<D>(frame_, s, moved, outer_faces_of<D>(s));
+      if (!moved) s.pieces.cut(s.faces, When::start);  // they stay the same until the end
+    }
     return;
   }
   PartlyBurned<D> burned;
   burned.find(frame_, sets_, moved, *scope.ranks);
-  for (SolidSet<D>& s : sets_) find_faces<D>(frame_, s, moved, burned.faces_in_sums(frame_, s));
+  for (SolidSet<D>& s : sets_) {
+    find_faces<D>(frame_, s, moved, burned.faces_in_sums(frame_, s));
+    s.pieces.cut(s.faces, When::start);
+  }
 }
 
 // What the last step left is what this one begins with: the geometry, but for pockets that are
@@ -215,9 +224,8 @@ void LevelCoupling<D>::mean_over_surfaces(const StageScope& scope) {
   for (const SolidSet<D>& s : sets_) {
     if (s.faces.size() == 0) continue;
     const auto stress = mpm::read_columns<6>(*s.set, s.columns->stress);
-    for_each_piece<D>(
-        s.faces, When::start, 0, s.faces.size(),
-        [&](std::size_t i, int, const FacetNodes<D>& nodes, const Piece<D>& piece) {
+    s.pieces.for_each(
+        s.faces, [&](std::size_t i, int, const FacetNodes<D>& nodes, const Piece<D>& piece) {
           const std::size_t p = s.faces.particle[i], c = frame_.cells.index_to_add(piece.cell);
           std::array<double, D> unit = piece.n;
           double size = 0;

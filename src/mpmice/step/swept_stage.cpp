@@ -177,7 +177,21 @@ void LevelCoupling<D>::close_cells_at_sides() {
     }
 }
 
-// Mass of the solids in cells and their velocity, from a 2^D-th of each particle half way between
+// Cells in which the middles of particles lie whose parts cells with fluid may ask for, or their
+// neighbours. What a solve covers is asked for everywhere.
+template <int D>
+CellMask LevelCoupling<D>::cells_beside_fluid() const {
+  if (fluid_->options().scheme.implicit) return CellMask(frame_.cells.size(), 1);
+  CellMask mask(frame_.cells.size(), 0);
+  for_each_cell_near([&](const Cell<D>&, std::size_t i) {
+    const bool fluid = fields_.theta[i] < 1 || fields_.theta_next[i] < 1;
+    mask[i] = fluid && has_solid(i) ? 1 : 0;
+  });
+  dilate(frame_, 3, mask);
+  return mask;
+}
+
+// Mass of the solids in cells beside fluid and their velocity, from a 2^D-th of each particle half way between
 // its middle and each corner; velocities are those of the step, (x' - x)/dt.
 template <int D>
 void LevelCoupling<D>::mean_over_cells(const StageScope& scope) {
@@ -199,10 +213,15 @@ void LevelCoupling<D>::mean_over_cells(const StageScope& scope) {
   most_speed = std::max(all.maximum(speed_slot), 1e-300);
   CellSums<D> sums;
   sums.begin(frame_.cells, 1 + D);
+  const CellMask beside = cells_beside_fluid();
   for (const SolidSet<D>& s : sets_) {
     const CornerColumns<D> x = corner_columns<D>(frame_, *s.columns, *s.set);
     const double* m = s.set->column(static_cast<std::size_t>(s.columns->mass));
     for (std::size_t p = 0; p < s.set->size(); ++p) {
+      Cell<D> middle;
+      for (std::size_t a = 0; a < D; ++a)
+        middle[a] = frame_.cell_at(s.set->coordinate(frame_.direction[a])[p], a);
+      if (beside[frame_.cells.index(frame_.inside(middle))] == 0) continue;
       const std::uint64_t share = to_sum(m[p] / most_mass / most_parts<D>);
       std::array<std::uint64_t, D> moving;
       for (std::size_t a = 0; a < D; ++a)

@@ -24,16 +24,14 @@ bool LevelCoupling<D>::may_see_solids(const CellBox<D>& part) const {
       seen.lower[a] = std::min(seen.lower[a], 2 * high - part.upper[a]);
     }
   }
-  bool any = false;
-  frame_.cells.for_each_part(seen, [&](const CellBox<D>&) { any = true; });
-  return any;
+  return frame_.cells.holds_any(seen);
 }
 
 // Of a box with its ghosts, the cells (along < 0) or the low faces along a direction that see what
 // the arrays hold, and where it lies there.
 template <int D>
-std::vector<SeenPlace> LevelCoupling<D>::places_seen(const IndexBox& box, int along) const {
-  std::vector<SeenPlace> seen;
+SeenPlaces LevelCoupling<D>::places_seen(const IndexBox& box, int along) const {
+  SeenPlaces seen;
   const auto look = [&](const Cell<D>& at) {
     const IntVec3 c = frame_.index(at);
     bool flipped = false;
@@ -41,12 +39,14 @@ std::vector<SeenPlace> LevelCoupling<D>::places_seen(const IndexBox& box, int al
                              ? frame_.mirrored(at)
                              : frame_.mirrored_face(at, static_cast<std::size_t>(along), flipped);
     const std::size_t i = frame_.cells.index(cell);
-    if (i >= CellBlocks<D>::block_cells) seen.push_back({c, i, flipped});
+    if (i >= CellBlocks<D>::block_cells) seen.places.push_back({c, i, flipped});
   };
   const CellBox<D> all = frame_.box(box);
   for_each_cell_of<D>(BlockDirectory<D>::blocks_of(all), [&](const Cell<D>& b) {
     const CellBox<D> part = common<D>(BlockDirectory<D>::cells_of(b), all);
-    if (may_see_solids(part)) for_each_cell_of<D>(part, look);
+    if (!may_see_solids(part)) return;
+    seen.parts.push_back(frame_.part_of(box, part));
+    for_each_cell_of<D>(part, look);
   });
   return seen;
 }
@@ -75,7 +75,7 @@ void LevelCoupling<D>::tell_fluid(const StageScope& scope) {
   std::array<Column, D> velocity;
   for (std::size_t n = 0; n < D; ++n) velocity[n] = velocity_at_faces(n);
   for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
-    std::vector<SeenPlace> seen;
+    SeenPlaces seen;
     IndexBox seen_of;
     int seen_along = -2;
     const auto tell = [&](Label label, int along, const Column& from, bool turns = false) {
@@ -84,8 +84,13 @@ void LevelCoupling<D>::tell_fluid(const StageScope& scope) {
       if (along != seen_along || !(to.box == seen_of)) seen = places_seen(to.box, along);
       seen_along = along;
       seen_of = to.box;
-      state.clear(slot, b);
-      for (const SeenPlace& s : seen) to(s.cell) = turns && s.flipped ? -from[s.at] : from[s.at];
+      // Others write fractions too: those of a state that was taken over.
+      if (label == l.solid_fraction)
+        state.clear(slot, b);
+      else
+        state.clear_for(slot, b, seen.parts);
+      for (const SeenPlace& s : seen.places)
+        to(s.cell) = turns && s.flipped ? -from[s.at] : from[s.at];
     };
     tell(l.solid_fraction, -1, fields_.theta);
     tell(l.solid_fraction_next, -1, fields_.theta_next);
@@ -98,8 +103,7 @@ void LevelCoupling<D>::tell_fluid(const StageScope& scope) {
       tell(l.swept[d], a, fields_.swept[n], true);
       tell(l.solid_face_velocity[d], a, velocity[n], true);
     }
-    frame_.for_each_held_part(state.local_boxes()[static_cast<std::size_t>(b)].cells,
-                              [&](const IndexBox& part) { state.forget(b, part); });
+    state.forget_where(b, [&](const IndexBox& cells) { return frame_.holds_any(cells); });
   }
 }
 

@@ -20,12 +20,26 @@ constexpr double least_share = 0.1;  // of the fluid's pressure that is left on 
 
 }  // namespace
 
+// Cells whose state somebody asks for: with solids, and their neighbours and the next. A solve and
+// explosives look farther.
+template <int D>
+CellMask LevelCoupling<D>::cells_beside_walls() const {
+  if (fluid_->options().scheme.implicit || !burns_.empty()) return CellMask(frame_.cells.size(), 1);
+  CellMask mask(frame_.cells.size(), 0);
+  for_each_cell_near([&](const Cell<D>&, std::size_t i) {
+    mask[i] = fields_.theta[i] > 0 || fields_.area[i] > 0 ? 1 : 0;
+  });
+  dilate(frame_, 2, mask);
+  return mask;
+}
+
 template <int D>
 void LevelCoupling<D>::find_pressures(const StageScope& scope, bool solved) {
   constexpr int density = 0, pressure = 1, speed = 2, velocity = 3, viscous = velocity + D;
   const bool rubs = fluid_->options().transport.viscous && !solved;
   known_.begin(frame_.cells, rubs ? viscous + 1 : viscous);
   const LevelSolver& level = *scope.levels.front();
+  const CellMask asked = cells_beside_walls();
   const FluidCells fluid(*fluid_, level.state());
   const WorkPressure of_solve(*fluid_, level.state(), solved);
   for (int b = 0; b < static_cast<int>(level.state().local_boxes().size()); ++b) {
@@ -33,7 +47,7 @@ void LevelCoupling<D>::find_pressures(const StageScope& scope, bool solved) {
     const WorkPressure::Box work = of_solve.box(b);
     frame_.for_each_held(level.state().local_boxes()[static_cast<std::size_t>(b)].cells,
                          [&](IntVec3 at, std::size_t i) {
-                           if (!wet(i)) return;
+                           if (!wet(i) || asked[i] == 0) return;
                            const FluidState s = cells.at(at);
                            known_.put(density, i, s.rho);
                            known_.put(pressure, i, work.at(at, s.pressure));

@@ -36,7 +36,7 @@ Verdict LevelCoupling<D>::keep_work_pressure(const StageScope& scope) {
       if (amounts_.touched[i] == 0) return;
       offset(at) = known[i] != 0 ? X[i] - cells.at(at).pressure : 0.0;
     });
-    frame_.for_each_held_part(own, [&](const IndexBox& part) { next.forget(b, part); });
+    next.forget_where(b, [&](const IndexBox& part) { return frame_.holds_any(part); });
   }
   return Verdict::good;
 }
