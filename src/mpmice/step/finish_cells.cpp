@@ -24,13 +24,12 @@ void LevelCoupling<D>::gather(const StageScope& scope) {
   amounts_.volume.assign(frame_.cells.size(), 1.0);
   amounts_.near.assign(frame_.cells.size(), 0);
   amounts_.touched.assign(frame_.cells.size(), 0);
-  for_each_cell_near([&](const Cell<D>& c, std::size_t i) {
+  for_each_cell_near([&](const Cell<D>&, std::size_t i) {
     amounts_.volume[i] = 1 - fields_.theta_next[i];
     if (!has_solid(i) && swept_with_solid_[i] == 0) return;
-    amounts_.touched[i] = 1;
-    // What it may share with, and what dry cells see of these.
-    for_each_around(c, 2, [&](std::size_t j) { amounts_.near[j] = 1; });
+    amounts_.touched[i] = amounts_.near[i] = 1;
   });
+  dilate(frame_, 2, amounts_.near);  // what it may share with, and what dry cells see of these
   const Warehouse& state = scope.levels.front()->attempted();
   for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
     const FluidBox cells = fluid.box(b);

@@ -49,20 +49,38 @@ CornerColumns<D> corner_columns(const Frame<D>& frame, const mpm::Columns& c,
   return to;
 }
 
-// The cells in which the p-th particle of a set lies, with these corners.
+// Adds the cells in which particles of a set lie, with these corners.
 template <int D>
-CellBox<D> cells_of(const Frame<D>& frame, const CornerColumns<D>& corners, std::size_t p) {
-  CellBox<D> to;
-  for (std::size_t a = 0; a < D; ++a) {
-    double low = corners[0][a][p], high = low;
-    for (const auto& corner : corners) {
-      low = std::min(low, corner[a][p]);
-      high = std::max(high, corner[a][p]);
+void add_cells_of(const Frame<D>& frame, const CornerColumns<D>& corners, std::size_t count,
+                  OccupiedCells<D>& to) {
+  constexpr std::size_t chunk = 64;
+  int low[D][chunk], high[D][chunk];
+  for (std::size_t at = 0; at < count; at += chunk) {
+    const std::size_t n = std::min(chunk, count - at);
+    for (std::size_t a = 0; a < D; ++a) {
+      double least[chunk], most[chunk];
+      std::fill_n(least, chunk, 1e300);
+      std::fill_n(most, chunk, -1e300);
+      for (const auto& corner : corners)
+        for (std::size_t q = 0; q < n; ++q) {
+          const double x = corner[a][at + q];
+          least[q] = std::min(least[q], x);
+          most[q] = std::max(most[q], x);
+        }
+      for (std::size_t q = 0; q < n; ++q) {
+        low[a][q] = frame.cell_at(least[q], a);
+        high[a][q] = frame.cell_at(most[q], a);
+      }
     }
-    to.lower[a] = frame.cell_at(low, a);
-    to.upper[a] = frame.cell_at(high, a) + 1;
+    for (std::size_t q = 0; q < n; ++q) {
+      CellBox<D> cells;
+      for (std::size_t a = 0; a < D; ++a) {
+        cells.lower[a] = low[a][q];
+        cells.upper[a] = high[a][q] + 1;
+      }
+      to.add(cells);
+    }
   }
-  return to;
 }
 
 // Bits of the faces that no other particle shares.
@@ -182,12 +200,16 @@ inline constexpr double most_parts = 1024 << D;
 template <int D, class F>
 void for_each_part(const Frame<D>& frame, const CornerColumns<D>& corners, const ParticleSet& set,
                    std::size_t p, F&& act) {
-  for (const auto& corner : corners) {
-    Cell<D> c;
-    for (std::size_t a = 0; a < D; ++a)
-      c[a] = frame.cell_at(0.5 * (corner[a][p] + set.coordinate(frame.direction[a])[p]), a);
-    act(frame.cells.index(frame.inside(c)));
+  Cell<D> cells[corners_of_particle<D>];
+  for (std::size_t a = 0; a < D; ++a) {
+    const int d = frame.direction[a];
+    const double middle = set.coordinate(d)[p], origin = frame.anchor[d], width = frame.spacing[d];
+    double place[corners_of_particle<D>];
+    for (std::size_t k = 0; k < corners.size(); ++k)
+      place[k] = std::floor((0.5 * (corners[k][a][p] + middle) - origin) / width);
+    for (std::size_t k = 0; k < corners.size(); ++k) cells[k][a] = static_cast<int>(place[k]);
   }
+  for (const Cell<D>& c : cells) act(frame.cells.index(frame.inside(c)));
 }
 
 }  // namespace sluice::mpmice

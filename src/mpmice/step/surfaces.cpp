@@ -64,7 +64,7 @@ template <int D>
 void LevelCoupling<D>::add_cells_of_solids() {
   for (const SolidSet<D>& s : sets_) {
     const CornerColumns<D> corners = corner_columns<D>(frame_, *s.columns, *s.set);
-    for (std::size_t p = 0; p < s.set->size(); ++p) occupied_.add(cells_of<D>(frame_, corners, p));
+    add_cells_of<D>(frame_, corners, s.set->size(), occupied_);
   }
 }
 

@@ -15,13 +15,15 @@ bool LevelCoupling<D>::stays_near() const {
   for (const SolidSet<D>& s : sets_) {
     const CornerColumns<D> from = corner_columns<D>(frame_, *s.columns, *s.set),
                            to = corner_columns<D>(frame_, *s.columns, *s.next);
-    for (std::size_t p = 0; p < s.set->size(); ++p) {
-      CellBox<D> room = cells_of<D>(frame_, from, p);
-      for (std::size_t a = 0; a < D; ++a) {
-        room.lower[a] -= Frame<D>::most_move;
-        room.upper[a] += Frame<D>::most_move;
+    for (std::size_t a = 0; a < D; ++a) {
+      const double most = Frame<D>::most_move * frame_.spacing[frame_.direction[a]];
+      int far = 0;
+      for (std::size_t k = 0; k < from.size(); ++k) {
+        const double *x = from[k][a], *y = to[k][a];
+        for (std::size_t p = 0; p < s.set->size(); ++p)
+          far |= std::fabs(y[p] - x[p]) <= most ? 0 : 1;
       }
-      if (!room.contains(cells_of<D>(frame_, to, p))) return false;
+      if (far != 0) return false;
     }
   }
   return true;
@@ -33,9 +35,8 @@ bool LevelCoupling<D>::stays_near() const {
 template <int D>
 void LevelCoupling<D>::open_faces_of_fluid() {
   std::vector<std::uint8_t> beside(frame_.cells.size());
-  for_each_cell_near([&](const Cell<D>& c, std::size_t i) {
-    if (has_solid(i)) for_each_around(c, 1, [&](std::size_t j) { beside[j] = 1; });
-  });
+  for_each_cell_near([&](const Cell<D>&, std::size_t i) { beside[i] = has_solid(i) ? 1 : 0; });
+  dilate(frame_, 1, beside);
   const auto is_beside = [&](const Cell<D>& c) {
     return beside[frame_.cells.index(frame_.inside(c))] != 0;
   };
