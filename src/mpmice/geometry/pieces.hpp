@@ -29,38 +29,39 @@ bool in_grid_plane(const FacetNodes<D>& nodes) {
   return false;
 }
 
-// act(i, t, nodes, piece): facet t of face i. In a grid plane outer faces lie in the cell that they
-// look into, inner ones half in each: both sides of one alike, so that they cancel in both cells.
+// act(i, t, nodes, piece) for the pieces of facet t of face i. In a grid plane outer faces lie in the
+// cell that they look into, inner ones half in each: both sides of one alike, so that they cancel
+// in both cells.
+template <int D, class Act>
+void for_each_piece_of(const OuterFaces<D>& faces, When when, std::size_t i, int t, Act&& act) {
+  const FacetNodes<D> nodes = facet_nodes<D>(when == When::start ? faces.start : faces.end, i, t);
+  const std::array<double, D> n = area_vector<D>(nodes, faces.face[i]);
+  const auto cut = [&](const std::array<double, D>& look, double share) {
+    std::array<CellSpan, D> spans;
+    for (int d = 0; d < D; ++d) {
+      const auto a = static_cast<std::size_t>(d);
+      spans[a] = span_along<D>(nodes, d, look[a]);
+    }
+    cut_facet<D>(nodes, spans, look, [&](const Cell<D>& cell, const Moments<D>& moments) {
+      Piece<D> piece{cell, {}, share * moments.s, moments.m, n};
+      for (double& m : piece.m) m *= share;
+      for (std::size_t d = 0; d < D; ++d) piece.area[d] = n[d] * piece.s;
+      act(i, t, nodes, piece);
+    });
+  };
+  if (!faces.is_inner(i) || !in_grid_plane<D>(nodes)) return cut(n, 1);
+  std::array<double, D> back = n;
+  for (double& b : back) b = -b;
+  cut(n, 0.5);
+  cut(back, 0.5);
+}
+
+// The same for all facets of faces begin to end - 1.
 template <int D, class Act>
 void for_each_piece(const OuterFaces<D>& faces, When when, std::size_t begin, std::size_t end,
                     Act&& act) {
-  const auto& x = when == When::start ? faces.start : faces.end;
   for (std::size_t i = begin; i < end; ++i)
-    for (int t = 0; t < facets_of_face<D>; ++t) {
-      const FacetNodes<D> nodes = facet_nodes<D>(x, i, t);
-      const std::array<double, D> n = area_vector<D>(nodes, faces.face[i]);
-      const auto cut = [&](const std::array<double, D>& look, double share) {
-        std::array<CellSpan, D> spans;
-        for (int d = 0; d < D; ++d) {
-          const auto a = static_cast<std::size_t>(d);
-          spans[a] = span_along<D>(nodes, d, look[a]);
-        }
-        cut_facet<D>(nodes, spans, look, [&](const Cell<D>& cell, const Moments<D>& moments) {
-          Piece<D> piece{cell, {}, share * moments.s, moments.m, n};
-          for (double& m : piece.m) m *= share;
-          for (std::size_t d = 0; d < D; ++d) piece.area[d] = n[d] * piece.s;
-          act(i, t, nodes, piece);
-        });
-      };
-      if (!faces.is_inner(i) || !in_grid_plane<D>(nodes)) {
-        cut(n, 1);
-        continue;
-      }
-      std::array<double, D> back = n;
-      for (double& b : back) b = -b;
-      cut(n, 0.5);
-      cut(back, 0.5);
-    }
+    for (int t = 0; t < facets_of_face<D>; ++t) for_each_piece_of<D>(faces, when, i, t, act);
 }
 
 // The pieces at one end of a step, cut once for all who ask for them.

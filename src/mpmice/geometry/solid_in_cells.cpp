@@ -15,11 +15,17 @@ void SolidSums<D>::add_piece(const Piece<D>& piece, const FacetNodes<D>& nodes, 
 }
 
 template <int D>
+void SolidSums<D>::add_facet(const OuterFaces<D>& faces, When when, std::size_t i, int t) {
+  for_each_piece_of<D>(faces, when, i, t,
+                       [&](std::size_t, int, const FacetNodes<D>& nodes, const Piece<D>& piece) {
+                         add_piece(piece, nodes, faces.weight_of(i));
+                       });
+}
+
+template <int D>
 void SolidSums<D>::add(const OuterFaces<D>& faces, When when, std::size_t begin, std::size_t end) {
-  for_each_piece<D>(faces, when, begin, end,
-                    [&](std::size_t i, int, const FacetNodes<D>& nodes, const Piece<D>& piece) {
-                      add_piece(piece, nodes, faces.weight_of(i));
-                    });
+  for (std::size_t i = begin; i < end; ++i)
+    for (int t = 0; t < facets_of_face<D>; ++t) add_facet(faces, when, i, t);
 }
 
 template <int D>

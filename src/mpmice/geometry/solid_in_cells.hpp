@@ -39,6 +39,9 @@ class SolidSums {
   void add(const OuterFaces<D>& faces, When when, std::size_t begin, std::size_t end);
   // All faces, of which these are the pieces.
   void add(const OuterFaces<D>& faces, const CutSurface<D>& pieces);
+  // Facet t of face i.
+  void add_facet(const OuterFaces<D>& faces, When when, std::size_t i, int t);
+  CellSums<D>& sums() { return sums_; }  // lanes N_d, T_x
   void merge(const SolidSums& other) { sums_.merge(other.sums_); }
   void sum_over_ranks(Communicator& ranks) { sums_.sum_over_ranks(ranks); }
   // Uses up the sums: begin() is next. `sides`: where bodies may cross periodic ones.

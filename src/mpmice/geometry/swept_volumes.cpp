@@ -10,15 +10,6 @@
 namespace sluice::mpmice {
 namespace {
 
-constexpr int lane_of_A(int d) {
-  return d;
-}
-template <int D>
-constexpr int lane_of_C(int d) {
-  return D + d;
-}
-template <int D>
-constexpr int lane_of_q = 2 * D;
 template <int D>
 constexpr int lane_of_M(int i) {
   return 2 * D + 1 + i;
@@ -38,11 +29,11 @@ template <int D, bool WithMoments>
 class FacetSums {
  public:
   FacetSums(CellSums<D>& sums, std::vector<double>& memory)
-      : cells_(sums.cells()), memory_(memory), q_(sums.lane(lane_of_q<D>)) {
+      : cells_(sums.cells()), memory_(memory), q_(sums.lane(SweptSums<D>::lane_of_q)) {
     for (int d = 0; d < D; ++d) {
       const auto a = static_cast<std::size_t>(d);
-      A_[a] = sums.lane(lane_of_A(d));
-      C_[a] = sums.lane(lane_of_C<D>(d));
+      A_[a] = sums.lane(SweptSums<D>::lane_of_A(d));
+      C_[a] = sums.lane(SweptSums<D>::lane_of_C(d));
     }
     if constexpr (WithMoments)
       for (int i = 0; i < face_moments<D>; ++i)
@@ -120,30 +111,31 @@ void SweptSums<D>::begin(const CellBlocks<D>& cells, bool with_moments) {
 }
 
 template <int D>
-void SweptSums<D>::add(const OuterFaces<D>& faces, std::size_t begin, std::size_t end) {
-  const auto add_all = [&](auto to) {
-    for (std::size_t i = begin; i < end; ++i)
-      for (int t = 0; t < facets_of_face<D>; ++t)
-        to.add(MixedFacet<D>(facet_nodes<D>(faces.start, i, t), facet_nodes<D>(faces.end, i, t),
-                             faces.face[i]),
-               faces.weight_of(i));
-  };
+void SweptSums<D>::add_facet(const OuterFaces<D>& faces, std::size_t i, int t) {
+  const MixedFacet<D> facet(facet_nodes<D>(faces.start, i, t), facet_nodes<D>(faces.end, i, t),
+                            faces.face[i]);
   if (with_moments_)
-    add_all(FacetSums<D, true>(sums_, local_));
+    FacetSums<D, true>(sums_, local_).add(facet, faces.weight_of(i));
   else
-    add_all(FacetSums<D, false>(sums_, local_));
+    FacetSums<D, false>(sums_, local_).add(facet, faces.weight_of(i));
+}
+
+template <int D>
+void SweptSums<D>::add(const OuterFaces<D>& faces, std::size_t begin, std::size_t end) {
+  for (std::size_t i = begin; i < end; ++i)
+    for (int t = 0; t < facets_of_face<D>; ++t) add_facet(faces, i, t);
 }
 
 template <int D>
 void SweptSums<D>::finish(SweptVolumes<D>& to, const CoveredSides<D>* sides) {
   for (int lane = 0; lane <= 2 * D && sides != nullptr; ++lane) sums_.fold(sides->sides(), lane);
-  sums_.values(lane_of_q<D>, to.q);
+  sums_.values(SweptSums<D>::lane_of_q, to.q);
   for (int d = 0; d < D; ++d) {
     const auto a = static_cast<std::size_t>(d);
     if (sides != nullptr) sides->add_to(d, sums_.lane(lane_of_A(d)));
     sums_.add_from_above(lane_of_A(d), d);
     sums_.values(lane_of_A(d), to.A[a]);
-    sums_.values(lane_of_C<D>(d), to.C[a]);
+    sums_.values(lane_of_C(d), to.C[a]);
   }
   for (int i = 0; i < face_moments<D>; ++i) {
     const auto at = static_cast<std::size_t>(i);

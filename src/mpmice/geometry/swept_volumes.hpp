@@ -46,6 +46,13 @@ class SweptSums {
   void begin(const CellBlocks<D>& cells, bool with_moments = false);
   // Faces begin to end - 1. Throws std::out_of_range where a piece lies in no block.
   void add(const OuterFaces<D>& faces, std::size_t begin, std::size_t end);
+  // Facet t of face i.
+  void add_facet(const OuterFaces<D>& faces, std::size_t i, int t);
+  // Lanes A_d, C_d, q; then those of the moments.
+  CellSums<D>& sums() { return sums_; }
+  static constexpr int lane_of_A(int d) { return d; }
+  static constexpr int lane_of_C(int d) { return D + d; }
+  static constexpr int lane_of_q = 2 * D;
   void merge(const SweptSums& other) { sums_.merge(other.sums_); }
   void sum_over_ranks(Communicator& ranks) { sums_.sum_over_ranks(ranks); }
   // Uses up the sums: begin() is next. `sides` (add_mean): across periodic ones; moments are not

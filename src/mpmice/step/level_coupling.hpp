@@ -9,6 +9,7 @@
 #include "mpmice/burn/explosive_cells.hpp"
 #include "mpmice/burn/exposed_area.hpp"
 #include "mpmice/burn/vanished_faces.hpp"
+#include "mpmice/geometry/moving_surface.hpp"
 #include "mpmice/geometry/pieces.hpp"
 #include "mpmice/geometry/solid_in_cells.hpp"
 #include "mpmice/geometry/swept_volumes.hpp"
@@ -43,6 +44,8 @@ class LevelCoupling final : public Coupling {
   void add_cells_kept_closed(const StageScope& scope);
   void add_geometry(const StageScope& scope, When when, Column& theta,
                     std::array<Column, D>& covered);
+  void finish_geometry(const StageScope& scope, When when, Column& theta,
+                       std::array<Column, D>& covered);
   void take_kept_fractions(const StageScope& scope);
   void mean_over_surfaces(const StageScope& scope);
   void open_faces_of_fluid();
@@ -232,6 +235,7 @@ class LevelCoupling final : public Coupling {
   bool vanished_ = false;         // has a particle burned to its end in this step
   SolidSums<D> geometry_;
   SweptSums<D> swept_;
+  MovingSurface<D> moving_;
   CoveredSides<D> at_sides_;  // of periodic sides
   KnownByOne<D> known_;
   std::vector<std::uint8_t> swept_with_solid_;  // 1: cells of which the sweep has left amounts

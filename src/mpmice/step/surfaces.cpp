@@ -97,6 +97,13 @@ void LevelCoupling<D>::add_geometry(const StageScope& scope, When when, Column& 
       geometry_.add(s.faces, s.pieces);
     else
       geometry_.add(s.faces, when, 0, s.faces.size());
+  finish_geometry(scope, when, theta, covered);
+}
+
+// Once all faces are added.
+template <int D>
+void LevelCoupling<D>::finish_geometry(const StageScope& scope, When when, Column& theta,
+                                       std::array<Column, D>& covered) {
   geometry_.sum_over_ranks(*scope.ranks);
   const bool periodic = frame_.sides().any();
   if (periodic) {
@@ -283,6 +290,12 @@ template void LevelCoupling<2>::add_geometry(const StageScope&, When, Column&,
                                              std::array<Column, 2>&);
 template void LevelCoupling<3>::add_geometry(const StageScope&, When, Column&,
                                              std::array<Column, 3>&);
+template void LevelCoupling<1>::finish_geometry(const StageScope&, When, Column&,
+                                                std::array<Column, 1>&);
+template void LevelCoupling<2>::finish_geometry(const StageScope&, When, Column&,
+                                                std::array<Column, 2>&);
+template void LevelCoupling<3>::finish_geometry(const StageScope&, When, Column&,
+                                                std::array<Column, 3>&);
 template Verdict LevelCoupling<1>::find_surfaces(const StageScope&);
 template Verdict LevelCoupling<2>::find_surfaces(const StageScope&);
 template Verdict LevelCoupling<3>::find_surfaces(const StageScope&);

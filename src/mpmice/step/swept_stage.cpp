@@ -63,10 +63,10 @@ Verdict LevelCoupling<D>::find_swept_volumes(const StageScope& scope) {
     return Verdict::reject;
   }
   find_all_faces(scope, true);
-  add_geometry(scope, When::end, fields_.theta_next, fields_.covered_next);
+  geometry_.begin(frame_.cells);
   swept_.begin(frame_.cells);
-  for (const SolidSet<D>& s : sets_)
-    if (s.faces.size() > 0) swept_.add(s.faces, 0, s.faces.size());
+  for (const SolidSet<D>& s : sets_) moving_.add(s.faces, geometry_, swept_);
+  finish_geometry(scope, When::end, fields_.theta_next, fields_.covered_next);
   swept_.sum_over_ranks(*scope.ranks);
   const bool periodic = frame_.sides().any();
   if (periodic) {

@@ -1,0 +1,48 @@
+#include "mpmice/geometry/moving_surface.hpp"
+
+namespace sluice::mpmice {
+namespace {
+
+// From numbers beside each other to lanes.
+void give(const std::vector<std::uint64_t>& numbers, CellSums<3>& end, CellSums<3>& swept) {
+  const auto take = [&](std::size_t number, std::uint64_t* lane) {
+    const std::uint64_t* from = numbers.data() + number;
+    for (std::size_t i = 0, n = numbers.size() / numbers_of_cell; i < n; ++i)
+      lane[i] += from[numbers_of_cell * i];
+  };
+  using Swept = SweptSums<3>;
+  for (int d = 0; d < 3; ++d) {
+    const auto a = static_cast<std::size_t>(d);
+    take(number_of_cell::A + a, swept.lane(Swept::lane_of_A(d)));
+    take(number_of_cell::C + a, swept.lane(Swept::lane_of_C(d)));
+    take(number_of_cell::N + a, end.lane(d));
+  }
+  take(number_of_cell::q, swept.lane(Swept::lane_of_q));
+  take(number_of_cell::T, end.lane(3));
+}
+
+}  // namespace
+
+template <int D>
+void MovingSurface<D>::add(const OuterFaces<D>& faces, SolidSums<D>& end, SweptSums<D>& swept) {
+  if (faces.size() == 0) return;
+  if constexpr (D == 3) {
+    const CellBlocks<3>& cells = end.sums().cells();
+    numbers_.assign(numbers_of_cell * cells.size(), 0);
+    groups_.add(faces, cells, numbers_.data(), left_);
+    give(numbers_, end.sums(), swept.sums());
+    for (const std::uint32_t n : left_) {
+      end.add_facet(faces, When::end, n / 4, static_cast<int>(n % 4));
+      swept.add_facet(faces, n / 4, static_cast<int>(n % 4));
+    }
+  } else {
+    end.add(faces, When::end, 0, faces.size());
+    swept.add(faces, 0, faces.size());
+  }
+}
+
+template class MovingSurface<1>;
+template class MovingSurface<2>;
+template class MovingSurface<3>;
+
+}  // namespace sluice::mpmice

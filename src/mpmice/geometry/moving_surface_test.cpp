@@ -1,0 +1,160 @@
+// One pass over moving surfaces against facet by facet, and the bits of bodies moved by whole cells.
+#include "mpmice/geometry/moving_surface.hpp"
+
+#include <gtest/gtest.h>
+
+#include "mpmice/geometry/bodies_test_support.hpp"
+
+namespace sluice::mpmice::moving_surface {
+namespace {
+
+// Measured: 1.1e-15 of theta and covered parts, 4e-16 of what is swept.
+constexpr double of_facets = 4e-15;
+
+template <int D>
+struct Sums {
+  SolidInCells<D> end;
+  SweptVolumes<D> swept;
+};
+
+template <int D>
+Sums<D> in_one_pass(const OuterFaces<D>& faces) {
+  SolidSums<D> end;
+  SweptSums<D> swept;
+  end.begin(test_cells<D>().blocks);
+  swept.begin(test_cells<D>().blocks);
+  MovingSurface<D> surface;
+  surface.add(faces, end, swept);
+  Sums<D> to;
+  end.finish(to.end);
+  swept.finish(to.swept);
+  return to;
+}
+
+template <int D>
+Sums<D> by_facets(const OuterFaces<D>& faces) {
+  SolidSums<D> end;
+  SweptSums<D> swept;
+  end.begin(test_cells<D>().blocks);
+  swept.begin(test_cells<D>().blocks);
+  end.add(faces, When::end, 0, faces.size());
+  swept.add(faces, 0, faces.size());
+  Sums<D> to;
+  end.finish(to.end);
+  swept.finish(to.swept);
+  return to;
+}
+
+double difference(const std::vector<double>& a, const std::vector<double>& b) {
+  EXPECT_EQ(a.size(), b.size());
+  double worst = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) worst = std::max(worst, std::abs(a[i] - b[i]));
+  return worst;
+}
+
+template <int D>
+double difference(const Sums<D>& a, const Sums<D>& b) {
+  double worst = std::max(difference(a.end.theta, b.end.theta), difference(a.swept.q, b.swept.q));
+  for (std::size_t d = 0; d < D; ++d)
+    for (const double more :
+         {difference(a.end.a[d], b.end.a[d]), difference(a.end.n[d], b.end.n[d]),
+          difference(a.swept.A[d], b.swept.A[d]), difference(a.swept.C[d], b.swept.C[d])})
+      worst = std::max(worst, more);
+  return worst;
+}
+
+template <int D>
+void check_bodies(double& worst) {
+  for_each_body<D>([&](const Body<D>& body) {
+    for (const NamedMotion<D>& motion : motions<D>()) {
+      Body<D> moving = body;
+      moving.move(motion.to);
+      const OuterFaces<D> faces = moving.faces();
+      const double found = difference(in_one_pass(faces), by_facets(faces));
+      EXPECT_LT(found, of_facets) << body.name << ", " << motion.name << ", " << D;
+      worst = std::max(worst, found);
+    }
+  });
+}
+
+TEST(MovingSurface, OnePassGivesWhatFacetsGive) {
+  double worst = 0;
+  check_bodies<1>(worst);
+  check_bodies<2>(worst);
+  check_bodies<3>(worst);
+  RecordProperty("worst", std::to_string(worst * 1e16) + "e-16");
+}
+
+// Particles that are solid in part, with all their faces.
+TEST(MovingSurface, FacesCountByWhatIsLeftOfTheirParticles) {
+  Body<3> body = block<3>("", 4, {2.3, 2.1, 2.6}, 0.2);
+  body.move(deformation<3>());
+  std::vector<std::uint8_t> bits(body.size(), (1 << faces_of_particle<3>)-1);
+  OuterFaces<3> faces;
+  const auto to = Body<3>::columns(body.end);
+  faces.add(Body<3>::columns(body.start), &to, bits.data(), bits.size());
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    faces.weight.push_back(0.5 + 0.5 * hashed(faces.particle[i], 3));
+    faces.inner.push_back((body.outer[faces.particle[i]] >> faces.face[i] & 1) == 0 ? 1 : 0);
+  }
+  EXPECT_LT(difference(in_one_pass(faces), by_facets(faces)), of_facets);
+}
+
+// Lanes that hold no facet add nothing, and the order of faces does not show.
+TEST(MovingSurface, NoBitDependsOnTheOrderOfFaces) {
+  Body<3> body = block<3>("", 5, {2.6, 2.7, 2.8}, 0.3);
+  body.move(deformation<3>());
+  std::vector<std::uint8_t> first(body.size(), 0), second(body.size(), 0);
+  for (std::size_t p = 0; p < body.size(); ++p) (p % 3 == 0 ? first : second)[p] = body.outer[p];
+  const auto to = Body<3>::columns(body.end);
+  OuterFaces<3> turned;
+  for (const auto* bits : {&second, &first})
+    turned.add(Body<3>::columns(body.start), &to, bits->data(), bits->size());
+  const Sums<3> whole = in_one_pass(body.faces()), other = in_one_pass(turned);
+  EXPECT_EQ(whole.end.theta, other.end.theta);
+  EXPECT_EQ(whole.end.a, other.end.a);
+  EXPECT_EQ(whole.swept.q, other.swept.q);
+  EXPECT_EQ(whole.swept.A, other.swept.A);
+  EXPECT_EQ(whole.swept.C, other.swept.C);
+}
+
+// Of three dimensions places are counted from a facet's own cells, though facets that several planes
+// cut along a direction are not.
+TEST(MovingSurface, ABodyMovedByWholeCellsKeepsItsBits) {
+  const auto shifted = [](int by) {
+    // Corners are multiples of 2^-20, so that places far from the origin are exact.
+    Body<3> body = block<3>("", 5, {2.6, 2.7, 2.8}, 0.3, 0x1p-20);
+    body.move([](const Point<3>& x) {
+      Point<3> y = deformation<3>()(x);
+      for (double& e : y) e = std::round(e * 0x1p20) * 0x1p-20;
+      return y;
+    });
+    for (auto* places : {&body.start, &body.end})
+      for (auto& corner : *places)
+        for (auto& column : corner)
+          for (double& x : column) x += by;
+    const auto blocks = CellBlocks<3>::around({all<3>(-6 + by), all<3>(16 + by)});
+    SolidSums<3> end;
+    SweptSums<3> swept;
+    end.begin(blocks);
+    swept.begin(blocks);
+    MovingSurface<3> surface;
+    surface.add(body.faces(), end, swept);
+    SolidInCells<3> g;
+    SweptVolumes<3> s;
+    end.finish(g);
+    swept.finish(s);
+    std::vector<double> values;
+    for_each_cell_of<3>({all<3>(-6 + by), all<3>(16 + by)}, [&](const Cell<3>& c) {
+      const std::size_t i = blocks.index(c);
+      values.insert(values.end(), {g.theta[i], g.a[0][i], g.a[1][i], s.A[2][i], s.C[0][i], s.q[i]});
+    });
+    return values;
+  };
+  const std::vector<double> here = shifted(0);
+  EXPECT_EQ(here, shifted(500));
+  EXPECT_EQ(here, shifted(-203));
+}
+
+}  // namespace
+}  // namespace sluice::mpmice::moving_surface
