@@ -254,8 +254,11 @@ void SolidStep::advance(const BlockWork& w, const StageScope& scope, ThreadRepor
     report.window.load(w.lowest, w.highest, body.table,
                        solids_->maps_back() ? body.mapped : body.nodes);
   if (c.lost_energy >= 0) load_losses(w, report);
-  const bool warms = warms_by_friction(body);
-  if (warms) report.friction.load(w.lowest, w.highest, body.table, body.friction);
+  bool warms = warms_by_friction(body) && body.friction.blocks() > 0;
+  if (warms) {
+    report.friction.load(w.lowest, w.highest, body.table, body.friction);
+    warms = report.friction.any_in(0);
+  }
   const bool wet = c.pore_pressure >= 0;
   if (wet && report.water == nullptr) report.water = std::make_unique<PoreWater::Reads>(shape_);
   if (wet) water_->load(w, body, *report.water);
