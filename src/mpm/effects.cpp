@@ -64,8 +64,8 @@ static std::string choices_of(const MpmScene& s) {
   add(s.axisymmetric, "axisymmetric");
   add(s.total_lagrangian, "total Lagrangian");
   add(s.gradient_enhanced, "gradient-enhanced velocities");
-  add(s.artificial_viscosity,
-      s.viscosity_heats ? "heating by artificial viscosity" : "artificial viscosity");
+  add(s.viscous(), s.viscosity_heats ? "heating by artificial viscosity" : "artificial viscosity");
+  add(s.artificial_viscosity && !s.viscous(), "artificial viscosity of coefficients 0: none");
   add(s.friction_heats, "heating by friction");
   add(s.granular, "grains with separate velocity fields (DoGranularMPM)");
   add(s.filters_pore_pressure, "filtered pore pressure");

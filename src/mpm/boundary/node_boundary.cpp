@@ -98,16 +98,37 @@ NodeBoundary::Image NodeBoundary::image(IntVec3 node, int material) const {
 
 namespace {
 
-// act(block, node number in it, index of the node) for every image.
+// Of the nodes of a block along one direction: which are images, and of which.
+struct AxisImages {
+  int of[block_nodes];
+  bool is[block_nodes], flipped[block_nodes];
+};
+
+// act(block, number in it of a node that is an image, of what it is one).
 template <class Act>
 void visit_images(const NodeBoundary& boundary, int material, const BlockTable& table, Act&& act) {
   const BlockShape& shape = table.shape();
+  AxisImages axes[3];
   for (int b = 0, blocks = table.count(); b < blocks; ++b) {
     const IntVec3 low = shape.lower(table.block(b));
     if (!boundary.has_images(low, shape.edge, material)) continue;
-    for_each_node(shape, low, [&](int n, IntVec3 node) {
-      if (boundary.is_image(node, material)) act(b, n, node);
-    });
+    for (int d = 0; d < 3; ++d)
+      for (int i = 0; i < shape.edge[d]; ++i) {
+        IntVec3 node = low;
+        node[d] += i;
+        const NodeBoundary::Image image = boundary.image(node, material);
+        axes[d].of[i] = image.of[d];
+        axes[d].is[i] = image.of[d] != node[d];
+        axes[d].flipped[i] = image.flipped[static_cast<std::size_t>(d)];
+      }
+    int n = 0;
+    for (int k = 0; k < shape.edge.z; ++k)
+      for (int j = 0; j < shape.edge.y; ++j)
+        for (int i = 0; i < shape.edge.x; ++i, ++n)
+          if (axes[0].is[i] || axes[1].is[j] || axes[2].is[k])
+            act(b, n,
+                NodeBoundary::Image{{axes[0].of[i], axes[1].of[j], axes[2].of[k]},
+                                    {axes[0].flipped[i], axes[1].flipped[j], axes[2].flipped[k]}});
   }
 }
 
@@ -125,9 +146,8 @@ void NodeBoundary::fold_scalars(int material, BlockTable& table, NodeLanes& node
 }
 
 void NodeBoundary::fold(int material, BlockTable& table, NodeLanes& nodes, bool vectors) const {
-  visit_images(*this, material, table, [&](int b, int n, IntVec3 node) {
+  visit_images(*this, material, table, [&](int b, int n, const Image& to) {
     if (nodes.sums(b)[n * lanes + count_lane] == 0) return;
-    const Image to = image(node, material);
     const int block = table.find_or_add(table.shape().block_of(to.of));
     nodes.fit(table);
     const std::int64_t* from = nodes.sums(b) + n * lanes;
@@ -156,8 +176,7 @@ void NodeBoundary::unfold(int material, const BlockTable& table, NodeLanes& node
                           bool vectors) const {
   IntVec3 of_block{};  // neighbours are mostly images of one block
   int block = -1;
-  visit_images(*this, material, table, [&](int b, int n, IntVec3 node) {
-    const Image of = image(node, material);
+  visit_images(*this, material, table, [&](int b, int n, const Image& of) {
     if (const IntVec3 at = table.shape().block_of(of.of); block < 0 || !(at == of_block)) {
       of_block = at;
       block = table.find(at);

@@ -121,7 +121,7 @@ class Face {
   template <int D>
   Share carried_share(std::size_t p) const {
     CornerVolume<D> v;
-    read_carried<D>(corners_, active_.list, p, v.x);
+    read_carried<D>(corners_, active_.list, OneOf{p}, v.x);
     double at[1 << D];
     for (int c = 0; c < v.count; ++c) at[c] = depth(corners_[3 * c + d_][p]);
     v.find();

@@ -224,6 +224,8 @@ struct MpmScene {
   double damping = 0;  // artificial_damping_coeff, 1/s
   bool artificial_viscosity = false, viscosity_heats = false;
   double viscosity_1 = 0.2, viscosity_2 = 2.0;  // of artificial viscosity, without unit
+  // Does artificial viscosity act.
+  bool viscous() const { return artificial_viscosity && (viscosity_1 != 0 || viscosity_2 != 0); }
   bool use_loads = false, normal_to_surface = false, loads_on_corners = false;
   bool heat_conduction = true;         // DoExplicitHeatConduction
   bool scalar_diffusion = false;       // do_scalar_diffusion

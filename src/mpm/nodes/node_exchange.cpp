@@ -11,7 +11,7 @@
 namespace sluice::mpm {
 namespace {
 
-constexpr int count_tag = 51, block_tag = 52;
+constexpr int count_tag = 51, block_tag = 52, sum_tag = 53, total_tag = 54;
 // Layers of blocks around a box in which its particles may reach nodes, and by which the home of a
 // block may lie beside it.
 constexpr int block_layers = 3;
@@ -124,18 +124,25 @@ NodeExchange::Buffers NodeExchange::swap(const Buffers& out) {
   return in;
 }
 
-void NodeExchange::share(BlockTable& table, std::span<NodeLanes* const> groups) {
-  if (ranks_->size() == 1 || groups.empty()) return;
+SharedBlocks NodeExchange::share(BlockTable& table, std::span<NodeLanes* const> groups) {
+  SharedBlocks blocks;
+  if (ranks_->size() == 1 || groups.empty()) return blocks;
+  blocks.sent.resize(neighbours_.size());
+  blocks.arrived.resize(neighbours_.size());
   const std::size_t entry = 1 + groups.size() * block_lanes;
   Buffers out(neighbours_.size());
   for (int b = 0; b < table.count(); ++b) {
     const int to = home(table.shape(), table.block(b));
-    if (to != ranks_->rank()) pack(table, b, groups, out[number_[to]]);
+    if (to == ranks_->rank()) continue;
+    pack(table, b, groups, out[number_[to]]);
+    blocks.sent[number_[to]].push_back(table.block(b));
   }
   const Buffers arrived = swap(out);
-  for (const std::vector<double>& from : arrived)
-    for (std::size_t at = 0; at < from.size(); at += entry) {
-      const int b = table.find_or_add(as_block(from[at]));
+  for (std::size_t n = 0; n < arrived.size(); ++n)
+    for (std::size_t at = 0; at < arrived[n].size(); at += entry) {
+      const std::vector<double>& from = arrived[n];
+      blocks.arrived[n].push_back(as_block(from[at]));
+      const int b = table.find_or_add(blocks.arrived[n].back());
       for (std::size_t g = 0; g < groups.size(); ++g) {
         groups[g]->fit(table);
         std::int64_t* sums = groups[g]->sums(b);
@@ -155,6 +162,83 @@ void NodeExchange::share(BlockTable& table, std::span<NodeLanes* const> groups) 
         std::memcpy(groups[g]->sums(b), from.data() + at + 1 + g * block_lanes,
                     block_lanes * sizeof(std::int64_t));
     }
+  return blocks;
+}
+
+namespace {
+
+// The lanes of those of some blocks that are wanted, one after the other.
+std::vector<double> wanted_lanes(const BlockTable& table, const NodeLanes& group,
+                                 const std::vector<IntVec3>& blocks,
+                                 const std::vector<char>& wanted) {
+  std::vector<double> all;
+  for (const IntVec3 block : blocks) {
+    const int b = table.find(block);
+    if (!wanted[b]) continue;
+    all.resize(all.size() + block_lanes);
+    std::memcpy(all.data() + all.size() - block_lanes, group.sums(b),
+                block_lanes * sizeof(std::int64_t));
+  }
+  return all;
+}
+
+// act(lanes of a block, those that came for it).
+template <class Act>
+void for_each_wanted(const BlockTable& table, NodeLanes& group, const std::vector<IntVec3>& blocks,
+                     const std::vector<char>& wanted, const std::vector<double>& from, Act&& act) {
+  const double* values = from.data();
+  for (const IntVec3 block : blocks) {
+    const int b = table.find(block);
+    if (!wanted[b]) continue;
+    act(group.sums(b), values);
+    values += block_lanes;
+  }
+}
+
+}  // namespace
+
+// Both sides know how many numbers go between them: no counts are sent.
+NodeExchange::Buffers NodeExchange::pass(int tag, const Buffers& out,
+                                         std::span<const std::size_t> sizes_in) {
+  Buffers in(out.size());
+  Messages messages;
+  for (std::size_t n = 0; n < in.size(); ++n) {
+    if (sizes_in[n] == 0) continue;
+    in[n].resize(sizes_in[n]);
+    messages.post_receive(in[n].data(), in[n].size(), neighbours_[n], tag);
+  }
+  for (std::size_t n = 0; n < out.size(); ++n)
+    if (!out[n].empty()) messages.post_send(out[n].data(), out[n].size(), neighbours_[n], tag);
+  messages.wait_all();
+  return in;
+}
+
+void NodeExchange::share_some(const BlockTable& table, NodeLanes& group, const SharedBlocks& blocks,
+                              const std::vector<char>& wanted) {
+  const std::size_t count = blocks.sent.size();
+  Buffers out(count), totals(count);
+  std::vector<std::size_t> sent(count), arriving(count);
+  for (std::size_t n = 0; n < count; ++n) {
+    out[n] = wanted_lanes(table, group, blocks.sent[n], wanted);
+    sent[n] = out[n].size();
+    for (const IntVec3 block : blocks.arrived[n])
+      if (wanted[table.find(block)]) arriving[n] += block_lanes;
+  }
+  const Buffers arrived = pass(sum_tag, out, arriving);
+  for (std::size_t n = 0; n < count; ++n)
+    for_each_wanted(table, group, blocks.arrived[n], wanted, arrived[n],
+                    [](std::int64_t* sums, const double* values) {
+                      for (int l = 0; l < block_lanes; ++l)
+                        sums[l] = wrapped_sum(sums[l], std::bit_cast<std::int64_t>(values[l]));
+                    });
+  for (std::size_t n = 0; n < count; ++n)
+    totals[n] = wanted_lanes(table, group, blocks.arrived[n], wanted);
+  const Buffers back = pass(total_tag, totals, sent);
+  for (std::size_t n = 0; n < count; ++n)
+    for_each_wanted(table, group, blocks.sent[n], wanted, back[n],
+                    [](std::int64_t* sums, const double* values) {
+                      std::memcpy(sums, values, block_lanes * sizeof(std::int64_t));
+                    });
 }
 
 }  // namespace sluice::mpm

@@ -14,6 +14,12 @@
 
 namespace sluice::mpm {
 
+// The blocks of a table that went to neighbours and came from them when it was shared, in the order
+// in which they went.
+struct SharedBlocks {
+  std::vector<std::vector<IntVec3>> sent, arrived;  // by neighbour
+};
+
 class NodeExchange {
  public:
   // `everywhere`: particles may reach nodes of any rank, not only of boxes beside theirs.
@@ -22,7 +28,11 @@ class NodeExchange {
   // Were the boxes the same when this was made, and may particles reach as far.
   bool fits(const Level& level, bool everywhere = false) const;
   // Collective: groups of lanes of one table. Blocks that others reach may be added.
-  void share(BlockTable& table, std::span<NodeLanes* const> groups);
+  SharedBlocks share(BlockTable& table, std::span<NodeLanes* const> groups);
+  // One more group of a table that was shared as `blocks` tells, of the blocks alone that `wanted`
+  // marks by number: all ranks that have a block must mark it alike. Nothing is sent where none is.
+  void share_some(const BlockTable& table, NodeLanes& group, const SharedBlocks& blocks,
+                  const std::vector<char>& wanted);
   // Does this rank keep the books of a block: each block has one such rank.
   bool is_home(const BlockTable& table, int block) const {
     return ranks_->size() == 1 || home(table.shape(), table.block(block)) == ranks_->rank();
@@ -32,6 +42,7 @@ class NodeExchange {
   int home(const BlockShape& shape, IntVec3 block) const;
   using Buffers = std::vector<std::vector<double>>;  // by neighbour
   Buffers swap(const Buffers& out);
+  Buffers pass(int tag, const Buffers& out, std::span<const std::size_t> sizes_in);
 
   Level level_;
   Communicator* ranks_;

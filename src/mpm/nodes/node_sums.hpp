@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "framework/base/eight.hpp"
 #include "mpm/nodes/node_blocks.hpp"
 
 namespace sluice::mpm {
@@ -19,9 +20,7 @@ using Four = double __attribute__((vector_size(32)));
 using FourBits = std::uint64_t __attribute__((vector_size(32)));
 using FourAtNode = double __attribute__((vector_size(32), may_alias));
 using FourBitsAtNode = std::uint64_t __attribute__((vector_size(32), may_alias));
-// A whole node.
-using Eight = double __attribute__((vector_size(64)));
-using EightBits = std::uint64_t __attribute__((vector_size(64)));
+// A whole node: Eight, in memory.
 using EightAtNode = double __attribute__((vector_size(64), may_alias));
 using EightBitsAtNode = std::uint64_t __attribute__((vector_size(64), may_alias));
 

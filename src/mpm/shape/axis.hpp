@@ -20,8 +20,11 @@ struct Axis {
   // a place at the far end of the domain: so sums of their places and ways are exact.
   double unit = 0x1p-52;
 
-  // Place in cells from the middle.
-  double place(double x) const { return (x - middle) * inverse; }
+  // Place in cells from the middle; T: double, or Eight of eight places.
+  template <class T>
+  [[gnu::always_inline]] T place(const T& x) const {
+    return (x - middle) * inverse;
+  }
   // A length as a multiple of the unit.
   double rounded(double x) const { return std::nearbyint(x * (1 / unit)) * unit; }
 };

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "framework/base/eight.hpp"
 #include "mpm/shape/axis.hpp"
 
 namespace sluice::mpm {
@@ -24,12 +25,15 @@ struct AxisWeights {
   alignas(64) int first[chunk_size];      // index of the lowest node
 };
 
-// The nearest node (or, for an even number of nodes, the middle of the nearest cell) of a place.
-inline double nearest_node(const Axis& a, double u) {
-  return a.odd ? std::floor(u) + 0.5 : std::nearbyint(u);
+// The nearest node (or, for an even number of nodes, the middle of the nearest cell) of a place;
+// T: double, or Eight of eight places.
+template <class T>
+[[gnu::always_inline]] inline T nearest_node(const Axis& a, const T& u) {
+  return a.odd ? rounded_down(u) + 0.5 : rounded_to_even(u);
 }
-inline double nearest_middle(const Axis& a, double u) {
-  return a.odd ? std::nearbyint(u) : std::floor(u) + 0.5;
+template <class T>
+[[gnu::always_inline]] inline T nearest_middle(const Axis& a, const T& u) {
+  return a.odd ? rounded_to_even(u) : rounded_down(u) + 0.5;
 }
 
 // Hat functions (2 nodes).
@@ -37,20 +41,22 @@ struct Linear {
   static constexpr int nodes = 2;
   static constexpr int below = 0;  // nodes reached below the cell of the place
   template <bool Offsets>
-  static void weights(const Axis& a, const double* x, double /*half*/, int n, AxisWeights<2>& to) {
-    const double inverse = a.inverse;
-    for (int p = 0; p < n; ++p) {
-      const double u = a.place(x[p]), r = nearest_middle(a, u), s = u - r;
-      to.first[p] = static_cast<int>(r - 0.5 + a.first);
-      to.w[0][p] = 0.5 - s;
-      to.w[1][p] = 0.5 + s;
-      to.d[0][p] = -inverse;
-      to.d[1][p] = inverse;
+  static void weights(const Axis& axis, const double* x, double /*half*/, int n,
+                      AxisWeights<2>& to) {
+    const Axis a = axis;
+    for_eights(0, static_cast<std::size_t>(n), [&](auto p) {
+      using T = typename decltype(p)::Number;
+      const T u = a.place(p(x)), r = nearest_middle(a, u), s = u - r;
+      p.put(r - 0.5 + a.first, to.first);
+      p.put(0.5 - s, to.w[0]);
+      p.put(0.5 + s, to.w[1]);
+      p.put(T{} - a.inverse, to.d[0]);
+      p.put(T{} + a.inverse, to.d[1]);
       if constexpr (Offsets) {
-        to.off[0][p] = (-0.5 - s) * a.spacing;
-        to.off[1][p] = (0.5 - s) * a.spacing;
+        p.put((-0.5 - s) * a.spacing, to.off[0]);
+        p.put((0.5 - s) * a.spacing, to.off[1]);
       }
-    }
+    });
   }
 };
 
@@ -61,45 +67,54 @@ struct Gimp {
   template <bool Offsets>
   static void weights(const Axis& a, const double* x, double half, int n, AxisWeights<3>& to) {
     const double quarter = 1 / (4 * half), slope = a.inverse / (2 * half);
-    weights_of_widths<Offsets>(a, x, n, to, [&](int) { return Width{half, quarter, slope}; });
+    weights_of_widths<Offsets>(a, x, n, to, [=](auto p) {
+      const typename decltype(p)::Number zero{};
+      return Width{zero + half, zero + quarter, zero + slope};
+    });
   }
   // Each particle has a half width of its own.
   template <bool Offsets>
   static void weights(const Axis& a, const double* x, const double* half, int n,
                       AxisWeights<3>& to) {
-    weights_of_widths<Offsets>(a, x, n, to, [&](int p) {
-      return Width{half[p], 1 / (4 * half[p]), a.inverse / (2 * half[p])};
+    const double inverse = a.inverse;
+    weights_of_widths<Offsets>(a, x, n, to, [=](auto p) {
+      const auto l = p(half);
+      return Width{l, 1.0 / (4.0 * l), inverse / (2.0 * l)};
     });
   }
 
  private:
+  template <class T>
   struct Width {
-    double half, quarter, slope;
+    T half, quarter, slope;
   };
   template <bool Offsets, class Widths>
-  static void weights_of_widths(const Axis& a, const double* x, int n, AxisWeights<3>& to,
+  static void weights_of_widths(const Axis& axis, const double* x, int n, AxisWeights<3>& to,
                                 const Widths& widths) {
-    for (int p = 0; p < n; ++p) {
-      const auto [l, quarter, slope] = widths(p);
-      const double u = a.place(x[p]), r = nearest_node(a, u), s = u - r;
-      to.first[p] = static_cast<int>(r + a.first) - 1;
-      const double c = std::min(l, std::max(-l, s));  // a in the reference
-      const double up = l + c, down = l - c;
-      const double high = up * up * quarter + std::max(0.0, s - l);
-      const double low = down * down * quarter + std::max(0.0, -s - l);
-      to.w[0][p] = low;
-      to.w[2][p] = high;
-      to.w[1][p] = 1 - (low + high);
-      const double d_high = up * slope, d_low = -(down * slope);
-      to.d[0][p] = d_low;
-      to.d[2][p] = d_high;
-      to.d[1][p] = -(d_low + d_high);
+    const Axis a = axis;
+    for_eights(0, static_cast<std::size_t>(n), [&](auto p) {
+      using T = typename decltype(p)::Number;
+      const Width<T> width = widths(p);
+      const T l = width.half, zero{};
+      const T u = a.place(p(x)), r = nearest_node(a, u), s = u - r;
+      p.put(r + a.first - 1.0, to.first);
+      const T c = smaller(l, larger(T(-l), s));  // a in the reference
+      const T up = l + c, down = l - c;
+      const T high = up * up * width.quarter + larger(zero, T(s - l));
+      const T low = down * down * width.quarter + larger(zero, T(-s - l));
+      p.put(low, to.w[0]);
+      p.put(high, to.w[2]);
+      p.put(1.0 - (low + high), to.w[1]);
+      const T d_high = up * width.slope, d_low = -(down * width.slope);
+      p.put(d_low, to.d[0]);
+      p.put(d_high, to.d[2]);
+      p.put(-(d_low + d_high), to.d[1]);
       if constexpr (Offsets) {
-        to.off[0][p] = (-1 - s) * a.spacing;
-        to.off[1][p] = -s * a.spacing;
-        to.off[2][p] = (1 - s) * a.spacing;
+        p.put((-1.0 - s) * a.spacing, to.off[0]);
+        p.put(-s * a.spacing, to.off[1]);
+        p.put((1.0 - s) * a.spacing, to.off[2]);
       }
-    }
+    });
   }
 };
 
@@ -110,24 +125,26 @@ struct GimpOfOwnWidths : Gimp {};
 struct Cubic {
   static constexpr int nodes = 4;
   template <bool Offsets>
-  static void weights(const Axis& a, const double* x, double /*half*/, int n, AxisWeights<4>& to) {
-    const double inverse = a.inverse;
-    for (int p = 0; p < n; ++p) {
-      const double u = a.place(x[p]), r = nearest_middle(a, u), s = u - r;
-      to.first[p] = static_cast<int>(r - 0.5 + a.first) - 1;
-      const double m = 0.5 - s, q = 0.5 + s;  // a, b in the reference
-      const double m2 = m * m, q2 = q * q, m3 = m2 * m, q3 = q2 * q;
-      to.w[0][p] = m3 / 6;
-      to.w[1][p] = (2.0 / 3 - q2) + 0.5 * q3;
-      to.w[2][p] = (2.0 / 3 - m2) + 0.5 * m3;
-      to.w[3][p] = q3 / 6;
-      to.d[0][p] = -0.5 * m2 * inverse;
-      to.d[1][p] = (1.5 * q2 - 2 * q) * inverse;
-      to.d[2][p] = (2 * m - 1.5 * m2) * inverse;
-      to.d[3][p] = 0.5 * q2 * inverse;
+  static void weights(const Axis& axis, const double* x, double /*half*/, int n,
+                      AxisWeights<4>& to) {
+    const Axis a = axis;
+    for_eights(0, static_cast<std::size_t>(n), [&](auto p) {
+      using T = typename decltype(p)::Number;
+      const T u = a.place(p(x)), r = nearest_middle(a, u), s = u - r;
+      p.put(r - 0.5 + a.first - 1.0, to.first);
+      const T m = 0.5 - s, q = 0.5 + s;  // a, b in the reference
+      const T m2 = m * m, q2 = q * q, m3 = m2 * m, q3 = q2 * q;
+      p.put(m3 / 6.0, to.w[0]);
+      p.put((2.0 / 3 - q2) + 0.5 * q3, to.w[1]);
+      p.put((2.0 / 3 - m2) + 0.5 * m3, to.w[2]);
+      p.put(q3 / 6.0, to.w[3]);
+      p.put(-0.5 * m2 * a.inverse, to.d[0]);
+      p.put((1.5 * q2 - 2.0 * q) * a.inverse, to.d[1]);
+      p.put((2.0 * m - 1.5 * m2) * a.inverse, to.d[2]);
+      p.put(0.5 * q2 * a.inverse, to.d[3]);
       if constexpr (Offsets)
-        for (int i = 0; i < 4; ++i) to.off[i][p] = (i - 1.5 - s) * a.spacing;
-    }
+        for (int i = 0; i < 4; ++i) p.put((i - 1.5 - s) * a.spacing, to.off[i]);
+    });
   }
 };
 

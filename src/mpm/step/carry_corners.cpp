@@ -29,15 +29,16 @@ double determinant(const Nine<double>& F, std::size_t p) {
          f(2) * (f(3) * f(7) - f(4) * f(6));
 }
 
-template <int D>
-bool all_near(const TransferGrid& grid, const CornerVolume<D>& v) {
-  bool near = true;
+// How many numbers of a particle say how far a corner is from the middle, and are too large.
+template <int D, class T>
+T far_corners(const TransferGrid& grid, const CornerVolume<D, T>& v) {
+  T far{};
   for (int a = 0; a < D; ++a) {
     const auto d = static_cast<std::size_t>(grid.active[static_cast<std::size_t>(a)]);
     for (int k = 0; k < v.count; ++k)
-      near &= std::fabs(v.x[k][a]) * grid.axes[d].inverse <= farthest_corner;
+      far += magnitude(v.x[k][a]) * grid.axes[d].inverse <= farthest_corner ? T{} : T{} + 1.0;
   }
-  return near;
+  return far;
 }
 
 template <int D>
@@ -51,12 +52,17 @@ std::optional<BatchFault> deform_batch(const Body& body, const BlockWork& w, std
   double* volume = w.next->column(static_cast<std::size_t>(c.volume));
   const int part = body.carried->filled;
   const double* filled = part >= 0 ? w.set->column(static_cast<std::size_t>(part)) : nullptr;
+  alignas(64) double volumes[chunk_size], far[chunk_size], factors[chunk_size];
+  for_eights(0, static_cast<std::size_t>(b.count), [&](auto q) {
+    CornerVolume<D, typename decltype(q)::Number> v;
+    read_carried<D>(corners, grid.active, q.behind(at), v.x);
+    v.find();
+    q.put(v.volume, volumes);
+    q.put(far_corners(grid, v), far);
+  });
   for (int q = 0; q < b.count; ++q) {
     const std::size_t p = at + static_cast<std::size_t>(q);
-    CornerVolume<D> v;
-    read_carried<D>(corners, grid.active, p, v.x);
-    v.find();
-    volume[p] = v.volume * depth_of(grid, edges, p);
+    volume[p] = volumes[q] * depth_of(grid, edges, p);
     if (filled != nullptr) volume[p] *= filled[p];
     const double J = volume[p] / b.volume_0[q];
     // Written so that what is no number is a fault.
@@ -67,22 +73,25 @@ std::optional<BatchFault> deform_batch(const Body& body, const BlockWork& w, std
           "this step; a smaller timestep_multiplier, artificial_viscosity or another "
           "interpolator may carry it; volume/volume_0",
           J};
-    if (!all_near(grid, v))
+    if (far[q] != 0)
       return BatchFault{
           q,
           "a corner lies over 1.5 cells from its middle: the body is stretched or torn "
           "there beyond what corners that particles share can follow; finer particles "
           "(res), erosion or another interpolator may; volume/volume_0",
           J};
-    const double s = root<D>(J / determinant(F, p));
-    for (int a = 0; a < D; ++a) {
-      const int d = grid.active[static_cast<std::size_t>(a)];
-      for (int e = 0; e < 3; ++e) {
-        F[static_cast<std::size_t>(3 * d + e)][p] *= s;
-        read.L[3 * d + e][q] *= s;
+    factors[q] = root<D>(J / determinant(F, p));
+  }
+  for (int a = 0; a < D; ++a) {
+    const int d = grid.active[static_cast<std::size_t>(a)];
+    for (int e = 0; e < 3; ++e) {
+      double *f = F[static_cast<std::size_t>(3 * d + e)] + at, *l = read.L[3 * d + e];
+      for (int q = 0; q < b.count; ++q) {
+        f[q] *= factors[q];
+        l[q] *= factors[q];
       }
-      read.L[4 * d][q] += (s - 1) / b.dt;
     }
+    for (int q = 0; q < b.count; ++q) read.L[4 * d][q] += (factors[q] - 1) / b.dt;
   }
   return std::nullopt;
 }
@@ -91,13 +100,13 @@ template <int D>
 void find_middles(const Body& body, ParticleSet& next, std::size_t at, int n) {
   const CornerColumns corners = corners_of(next, body.carried->columns);
   const std::array<int, 3>& active = body.grid.active;
-  for (std::size_t p = at; p < at + static_cast<std::size_t>(n); ++p) {
-    CornerVolume<D> v;
+  for_eights(at, at + static_cast<std::size_t>(n), [&](auto p) {
+    CornerVolume<D, typename decltype(p)::Number> v;
     read_carried<D>(corners, active, p, v.x);
     v.find_middle();
     for (int a = 0; a < D; ++a)
-      next.coordinate(active[static_cast<std::size_t>(a)])[p] = v.middle[a];
-  }
+      p.put(v.middle[a], next.coordinate(active[static_cast<std::size_t>(a)]));
+  });
 }
 
 }  // namespace

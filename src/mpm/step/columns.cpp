@@ -131,11 +131,12 @@ Carried carried_by(const Scene& scene, const MpmScene& solids, const SolidMateri
   if (is_wanted(scene, "p.externalHeatRate")) c.columns.heat_source = add(l.heat_source, true);
   if (is_wanted(scene, "p.dTdt") || is_wanted(scene, "p.dTdt+") || is_wanted(scene, "g.dTdt"))
     c.columns.heating = add(l.heating, true);
-  if (solids.artificial_viscosity) c.columns.viscous = add(l.viscous, true);
+  if (solids.viscous() || (solids.artificial_viscosity && is_wanted(scene, "p.q")))
+    c.columns.viscous = add(l.viscous, true);
   if (material.lost_energy_heats) {
     c.columns.lost_energy = add(l.lost_energy, true);
     c.columns.lost_heat = add(l.lost_heat, true);
-    if (solids.artificial_viscosity) c.columns.viscous_heat = add(l.viscous_heat, true);
+    if (c.columns.viscous >= 0) c.columns.viscous_heat = add(l.viscous_heat, true);
   }
   if (material.water) {
     c.columns.water_mass = add(l.water_mass, false);

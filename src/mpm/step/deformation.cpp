@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mpm/material/base/batch_math.hpp"
+
 namespace sluice::mpm {
 namespace {
 
@@ -50,6 +52,22 @@ void deform_one(int order, double dt, const Batch& b, int p) {
   for (std::size_t e = 0; e < 9; ++e) const_cast<double*>(b.F[e])[p] = F[e];
 }
 
+// The least of 1 and what was added, eight at a time or one; what is no number is passed over.
+class Least {
+ public:
+  void add(double x) { one_ = x < one_ ? x : one_; }
+  void add(const Eight& x) { all_ = x < all_ ? x : all_; }
+  double value() const {
+    double least = one_;
+    for (int l = 0; l < 8; ++l) least = all_[l] < least ? all_[l] : least;
+    return least;
+  }
+
+ private:
+  double one_ = 1;
+  Eight all_ = Eight{} + 1.0;
+};
+
 }  // namespace
 
 int deform(int order, double dt, const Batch& b, double* volume) {
@@ -69,15 +87,13 @@ int deform(int order, double dt, const Batch& b, double* volume) {
   } else {
     for (int p = 0; p < b.count; ++p) deform_one(order, dt, b, p);
   }
-  double least = 1;
-  for (int p = 0; p < b.count; ++p) {
-    const double J = F[0][p] * (F[4][p] * F[8][p] - F[5][p] * F[7][p]) -
-                     F[1][p] * (F[3][p] * F[8][p] - F[5][p] * F[6][p]) +
-                     F[2][p] * (F[3][p] * F[7][p] - F[4][p] * F[6][p]);
-    volume[p] = J * b.volume_0[p];
-    least = J < least ? J : least;
-  }
-  if (least > 0) return -1;
+  Least least;
+  for_eights(0, static_cast<std::size_t>(b.count), [&](auto p) {
+    const auto J = determinant(at(F, p));
+    p.put(J * p(b.volume_0), volume);
+    least.add(J);
+  });
+  if (least.value() > 0) return -1;
   for (int p = 0; p < b.count; ++p)
     if (!(volume[p] > 0)) return p;
   return -1;

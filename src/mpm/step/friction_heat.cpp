@@ -34,8 +34,10 @@ void SolidStep::keep_friction_heat(std::span<const BlockMember> members,
 }
 
 void SolidStep::unfold_friction() {
-  for (std::size_t m = 0; m < bodies_.size(); ++m)
+  for (std::size_t m = 0; m < bodies_.size(); ++m) {
+    if (bodies_[m].friction.blocks() == 0) continue;  // no bodies meet
     boundary_->unfold_scalars(static_cast<int>(m), bodies_[m].table, bodies_[m].friction);
+  }
 }
 
 // The rise of temperature of particles at, ..., at + n - 1; nodes of the window hold it in lane 0.
@@ -45,8 +47,8 @@ void SolidStep::warm_by_friction(const BlockWork& w, std::size_t at, int n,
   const Body& body = bodies_[static_cast<std::size_t>(w.kind)];
   const Columns& c = body.carried->columns;
   GridAtParticles& read = report.read;
-  read_window(solids_->basis, body.grid, places_of(*w.set, c), shape_of(*w.set, c),
-              static_cast<int>(at), n, false, report.friction, read);
+  read_velocities(solids_->basis, body.grid, places_of(*w.set, c), shape_of(*w.set, c),
+                  static_cast<int>(at), n, report.friction, read);
   if (c.lost_energy >= 0) {
     const double* mass = w.set->column(static_cast<std::size_t>(c.mass)) + at;
     double* loss = w.next->column(static_cast<std::size_t>(c.lost_energy)) + at;

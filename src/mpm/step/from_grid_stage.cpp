@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "framework/base/largest.hpp"
 #include "mpm/nodes/node_sums.hpp"
 #include "mpm/shape/second_moment.hpp"
 #include "mpm/step/artificial_viscosity.hpp"
@@ -201,11 +202,16 @@ std::vector<KindRates> SolidStep::move_all(const StageScope& scope) {
       move_particles(w, scope, at,
                      static_cast<int>(std::min<std::size_t>(chunk_size, w.run.end - at)), report);
     const auto v = read_columns<3>(*w.next, body.carried->columns.velocity);
-    for (int d = 0; d < 3; ++d)
-      for (std::size_t p = w.run.begin; p < w.run.end; ++p) {
-        rates.up[d] = std::max(rates.up[d], v[static_cast<std::size_t>(d)][p]);
-        rates.down[d] = std::max(rates.down[d], -v[static_cast<std::size_t>(d)][p]);
-      }
+    for (int d = 0; d < 3; ++d) {
+      const double* along = v[static_cast<std::size_t>(d)];
+      Most up(rates.up[d]), down(rates.down[d]);
+      for_eights(w.run.begin, w.run.end, [&](auto p) {
+        up.add(p(along));
+        down.add(-p(along));
+      });
+      rates.up[d] = up.value();
+      rates.down[d] = down.value();
+    }
   });
   std::string none;
   return take_first_reports(scope, reports, none);
@@ -248,8 +254,11 @@ void SolidStep::advance(const BlockWork& w, const StageScope& scope, ThreadRepor
     report.window.load(w.lowest, w.highest, body.table,
                        solids_->maps_back() ? body.mapped : body.nodes);
   if (c.lost_energy >= 0) load_losses(w, report);
-  const bool warms = warms_by_friction(body);
-  if (warms) report.friction.load(w.lowest, w.highest, body.table, body.friction);
+  bool warms = warms_by_friction(body) && body.friction.blocks() > 0;
+  if (warms) {
+    report.friction.load(w.lowest, w.highest, body.table, body.friction);
+    warms = report.friction.any_in(0);
+  }
   const bool wet = c.pore_pressure >= 0;
   if (wet && report.water == nullptr) report.water = std::make_unique<PoreWater::Reads>(shape_);
   if (wet) water_->load(w, body, *report.water);

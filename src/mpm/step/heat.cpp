@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "framework/base/largest.hpp"
 #include "framework/base/reduction.hpp"
 #include "mpm/nodes/node_sums.hpp"
 #include "mpm/step/solid_step.hpp"
@@ -10,8 +11,9 @@
 namespace sluice::mpm {
 namespace {
 
-// Lanes of a node while heat moves.
-constexpr int temperature_lane = 0, mass_lane = 3, rate_lane = 4, first_lane = 5, met_lane = 6;
+// Lanes of a node while heat moves; at the end the rate stands where the temperature was, among
+// those that read_velocities() takes to particles.
+constexpr int temperature_lane = 0, mass_lane = 3, first_lane = 5, met_lane = 6, rate_lane = 0;
 
 // act(block, number of the node in it, its index, its lanes) for nodes with mass.
 template <class Act>
@@ -142,12 +144,17 @@ Heat::Ranges Heat::find_ranges(const HeatLoan& loan) {
       loan.outside->loads().add_heat(time, loan.outside->counts(),
                                      loan.outside->loaded(w.kind, *w.set, w.run.begin, w.run.end),
                                      q);
-    for (std::size_t p = w.run.begin; p < w.run.end; ++p) {
-      r.low = std::min(r.low, T[p]);
-      r.high = std::max(r.high, T[p]);
-      r.specific_weight[k] = std::max(r.specific_weight[k], V[p] / m[p]);
-      if (q != nullptr) r.source[k] = std::max(r.source[k], std::fabs(q[p]));
-    }
+    Most high(r.high), low(-r.low), weight(r.specific_weight[k]);
+    for_eights(w.run.begin, w.run.end, [&](auto p) {
+      high.add(p(T));
+      low.add(-p(T));
+      weight.add(p(V) / p(m));
+    });
+    r.high = high.value();
+    r.low = -low.value();
+    r.specific_weight[k] = weight.value();
+    for (std::size_t p = w.run.begin; p < w.run.end && q != nullptr; ++p)
+      r.source[k] = std::max(r.source[k], std::fabs(q[p]));
   }
   Reduction all;
   const auto low = all.add_minimum(r.low);
@@ -201,8 +208,6 @@ void Heat::to_nodes(const HeatLoan& loan, const Ranges& ranges) {
     p.shape = shape_of(*w.set, body.carried->columns);
     p.v = {w.set->column(static_cast<std::size_t>(c.*what_->value)), zero, zero};
     p.mass = w.set->column(static_cast<std::size_t>(c.mass));
-    p.volume = zero;
-    p.stress.fill(zero);
     Window& window = windows[static_cast<std::size_t>(thread)];
     window.begin(w.lowest, w.highest);
     add_to_window(solids_->basis, body.grid, p, static_cast<int>(w.run.begin),
@@ -286,15 +291,16 @@ std::vector<double> Heat::find_gradients(const HeatLoan& loan) {
     const ParticleShape shape = shape_of(*w.set, body.carried->columns);
     for (std::size_t at = w.run.begin; at < w.run.end; at += chunk_size) {
       const int count = static_cast<int>(std::min<std::size_t>(chunk_size, w.run.end - at));
-      read_window(solids_->basis, body.grid, x, shape, static_cast<int>(at), count, false,
-                  windows[t], reads[t]);
+      read_velocities(solids_->basis, body.grid, x, shape, static_cast<int>(at), count, windows[t],
+                      reads[t]);
+      Most largest(most[t][k]);
       for (int d = 0; d < 3; ++d)
-        for (int q = 0; q < count; ++q) {
-          const std::size_t p = at + static_cast<std::size_t>(q);
-          const double flux = conductivity * reads[t].L[d][q];
-          s.gradient[d][p] = flux;
-          most[t][k] = std::max(most[t][k], std::fabs(V[p] * flux));
-        }
+        for_eights(0, static_cast<std::size_t>(count), [&](auto q) {
+          const auto flux = conductivity * q(reads[t].L[d]);
+          q.put(flux, s.gradient[d].data() + at);
+          largest.add(magnitude(q(V + at) * flux));
+        });
+      most[t][k] = largest.value();
     }
   });
   Reduction all;
@@ -411,9 +417,9 @@ void Heat::to_particles(const HeatLoan& loan, double dt) {
     double* rate = scratch(w.kind, w.box).rate.data();
     for (std::size_t at = w.run.begin; at < w.run.end; at += chunk_size) {
       const int count = static_cast<int>(std::min<std::size_t>(chunk_size, w.run.end - at));
-      read_window(solids_->basis, body.grid, x, shape, static_cast<int>(at), count, false,
-                  windows[t], reads[t]);
-      std::copy_n(reads[t].dv[0], count, rate + at);
+      read_velocities(solids_->basis, body.grid, x, shape, static_cast<int>(at), count, windows[t],
+                      reads[t]);
+      std::copy_n(reads[t].u[0], count, rate + at);
     }
   });
 }

@@ -32,7 +32,7 @@
 namespace sluice::mpm {
 namespace {
 
-// Lanes u, - | dv . u, of nodes with v* - v_ref, - | dv, -; all velocities relative to v_ref.
+// Lanes u, dv . u of nodes with v* - v_ref, - | dv, -; all velocities relative to v_ref.
 void to_work(const Window& nodes, const Window* mapped, const double (&shift)[3], bool before,
              Window& to) {
   const IntVec3 size{nodes.size(0), nodes.size(1), nodes.size(2)};
@@ -55,7 +55,7 @@ void to_work(const Window& nodes, const Window* mapped, const double (&shift)[3]
       node[d] = as_bits(u);
       work += dv * u;
     }
-    node[4] = as_bits(work);
+    node[3] = as_bits(work);
   }
 }
 
@@ -119,9 +119,8 @@ void SolidStep::add_works(const BlockWork& w, std::size_t at, int n, ThreadRepor
   GridAtParticles& read = report.loss_read;
   for (const bool after : {false, true}) {
     double* to = w.next->column(static_cast<std::size_t>(after ? c.lost_heat : c.lost_energy)) + at;
-    read_window(solids_->basis, body.grid, places_of(*w.set, c), shape_of(*w.set, c),
-                static_cast<int>(at), n, false, after ? report.loss_after : report.loss_before,
-                read);
+    read_velocities(solids_->basis, body.grid, places_of(*w.set, c), shape_of(*w.set, c),
+                    static_cast<int>(at), n, after ? report.loss_after : report.loss_before, read);
     if (solids_->axisymmetric) add_hoop_rate(*w.set, body.units.reference.x, at, n, read);
     alignas(64) double power[chunk_size] = {};
     for (int e = 0; e < 6; ++e) {
@@ -134,7 +133,7 @@ void SolidStep::add_works(const BlockWork& w, std::size_t at, int n, ThreadRepor
         for (int p = 0; p < n; ++p) power[p] += sigma[p] * (one[p] + other[p]);
     }
     for (int p = 0; p < n; ++p)
-      to[p] += 0.5 * (mass[p] * read.dv[0][p] + kick_ * volume[p] * power[p]);
+      to[p] += 0.5 * (mass[p] * read.fourth[p] + kick_ * volume[p] * power[p]);
   }
 }
 

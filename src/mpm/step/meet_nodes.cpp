@@ -6,34 +6,6 @@
 
 namespace sluice::mpm {
 
-void SolidStep::add_surfaces_of(const BlockWork& w, Window& window, bool shared) {
-  if (!contact_->takes(w.kind)) return;
-  Body& body = bodies_[static_cast<std::size_t>(w.kind)];
-  TransferGrid grid = body.grid;
-  grid.half = contact_->half(w.kind);
-  std::array<const double*, 3> x;
-  for (int d = 0; d < 3; ++d) x[static_cast<std::size_t>(d)] = w.set->coordinate(d);
-  window.begin(w.run.block);
-  add_surfaces(grid, x, w.set->column(static_cast<std::size_t>(body.carried->columns.volume)),
-               static_cast<int>(w.run.begin), static_cast<int>(w.run.end), surface_units_, window);
-  window.add_to(body.table, body.surfaces, shared);
-}
-
-// With several ranks each that has a block of one body must learn of all bodies there.
-void SolidStep::unite_blocks() {
-  std::vector<IntVec3> all;
-  for (std::size_t m = 0; m < bodies_.size(); ++m)
-    for (int b = 0; b < bodies_[m].table.count() && contact_->takes(static_cast<int>(m)); ++b)
-      all.push_back(bodies_[m].table.block(b));
-  for (std::size_t m = 0; m < bodies_.size(); ++m) {
-    Body& body = bodies_[m];
-    if (!contact_->takes(static_cast<int>(m))) continue;
-    for (const IntVec3 block : all) body.table.find_or_add(block);
-    body.nodes.fit(body.table);
-    if (contact_->needs_surfaces()) body.surfaces.fit(body.table);
-  }
-}
-
 // Groups of blocks of several bodies at one place; a block alone is a group of its own.
 void SolidStep::list_groups() {
   members_.clear();
@@ -62,14 +34,22 @@ void SolidStep::list_groups() {
   }
 }
 
+bool SolidStep::meets(std::span<const BlockMember> members) const {
+  return contact_ != nullptr &&
+         std::any_of(members.begin(), members.end(), [&](const BlockMember& b) {
+           const std::vector<char>& of_body = bodies_[static_cast<std::size_t>(b.body)].meets;
+           return contact_->takes(b.body) && of_body[static_cast<std::size_t>(b.block)] != 0;
+         });
+}
+
 void SolidStep::move_group(const NodeStep& step, std::span<const BlockMember> members,
                            MeetingScratch& scratch, NodeBooks& books) {
   const auto rigid = [&](const BlockMember& b) {
     return solids_->materials[static_cast<std::size_t>(b.body)].rigid;
   };
-  const BlockMember one = members.front();
-  if (members.size() == 1 && (contact_ == nullptr || !contact_->leads(one.body))) {
-    if (!rigid(one)) move_block(step, one.body, one.block, scratch, books);
+  if (!meets(members)) {
+    for (const BlockMember& b : members)
+      if (!rigid(b)) move_block(step, b.body, b.block, scratch, books);
     return;
   }
   scratch.work.fill(0);

@@ -14,8 +14,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "framework/base/largest.hpp"
 #include "mpm/step/carry_corners.hpp"
-#include "mpm/step/largest.hpp"
 #include "mpm/step/thread_report.hpp"
 #include "mpm/step/travel.hpp"
 
@@ -70,7 +70,7 @@ void SolidStep::kick_particles(const BlockWork& w, const StageScope& scope, std:
       middle[q] = x[q] + half * to_v[q];
     }
     keep_larger(way, largest(0, static_cast<std::size_t>(n), 0,
-                             [&](std::size_t q) { return std::fabs(half * to_v[q]) * inverse; }));
+                             [&](auto of) { return magnitude(half * of(to_v)) * inverse; }));
     const double* spin = w.set->column(static_cast<std::size_t>(c.spin + d)) + at;
     double* to_spin = w.next->column(static_cast<std::size_t>(c.spin + d)) + at;
     if (!turns(level_, d)) {
@@ -80,8 +80,10 @@ void SolidStep::kick_particles(const BlockWork& w, const StageScope& scope, std:
     double least = 0;
     for (int k = 0; k < 3; ++k)
       if (k != d) least += least_inertia * level_.spacing[k] * level_.spacing[k];
-    for (int q = 0; q < n; ++q)
-      to_spin[q] = spin[q] + got.turn[d][q] / std::max(got.inertia[d][q], least);
+    for_eights(0, static_cast<std::size_t>(n), [&](auto q) {
+      const auto inertia = q(got.inertia[d]);
+      q.put(q(spin) + q(got.turn[d]) / larger(inertia, decltype(inertia){} + least), to_spin);
+    });
   }
   book_kick(w, at, n, report);
   begin_losses(w, at, n, got);
@@ -123,7 +125,7 @@ double SolidStep::halve_corners(const BlockWork& w, double half, std::size_t at,
     const double *from = w.set->column(column) + at, *to = w.next->column(column) + at;
     const double inverse = 1 / level_.spacing[k % 3];
     way = largest(0, static_cast<std::size_t>(n), way,
-                  [&](std::size_t q) { return std::fabs(to[q] - from[q]) * inverse; });
+                  [&](auto of) { return magnitude(of(to) - of(from)) * inverse; });
     if (way != way) break;
   }
   return way;
@@ -142,13 +144,13 @@ void SolidStep::book_kick(const BlockWork& w, std::size_t at, int n, ThreadRepor
     const double* spin = w.set->column(static_cast<std::size_t>(c.spin + d)) + at;
     const double* to_spin = w.next->column(static_cast<std::size_t>(c.spin + d)) + at;
     const double* inertia = report.impulses.inertia[d];
-    for (int q = 0; q < n; ++q) {
-      const double sum = spin[q] + to_spin[q];
-      gain[q] += to_v[q] * to_v[q] - v[q] * v[q];
-      before[q] += inertia[q] * (spin[q] * spin[q]);
-      middle[q] += inertia[q] * (sum * sum);
-      after[q] += inertia[q] * (to_spin[q] * to_spin[q]);
-    }
+    for_eights(0, static_cast<std::size_t>(n), [&](auto q) {
+      const auto sum = q(spin) + q(to_spin);
+      q.put(q(gain) + (q(to_v) * q(to_v) - q(v) * q(v)), gain);
+      q.put(q(before) + q(inertia) * (q(spin) * q(spin)), before);
+      q.put(q(middle) + q(inertia) * (sum * sum), middle);
+      q.put(q(after) + q(inertia) * (q(to_spin) * q(to_spin)), after);
+    });
   }
   const double* mass = w.set->column(static_cast<std::size_t>(c.mass)) + at;
   for (int q = 0; q < n; ++q) {
@@ -208,12 +210,12 @@ void SolidStep::add_bounds(const BlockWork& w, std::size_t at, int n, ThreadRepo
     const double* x = w.next->coordinate(d);
     const std::size_t end = at + static_cast<std::size_t>(n);
     const auto most = [&](double from, const auto& of) { return largest(at, end, from, of); };
-    rates.up[d] = most(rates.up[d], [&](std::size_t p) { return v[p]; });
-    rates.down[d] = most(rates.down[d], [&](std::size_t p) { return -v[p]; });
+    rates.up[d] = most(rates.up[d], [&](auto of) { return of(v); });
+    rates.down[d] = most(rates.down[d], [&](auto of) { return -of(v); });
     if (turns(level_, d))
-      rates.affine = most(rates.affine, [&](std::size_t p) { return std::fabs(spin[p]); });
-    report.up[d] = most(report.up[d], [&](std::size_t p) { return x[p]; });
-    report.down[d] = most(report.down[d], [&](std::size_t p) { return -x[p]; });
+      rates.affine = most(rates.affine, [&](auto of) { return magnitude(of(spin)); });
+    report.up[d] = most(report.up[d], [&](auto of) { return of(x); });
+    report.down[d] = most(report.down[d], [&](auto of) { return -of(x); });
   }
 }
 

@@ -208,8 +208,10 @@ Verdict SolidStep::move_nodes(const StageScope& scope) {
     for (Body& body : bodies_) {
       body.friction.clear();
       body.met.clear();
-      if (contact_ != nullptr && solids_->midpoint()) body.met.fit(body.table);
-      if (solids_->contact_heats()) body.friction.fit(body.table);
+      if (any_meets_ && solids_->midpoint()) body.met.fit(body.table);
+      // Levels pass it on to each other: there it stands everywhere.
+      const bool several = finest_ != coarsest_;
+      if (solids_->contact_heats() && (any_meets_ || several)) body.friction.fit(body.table);
     }
     std::vector<MeetingScratch> scratch(static_cast<std::size_t>(team.size()));
     team.for_each(groups_.size(), [&](std::size_t g, int thread) {

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <string_view>
 
+#include "framework/base/eight.hpp"
 #include "mpm/shape/second_moment.hpp"
 #include "mpm/shape/weights.hpp"
 #include "mpm/transfer/particle_shape.hpp"
@@ -64,22 +65,25 @@ PartedNeighbours::PartedNeighbours(const MpmScene& solids, const SolidMaterial& 
 
 void PartedNeighbours::add(const ParticleSet& set, const ParticleSet& next, const Columns& c,
                            std::size_t at, int n, BodyEnergySums& to) const {
-  alignas(64) double most[chunk_size] = {};
-  for (int k = 0; k < components_; ++k) {
-    const auto e = static_cast<std::size_t>(k);
-    const double* F = next.column(static_cast<std::size_t>(c.F) + component_[e]) + at;
-    for (int q = 0; q < n; ++q) most[q] = std::max(most[q], std::fabs(F[q]) * share_[e]);
-  }
-  if (by_volume_) {  // to the power of the directions, as volumes go
-    const double* V_0 = set.column(static_cast<std::size_t>(c.volume_0)) + at;
-    alignas(64) double power[chunk_size];
-    for (int q = 0; q < n; ++q) power[q] = V_0[q] * (1 / volume_);
-    for (int d = 0; d < directions_; ++d)
-      for (int q = 0; q < n; ++q) power[q] *= most[q];
-    std::copy_n(power, n, most);
-  }
-  int parted = 0;
-  for (int q = 0; q < n; ++q) parted += static_cast<int>(most[q] > 1);
+  std::array<const double*, 9> F{};
+  for (int k = 0; k < components_; ++k)
+    F[static_cast<std::size_t>(k)] =
+        next.column(static_cast<std::size_t>(c.F) + component_[static_cast<std::size_t>(k)]) + at;
+  const double* V_0 = set.column(static_cast<std::size_t>(c.volume_0)) + at;
+  double parted = 0;
+  for_eights(0, static_cast<std::size_t>(n), [&](auto q) {
+    using T = typename decltype(q)::Number;
+    const T none{};
+    T most{};
+    for (std::size_t k = 0; k < static_cast<std::size_t>(components_); ++k)
+      most = larger(most, T(magnitude(q(F[k])) * share_[k]));
+    if (by_volume_) {  // to the power of the directions, as volumes go
+      T power = q(V_0) * (1 / volume_);
+      for (int d = 0; d < directions_; ++d) power *= most;
+      most = power;
+    }
+    parted += sum_of_lanes(most > 1.0 ? none + 1.0 : none);
+  });
   if (parted > 0) to[BodyEnergySums::parted].add(parted);
   to[BodyEnergySums::particles].add(n);
 }

@@ -3,25 +3,33 @@
 #include <algorithm>
 #include <cmath>
 
+#include "framework/base/largest.hpp"
 #include "mpm/material/base/batch_math.hpp"
 #include "mpm/material/base/material.hpp"
 #include "mpm/shape/weights.hpp"
-#include "mpm/step/largest.hpp"
 #include "mpm/transfer/corners.hpp"
 
 namespace sluice::mpm {
 namespace {
 
-// Row d of F^-1 of a particle.
-Vec3 inverse_row(const Nine<const double>& F, int d, std::size_t p) {
-  const auto f = [&](int r, int c) { return F[static_cast<std::size_t>(3 * (r % 3) + c % 3)][p]; };
-  double J = 0;
-  Vec3 row{};
+// Of one particle or of eight: a row of a tensor.
+template <class T>
+struct Row {
+  T x, y, z;
+};
+
+// Row d of F^-1; `at`: a reader of columns.
+template <class At>
+[[gnu::always_inline]] inline auto inverse_row(const Nine<const double>& F, int d, const At& at) {
+  const auto f = [&](int r, int c) { return at(F[static_cast<std::size_t>(3 * (r % 3) + c % 3)]); };
+  using T = decltype(f(0, 0));
+  T J{}, row[3];
   for (int k = 0; k < 3; ++k) {
     row[k] = f(k + 1, d + 1) * f(k + 2, d + 2) - f(k + 1, d + 2) * f(k + 2, d + 1);
     J += f(k, d) * row[k];
   }
-  return (1 / J) * row;
+  const T inverse = 1.0 / J;
+  return Row<T>{inverse * row[0], inverse * row[1], inverse * row[2]};
 }
 
 // c_ref of a particle.
@@ -29,7 +37,7 @@ double wave_of_reference(const Nine<const double>& F_columns, std::size_t p, dou
   const std::array<double, 6> b = left_cauchy_green(at(F_columns, static_cast<int>(p)));
   std::array<double, 6> inverse{};  // of b: F^-T F^-1
   for (int d = 0; d < 3; ++d) {
-    const Vec3 row = inverse_row(F_columns, d, p);
+    const Row<double> row = inverse_row(F_columns, d, OneOf{p});
     const double products[6] = {row.x * row.x, row.y * row.y, row.z * row.z,
                                 row.y * row.z, row.x * row.z, row.x * row.y};
     for (std::size_t n = 0; n < 6; ++n) inverse[n] += products[n];
@@ -101,32 +109,32 @@ KindRates rates_of(Basis basis, const TransferGrid& grid, const ParticleSet& set
     return now.column(static_cast<std::size_t>(first + n));
   };
   const double* mass = set.column(static_cast<std::size_t>(c.mass));
-  r.mass = largest(begin, end, 0, [&](std::size_t i) { return mass[i]; });
+  r.mass = largest(begin, end, 0, [&](auto at) { return at(mass); });
   for (int d = 0; d < 3; ++d) {
     const double* v = column(c.velocity, d);
-    r.up[d] = largest(begin, end, r.up[d], [&](std::size_t i) { return v[i]; });
-    r.down[d] = largest(begin, end, r.down[d], [&](std::size_t i) { return -v[i]; });
+    r.up[d] = largest(begin, end, r.up[d], [&](auto at) { return at(v); });
+    r.down[d] = largest(begin, end, r.down[d], [&](auto at) { return -at(v); });
   }
   const double* volume = column(c.volume, 0);
   const double* q = c.viscous >= 0 ? column(c.viscous, 0) : nullptr;
   for (int n = 0; n < 6; ++n) {
     const double* s = column(c.stress, n);
     // Of each particle: sums of maxima would depend on which particles go together.
-    r.tension = q == nullptr ? largest(begin, end, r.tension,
-                                       [&](std::size_t i) { return std::fabs(volume[i] * s[i]); })
-                             : largest(begin, end, r.tension, [&](std::size_t i) {
-                                 return std::fabs(volume[i] * s[i]) + volume[i] * q[i];
-                               });
+    r.tension =
+        q == nullptr
+            ? largest(begin, end, r.tension, [&](auto at) { return magnitude(at(volume) * at(s)); })
+            : largest(begin, end, r.tension,
+                      [&](auto at) { return magnitude(at(volume) * at(s)) + at(volume) * at(q); });
   }
   const double* energy = column(c.energy, 0);
-  r.energy = largest(begin, end, 0, [&](std::size_t i) { return std::fabs(energy[i]); });
+  r.energy = largest(begin, end, 0, [&](auto at) { return magnitude(at(energy)); });
   for (int n = 0; n < 9 && c.affine >= 0; ++n) {
     const double* a = column(c.affine, n);
-    r.affine = largest(begin, end, r.affine, [&](std::size_t i) { return std::fabs(a[i]); });
+    r.affine = largest(begin, end, r.affine, [&](auto at) { return magnitude(at(a)); });
   }
   for (int n = 0; n < 3 && c.spin >= 0; ++n) {
     const double* w = column(c.spin, n);
-    r.affine = largest(begin, end, r.affine, [&](std::size_t i) { return std::fabs(w[i]); });
+    r.affine = largest(begin, end, r.affine, [&](auto at) { return magnitude(at(w)); });
   }
   if (by_corners(basis)) {
     ParticleShape shape = shape_of(set, c);
@@ -139,12 +147,12 @@ KindRates rates_of(Basis basis, const TransferGrid& grid, const ParticleSet& set
   }
   if (c.reference >= 0) {
     const Nine<const double> F = read_columns<9>(now, c.F);
-    r.slope = largest(begin, end, 0, [&](std::size_t i) {
-      double sum = 0;
+    r.slope = largest(begin, end, 0, [&](auto at) {
+      decltype(at(volume)) sum{};
       for (int a = 0; a < grid.count; ++a) {
         const int d = grid.active[static_cast<std::size_t>(a)];
-        const Vec3 row = inverse_row(F, d, i);
-        sum += (std::fabs(row.x) + std::fabs(row.y) + std::fabs(row.z)) *
+        const auto row = inverse_row(F, d, at);
+        sum += (magnitude(row.x) + magnitude(row.y) + magnitude(row.z)) *
                grid.axes[static_cast<std::size_t>(d)].inverse;
       }
       return sum;
@@ -155,12 +163,13 @@ KindRates rates_of(Basis basis, const TransferGrid& grid, const ParticleSet& set
 
 double step_rate(const Level& level, const ParticleSet& set, const Columns& columns,
                  const Material& law, std::size_t at, int n, const double* c) {
-  const Nine<const double> F = read_columns<9>(set, columns.F);
+  Nine<const double> F = read_columns<9>(set, columns.F);
+  for (const double*& column : F) column += at;
   const double mu = law.wave_stiffening();
   if (columns.reference >= 0 && mu > 0) {
     double waves[chunk_size];
     for (int q = 0; q < n; ++q)
-      waves[q] = wave_of_reference(F, at + static_cast<std::size_t>(q), c[q], mu);
+      waves[q] = wave_of_reference(F, static_cast<std::size_t>(q), c[q], mu);
     return wave_rate(level, n, waves);
   }
   double rate = 0;
@@ -171,11 +180,11 @@ double step_rate(const Level& level, const ParticleSet& set, const Columns& colu
     const double most =
         columns.reference >= 0
             ? largest(0, count, 0,
-                      [&](std::size_t q) {
-                        const Vec3 row = inverse_row(F, d, at + q);
-                        return c[q] * std::sqrt(dot(row, row));
+                      [&](auto of) {
+                        const auto row = inverse_row(F, d, of);
+                        return of(c) * square_root(row.x * row.x + row.y * row.y + row.z * row.z);
                       })
-            : largest(0, count, 0, [&](std::size_t q) { return c[q] + std::fabs(v[q]); });
+            : largest(0, count, 0, [&](auto of) { return of(c) + magnitude(of(v)); });
     keep_larger(rate, most / level.spacing[d]);
   }
   return rate;
@@ -183,8 +192,7 @@ double step_rate(const Level& level, const ParticleSet& set, const Columns& colu
 
 double wave_rate(const Level& level, int n, const double* c) {
   double inverse = 0;
-  const double most =
-      largest(0, static_cast<std::size_t>(n), 0, [&](std::size_t q) { return c[q]; });
+  const double most = largest(0, static_cast<std::size_t>(n), 0, [&](auto at) { return at(c); });
   for (int d = 0; d < 3; ++d)
     if (level.active[static_cast<std::size_t>(d)])
       inverse = std::max(inverse, 1 / level.spacing[d]);

@@ -214,11 +214,7 @@ Verdict SolidStep::to_grid(const StageScope& scope) {
   }
   if (cohesive_ != nullptr) cohesive_->add_nodes(*boundary_, bodies_);
   if (water_ != nullptr) water_->filter(lend_to_water(scope));
-  const bool surfaces = contact_ != nullptr && contact_->needs_surfaces();
-  for (Body& body : bodies_) {
-    body.nodes.fit(body.table);
-    if (surfaces) body.surfaces.fit(body.table);
-  }
+  for (Body& body : bodies_) body.nodes.fit(body.table);
   const ThreadTeam& team = *scope.levels.front()->team();
   std::vector<Window> windows(static_cast<std::size_t>(team.size()), Window(shape_, 1));
   team.for_each(work_.size(), [&](std::size_t n, int thread) {
@@ -243,21 +239,14 @@ Verdict SolidStep::to_grid(const StageScope& scope) {
     add_to_window(solids_->basis, body.grid, p, static_cast<int>(w.run.begin),
                   static_cast<int>(w.run.end), body.units, window);
     window.add_to(body.table, body.nodes, team.size() > 1);
-    if (surfaces) add_surfaces_of(w, window, team.size() > 1);
   });
   corners_to_grid();
   return Verdict::good;
 }
 
 void SolidStep::fold(NodeLanes Body::*group) {
-  const bool surfaces = group == &Body::nodes && contact_ != nullptr && contact_->needs_surfaces();
-  for (std::size_t m = 0; m < bodies_.size(); ++m) {
-    Body& body = bodies_[m];
-    boundary_->fold(static_cast<int>(m), body.table, body.*group);
-    if (!surfaces) continue;
-    boundary_->fold(static_cast<int>(m), body.table, body.surfaces);
-    body.nodes.fit(body.table);
-  }
+  for (std::size_t m = 0; m < bodies_.size(); ++m)
+    boundary_->fold(static_cast<int>(m), bodies_[m].table, bodies_[m].*group);
 }
 
 void SolidStep::unfold(NodeLanes Body::*group) {
@@ -268,12 +257,15 @@ void SolidStep::unfold(NodeLanes Body::*group) {
 // All ranks agree on the sums.
 Verdict SolidStep::share_sums(const StageScope& scope, NodeLanes Body::*group) {
   const bool first = group == &Body::nodes;
-  const bool surfaces = first && contact_ != nullptr && contact_->needs_surfaces();
   if (first && contact_ != nullptr && scope.ranks->size() > 1) unite_blocks();
+  std::vector<SharedBlocks> shared;
   for (Body& body : bodies_) {
-    if (surfaces) body.surfaces.fit(body.table);
-    NodeLanes* const groups[] = {&(body.*group), &body.surfaces};
-    exchange_->share(body.table, std::span(groups).first(surfaces ? 2 : 1));
+    NodeLanes* const groups[] = {&(body.*group)};
+    shared.push_back(exchange_->share(body.table, groups));
+  }
+  if (first && contact_ != nullptr) {
+    find_meetings();
+    if (any_meets_ && contact_->needs_surfaces()) gather_surfaces(scope, shared);
   }
   if (first && cohesive_ != nullptr) share_cohesive();
   return Verdict::good;

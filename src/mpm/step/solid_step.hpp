@@ -54,7 +54,8 @@ struct Body {
   const Carried* carried;
   BlockTable table;
   NodeLanes nodes;
-  NodeLanes surfaces;  // what contact asks for, see mpm/contact/surface_sums.hpp
+  std::vector<char> meets;  // by block: contact may act at one of its nodes
+  NodeLanes surfaces;       // what it asks for there, see mpm/contact/surface_sums.hpp
   TransferGrid grid;
   KindRates rates;
   SumUnits units;
@@ -252,6 +253,11 @@ class SolidStep {
   WaterLoan lend_to_water(const StageScope& scope) {
     return {&scope, &bodies_, &work_, exchange_.get(), boundary_.get()};
   }
+  // Surfaces of bodies where they meet (step/surfaces_that_meet.cpp).
+  void find_meetings();
+  bool share_a_node(const BlockMember& one, const BlockMember& other) const;
+  std::vector<char> blocks_of_surfaces(int body) const;
+  void gather_surfaces(const StageScope& scope, std::span<const SharedBlocks> shared);
   void add_surfaces_of(const BlockWork& work, Window& window, bool shared);
   void unite_blocks();
   // Nodes of a block, one after the other (step/move_nodes.cpp).
@@ -277,6 +283,7 @@ class SolidStep {
   void book_mirrored_changes(int body, const NodeLanes& lanes, NodeBooks& books) const;
   // Bodies that share blocks (step/meet_nodes.cpp).
   void list_groups();
+  bool meets(std::span<const BlockMember> members) const;
   void move_group(const NodeStep& step, std::span<const BlockMember> members,
                   MeetingScratch& scratch, NodeBooks& books);
   bool gather(std::span<const BlockMember> members, int n, IntVec3 at, bool side, Hook hook,
@@ -358,6 +365,7 @@ class SolidStep {
   std::unique_ptr<PoreWater> water_;              // null: no water moves through pores
   std::vector<Body> bodies_;
   std::unique_ptr<Contact> contact_;  // null: no rule acts
+  bool any_meets_ = false;            // of the blocks of this rank
   SurfaceUnits surface_units_;
   std::vector<BlockMember> members_;                         // group after group
   std::vector<std::pair<std::size_t, std::size_t>> groups_;  // first member, number of them

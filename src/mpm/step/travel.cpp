@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mpm/step/largest.hpp"
+#include "framework/base/largest.hpp"
 
 namespace sluice::mpm {
 
@@ -14,7 +14,7 @@ double farthest_way(const ParticleSet& set, const ParticleSet& next, std::size_t
     const double *x = set.coordinate(d) + at, *to = next.coordinate(d) + at;
     const double inverse = 1 / spacing[d];
     far = largest(0, static_cast<std::size_t>(n), far,
-                  [&](std::size_t q) { return std::fabs(to[q] - x[q]) * inverse; });
+                  [&](auto of) { return magnitude(of(to) - of(x)) * inverse; });
   }
   return far;
 }
@@ -27,7 +27,13 @@ bool any_outside(const Level& level, const ParticleSet& next, std::size_t at, in
     const double high = level.anchor[d] + level.domain.upper[d] * level.spacing[d];
     const double* x = next.coordinate(d) + at;
     // Written so that what is no number counts as outside.
-    for (int q = 0; q < n; ++q) out |= !(x[q] >= low && x[q] < high);
+    double outside = 0;
+    for_eights(0, static_cast<std::size_t>(n), [&](auto q) {
+      const auto place = q(x);
+      const decltype(place) none{}, one = none + 1.0;
+      outside += sum_of_lanes(place >= low ? (place < high ? none : one) : one);
+    });
+    out |= outside != 0;
   }
   return out;
 }

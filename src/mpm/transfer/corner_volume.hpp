@@ -18,6 +18,8 @@
 #include <array>
 #include <cstddef>
 
+#include "framework/base/eight.hpp"
+
 namespace sluice::mpm {
 
 // Corners lie at most so far from the middle of their particle along a direction, cells: windows of
@@ -38,31 +40,32 @@ inline T corner_sum(const T (&v)[N]) {
   }
 }
 
-// Of one particle in D directions: m, volume m^D, b m^(D-1).
-template <int D>
+// Of one particle (T: double) or of eight (T: Eight), with the same bits, in D directions: m,
+// volume m^D, b m^(D-1).
+template <int D, class T = double>
 struct CornerVolume {
   static constexpr int count = 1 << D;
-  double x[count][D];  // in: corners; out: from their middle
-  double middle[D];
-  double volume;
-  double b[count][D];
+  T x[count][D];  // in: corners; out: from their middle
+  T middle[D];
+  T volume;
+  T b[count][D];
 
   // Everything else, from x.
   void find() {
     find_middle();
     if constexpr (D == 1) {
       volume = x[1][0] - x[0][0];
-      b[0][0] = -1;
-      b[1][0] = 1;
+      b[0][0] = T{} - 1.0;
+      b[1][0] = T{} + 1.0;
     } else if constexpr (D == 2) {
       find_area();
     } else {
-      for (auto& of : b) of[0] = of[1] = of[2] = 0;
+      for (auto& of : b) of[0] = of[1] = of[2] = T{};
       for (int a = 0; a < 3; ++a) {
         add_face(a, 0, -1.0);
         add_face(a, 1, 1.0);
       }
-      double term[count];
+      T term[count];
       for (int k = 0; k < count; ++k)
         term[k] = (b[k][0] * x[k][0] + b[k][1] * x[k][1]) + b[k][2] * x[k][2];
       volume = corner_sum(term) * (1.0 / 3);
@@ -73,10 +76,10 @@ struct CornerVolume {
   // a particle that moves as a whole keeps its volume to the bit.
   void find_middle() {
     for (int a = 0; a < D; ++a) {
-      double way[count];
-      const double origin = x[0][a];
+      T way[count];
+      const T origin = x[0][a];
       for (int k = 0; k < count; ++k) way[k] = x[k][a] - origin;
-      const double mean = corner_sum(way) * (1.0 / count);
+      const T mean = corner_sum(way) * (1.0 / count);
       for (int k = 0; k < count; ++k) x[k][a] = way[k] - mean;
       middle[a] = origin + mean;
     }
@@ -84,8 +87,8 @@ struct CornerVolume {
 
  private:
   void find_area() {
-    const double up[2] = {x[3][0] - x[0][0], x[3][1] - x[0][1]};
-    const double down[2] = {x[2][0] - x[1][0], x[2][1] - x[1][1]};
+    const T up[2] = {x[3][0] - x[0][0], x[3][1] - x[0][1]};
+    const T down[2] = {x[2][0] - x[1][0], x[2][1] - x[1][1]};
     volume = 0.5 * (up[0] * down[1] - up[1] * down[0]);
     b[0][0] = -0.5 * down[1];
     b[0][1] = 0.5 * down[0];
@@ -97,7 +100,7 @@ struct CornerVolume {
     }
   }
 
-  static void add_cross(double s, const double (&p)[3], const double (&q)[3], double (&to)[3]) {
+  static void add_cross(double s, const T (&p)[3], const T (&q)[3], T (&to)[3]) {
     to[0] += s * (p[1] * q[2] - p[2] * q[1]);
     to[1] += s * (p[2] * q[0] - p[0] * q[2]);
     to[2] += s * (p[0] * q[1] - p[1] * q[0]);
@@ -107,19 +110,19 @@ struct CornerVolume {
   void add_face(int a, int side, double sign) {
     const int e = (a + 1) % 3, g = (a + 2) % 3, low = side << a;
     const int corners[4] = {low, low | 1 << e, low | 1 << e | 1 << g, low | 1 << g};
-    double one[3], other[3], m[3];  // diagonals, centre
+    T one[3], other[3], m[3];  // diagonals, centre
     for (int d = 0; d < 3; ++d) {
       one[d] = x[corners[2]][d] - x[corners[0]][d];
       other[d] = x[corners[3]][d] - x[corners[1]][d];
       m[d] = 0.25 * ((x[corners[0]][d] + x[corners[2]][d]) + (x[corners[1]][d] + x[corners[3]][d]));
     }
-    double whole[3] = {};
+    T whole[3] = {};
     add_cross(sign / 24, one, other, whole);
     // x_prev - x_next: of the four in turn other, -one, -other, one.
     for (int n = 0; n < 4; ++n) {
       const double turn = (n == 0 || n == 3 ? sign : -sign) / 6;
-      double to_corner[3];
-      double(&of)[3] = b[corners[n]];
+      T to_corner[3];
+      T(&of)[3] = b[corners[n]];
       for (int d = 0; d < 3; ++d) {
         to_corner[d] = x[corners[n]][d] - m[d];
         of[d] += whole[d];
@@ -129,12 +132,13 @@ struct CornerVolume {
   }
 };
 
-// Corners of a particle from columns: component d of corner c in column 3 c + d.
-template <int D, std::size_t N>
-inline void read_carried(const std::array<const double*, N>& columns,
-                         const std::array<int, 3>& active, std::size_t p, double (&to)[1 << D][D]) {
+// Corners from columns: component d of corner c in column 3 c + d; `at`: OneOf or EightOf.
+template <int D, std::size_t N, class At>
+[[gnu::always_inline]] inline void read_carried(const std::array<const double*, N>& columns,
+                                                const std::array<int, 3>& active, const At& at,
+                                                typename At::Number (&to)[1 << D][D]) {
   for (std::size_t c = 0; c < std::size_t{1} << D; ++c)
-    for (std::size_t a = 0; a < D; ++a) to[c][a] = columns[3 * c + active[a]][p];
+    for (std::size_t a = 0; a < D; ++a) to[c][a] = at(columns[3 * c + active[a]]);
 }
 
 }  // namespace sluice::mpm

@@ -246,7 +246,7 @@ TEST(CornerVolume, OnePressureInsideIsThatOfTheSurface) {
     std::vector<double> ones(n, 1), zero(n, 0), pressed(n, -3), volume(n);
     for (std::size_t p = 0; p < n; ++p) {
       const auto measure = [&]<int D>(CornerVolume<D> v) {
-        read_carried<D>(body.shape().corners, grid.active, p, v.x);
+        read_carried<D>(body.shape().corners, grid.active, OneOf{p}, v.x);
         v.find();
         return v.volume;
       };
@@ -290,6 +290,38 @@ TEST(CornerVolume, OnePressureInsideIsThatOfTheSurface) {
     EXPECT_GT(most, 0.1);
     EXPECT_LE(worst, most_force * most) << directions;
   }
+}
+
+template <int D>
+void eight_have_the_bits_of_single_ones() {
+  Random random;
+  std::array<std::vector<double>, 3 * max_corners> columns;
+  std::array<const double*, 3 * max_corners> corners{};
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    for (int n = 0; n < 8; ++n) columns[c].push_back(random());
+    corners[c] = columns[c].data();
+  }
+  CornerVolume<D, Eight> all;
+  read_carried<D>(corners, {0, 1, 2}, EightOf{0}, all.x);
+  all.find();
+  for (std::size_t n = 0; n < 8; ++n) {
+    CornerVolume<D> one;
+    read_carried<D>(corners, {0, 1, 2}, OneOf{n}, one.x);
+    one.find();
+    EXPECT_EQ(all.volume[n], one.volume);
+    for (int a = 0; a < D; ++a) EXPECT_EQ(all.middle[a][n], one.middle[a]);
+    for (int k = 0; k < one.count; ++k)
+      for (int a = 0; a < D; ++a) {
+        EXPECT_EQ(all.x[k][a][n], one.x[k][a]);
+        EXPECT_EQ(all.b[k][a][n], one.b[k][a]);
+      }
+  }
+}
+
+TEST(CornerVolume, EightTogetherHaveTheBitsOfSingleOnes) {
+  eight_have_the_bits_of_single_ones<1>();
+  eight_have_the_bits_of_single_ones<2>();
+  eight_have_the_bits_of_single_ones<3>();
 }
 
 // A linear velocity on the nodes is read exactly, at the middle and at corners, with its gradient.

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "framework/base/largest.hpp"
 
 namespace sluice::mpm {
 namespace {
@@ -15,16 +18,19 @@ void find_edges(const TransferGrid& grid, const ParticleShape& shape, int at, in
                 Edges<D>& edges) {
   for (int a = 0; a < D; ++a)
     for (int e = 0; e < D; ++e) {
-      double* to = edges[a][e];
-      std::fill_n(to, n, 0.0);
-      for (int k = 0; k < D; ++k) {
-        const std::size_t i = grid.active[a];
-        const std::size_t j = grid.active[k];
-        const std::size_t c = grid.active[e];
-        const double scale = grid.axes[j].spacing * grid.axes[i].inverse;
-        const double *F = shape.F[3 * i + j] + at, *R = shape.edges[3 * j + c] + at;
-        for (int q = 0; q < n; ++q) to[q] += (F[q] * scale) * R[q];
+      std::array<const double*, D> F, R;
+      std::array<double, D> scale;
+      for (std::size_t k = 0; k < D; ++k) {
+        const std::size_t i = grid.active[a], j = grid.active[k], c = grid.active[e];
+        scale[k] = grid.axes[j].spacing * grid.axes[i].inverse;
+        F[k] = shape.F[3 * i + j] + at;
+        R[k] = shape.edges[3 * j + c] + at;
       }
+      for_eights(0, static_cast<std::size_t>(n), [&](auto q) {
+        auto sum = (q(F[0]) * scale[0]) * q(R[0]);
+        for (std::size_t k = 1; k < D; ++k) sum += (q(F[k]) * scale[k]) * q(R[k]);
+        q.put(sum, edges[a][e]);
+      });
     }
 }
 
@@ -66,49 +72,56 @@ void cut_edges(Edges<D>& edges, int q, double limit) {
 
 // Inverse of E, [edge][component], 1/cells.
 template <int D>
-void invert(const Edges<D>& E, int n, Edges<D>& to) {
-  for (int q = 0; q < n; ++q) {
+void invert(const Edges<D>& edges, int n, Edges<D>& to) {
+  for_eights(0, static_cast<std::size_t>(n), [&](auto q) {
+    using T = typename decltype(q)::Number;
+    T E[D][D];
+    for (int a = 0; a < D; ++a)
+      for (int e = 0; e < D; ++e) E[a][e] = q(edges[a][e]);
     if constexpr (D == 1) {
-      to[0][0][q] = 1 / E[0][0][q];
+      q.put(1.0 / E[0][0], to[0][0]);
     } else if constexpr (D == 2) {
-      const double inverse = 1 / (E[0][0][q] * E[1][1][q] - E[0][1][q] * E[1][0][q]);
-      to[0][0][q] = E[1][1][q] * inverse;
-      to[0][1][q] = -E[0][1][q] * inverse;
-      to[1][0][q] = -E[1][0][q] * inverse;
-      to[1][1][q] = E[0][0][q] * inverse;
+      const T inverse = 1.0 / (E[0][0] * E[1][1] - E[0][1] * E[1][0]);
+      q.put(E[1][1] * inverse, to[0][0]);
+      q.put(-E[0][1] * inverse, to[0][1]);
+      q.put(-E[1][0] * inverse, to[1][0]);
+      q.put(E[0][0] * inverse, to[1][1]);
     } else {
       const auto cofactor = [&](int r, int c) {
         const int r1 = (r + 1) % 3, r2 = (r + 2) % 3, c1 = (c + 1) % 3, c2 = (c + 2) % 3;
-        return E[r1][c1][q] * E[r2][c2][q] - E[r1][c2][q] * E[r2][c1][q];
+        return E[r1][c1] * E[r2][c2] - E[r1][c2] * E[r2][c1];
       };
-      const double x = cofactor(0, 0), y = cofactor(0, 1), z = cofactor(0, 2);
-      const double inverse = 1 / (E[0][0][q] * x + E[0][1][q] * y + E[0][2][q] * z);
-      to[0][0][q] = x * inverse;
-      to[1][0][q] = y * inverse;
-      to[2][0][q] = z * inverse;
+      const T x = cofactor(0, 0), y = cofactor(0, 1), z = cofactor(0, 2);
+      const T inverse = 1.0 / (E[0][0] * x + E[0][1] * y + E[0][2] * z);
+      q.put(x * inverse, to[0][0]);
+      q.put(y * inverse, to[1][0]);
+      q.put(z * inverse, to[2][0]);
       for (int r = 1; r < 3; ++r)
-        for (int c = 0; c < 3; ++c) to[c][r][q] = cofactor(r, c) * inverse;
+        for (int c = 0; c < 3; ++c) q.put(cofactor(r, c) * inverse, to[c][r]);
     }
-  }
+  });
 }
 
 // Ways to the corners: combinations of edges.
 template <int D, bool Tetrahedron>
-void spread_ways(const Edges<D>& E, int n, Corners<D, Tetrahedron>& to) {
-  for (int a = 0; a < D; ++a)
-    for (int c = 0; c < to.count; ++c) {
-      double* way = to.way[c][a];
-      for (int q = 0; q < n; ++q) {
+void spread_ways(const Edges<D>& edges, int n, Corners<D, Tetrahedron>& to) {
+  for_eights(0, static_cast<std::size_t>(n), [&](auto q) {
+    using T = typename decltype(q)::Number;
+    for (int a = 0; a < D; ++a) {
+      T E[D];
+      for (int e = 0; e < D; ++e) E[e] = q(edges[a][e]);
+      for (int c = 0; c < to.count; ++c) {
         if constexpr (Tetrahedron) {
-          const double to_first = -0.25 * (E[a][0][q] + E[a][1][q] + E[a][2][q]);
-          way[q] = c == 0 ? to_first : to_first + E[a][c - 1][q];
+          const T to_first = -0.25 * (E[0] + E[1] + E[2]);
+          q.put(c == 0 ? to_first : to_first + E[c - 1], to.way[c][a]);
         } else {
-          double edge = c & 1 ? E[a][0][q] : -E[a][0][q];
-          for (int e = 1; e < D; ++e) edge += c >> e & 1 ? E[a][e][q] : -E[a][e][q];
-          way[q] = 0.5 * edge;
+          T edge = c & 1 ? E[0] : -E[0];
+          for (int e = 1; e < D; ++e) edge += c >> e & 1 ? E[e] : -E[e];
+          q.put(0.5 * edge, to.way[c][a]);
         }
       }
     }
+  });
 }
 
 // Slopes of the corners: combinations of rows of the inverse.
@@ -116,22 +129,23 @@ template <int D, bool Tetrahedron>
 void spread_slopes(const TransferGrid& grid, const Edges<D>& inverse, int n,
                    Corners<D, Tetrahedron>& to) {
   constexpr double factor = Tetrahedron ? 1.0 : D == 3 ? 0.25 : D == 2 ? 0.5 : 1.0;
-  for (int a = 0; a < D; ++a) {
-    const double scale = factor * grid.axes[grid.active[a]].inverse;
-    for (int c = 0; c < to.count; ++c) {
-      double* slope = to.slope[c][a];
-      for (int q = 0; q < n; ++q) {
+  for_eights(0, static_cast<std::size_t>(n), [&](auto q) {
+    using T = typename decltype(q)::Number;
+    for (int a = 0; a < D; ++a) {
+      const double scale = factor * grid.axes[grid.active[a]].inverse;
+      T row[D];
+      for (int e = 0; e < D; ++e) row[e] = q(inverse[e][a]);
+      for (int c = 0; c < to.count; ++c) {
         if constexpr (Tetrahedron) {
-          slope[q] = c == 0 ? -(inverse[0][a][q] + inverse[1][a][q] + inverse[2][a][q]) * scale
-                            : inverse[c - 1][a][q] * scale;
+          q.put(c == 0 ? -(row[0] + row[1] + row[2]) * scale : row[c - 1] * scale, to.slope[c][a]);
         } else {
-          double row = c & 1 ? inverse[0][a][q] : -inverse[0][a][q];
-          for (int e = 1; e < D; ++e) row += c >> e & 1 ? inverse[e][a][q] : -inverse[e][a][q];
-          slope[q] = row * scale;
+          T sum = c & 1 ? row[0] : -row[0];
+          for (int e = 1; e < D; ++e) sum += c >> e & 1 ? row[e] : -row[e];
+          q.put(sum * scale, to.slope[c][a]);
         }
       }
     }
-  }
+  });
 }
 
 // Of corners that particles carry: from their middle, which is the place of the particle.
@@ -140,20 +154,20 @@ void carried_ways(const TransferGrid& grid, const ParticleShape& shape, int at, 
                   Slopes slopes, Corners<D, false>& to) {
   double inverse[D];
   for (int a = 0; a < D; ++a) inverse[a] = grid.axes[grid.active[a]].inverse;
-  for (int q = 0; q < n; ++q) {
-    CornerVolume<D> v;
-    read_carried<D>(shape.corners, grid.active, at + q, v.x);
+  for_eights(0, static_cast<std::size_t>(n), [&](auto q) {
+    CornerVolume<D, typename decltype(q)::Number> v;
+    read_carried<D>(shape.corners, grid.active, q.behind(static_cast<std::size_t>(at)), v.x);
     if (slopes == Slopes::wanted)
       v.find();
     else
       v.find_middle();
     for (int c = 0; c < to.count; ++c)
-      for (int a = 0; a < D; ++a) to.way[c][a][q] = v.x[c][a] * inverse[a];
-    if (slopes == Slopes::unused) continue;
-    const double share = 1 / v.volume;
+      for (int a = 0; a < D; ++a) q.put(v.x[c][a] * inverse[a], to.way[c][a]);
+    if (slopes == Slopes::unused) return;
+    const auto share = 1.0 / v.volume;
     for (int c = 0; c < to.count; ++c)
-      for (int a = 0; a < D; ++a) to.slope[c][a][q] = v.b[c][a] * share;
-  }
+      for (int a = 0; a < D; ++a) q.put(v.b[c][a] * share, to.slope[c][a]);
+  });
 }
 
 template <int D, bool Tetrahedron>
@@ -176,25 +190,26 @@ CornerReach reach_of_corners(const TransferGrid& grid, const ParticleShape& shap
                              int end) {
   static thread_local Corners<D, Tetrahedron> corners;
   CornerReach reach;
-  bool sound = true;
   for (int at = begin; at < end; at += chunk_size) {
     const int n = std::min(chunk_size, end - at);
     find_ways(grid, shape, at, n, Slopes::wanted, corners);
-    for (int c = 0; c < corners.count; ++c)
-      for (int q = 0; q < n; ++q) {
-        double slopes = 0;
-        for (int a = 0; a < D; ++a) {
-          const double way = std::fabs(corners.way[c][a][q]);
-          sound &= way == way;
-          reach.extent = std::max(reach.extent, way);
-          slopes += std::fabs(corners.slope[c][a][q]);
-        }
-        sound &= slopes == slopes;
-        reach.slope = std::max(reach.slope, slopes);
-      }
+    const auto most = [&](double from, const auto& of) {
+      return largest(0, static_cast<std::size_t>(n), from, of);
+    };
+    for (int c = 0; c < corners.count; ++c) {
+      const auto& way = corners.way[c];
+      const auto& slope = corners.slope[c];
+      for (int a = 0; a < D; ++a)
+        keep_larger(reach.extent, most(0, [&](auto of) { return magnitude(of(way[a])); }));
+      keep_larger(reach.slope, most(0, [&](auto of) {
+                    auto sum = magnitude(of(slope[0]));
+                    for (int a = 1; a < D; ++a) sum += magnitude(of(slope[a]));
+                    return sum;
+                  }));
+    }
   }
   // What is no number rejects the step.
-  if (!sound) reach.extent = std::nan("");
+  if (!(reach.slope <= std::numeric_limits<double>::max())) reach.extent = std::nan("");
   return reach;
 }
 
@@ -207,21 +222,21 @@ void find_corners(const TransferGrid& grid, const std::array<const double*, 3>& 
   find_ways(grid, shape, at, n, slopes, to);
   for (int a = 0; a < D; ++a) {
     const std::size_t d = grid.active[a];
-    const Axis& axis = grid.axes[d];
+    const Axis axis = grid.axes[d];
     const double* places = x[d] + at;
     for (int c = 0; c < to.count; ++c) {
       const double* way = to.way[c][a];
       double* s = to.s[c][a];
       int* first = to.first[c][a];
       const double* corner = shape.corners[3 * c + d];
-      for (int q = 0; q < n; ++q) {
+      for_eights(0, static_cast<std::size_t>(n), [&](auto q) {
         // Corners of neighbours that have the same bits have the same weights, to the bit.
-        const double u =
-            corner != nullptr ? axis.place(corner[at + q]) : axis.place(places[q]) + way[q];
-        const double middle = nearest_middle(axis, u);
-        s[q] = u - middle;
-        first[q] = static_cast<int>(middle - 0.5 + axis.first);
-      }
+        const auto u =
+            corner != nullptr ? axis.place(q(corner + at)) : axis.place(q(places)) + q(way);
+        const auto middle = nearest_middle(axis, u);
+        q.put(u - middle, s);
+        q.put(middle - 0.5 + axis.first, first);
+      });
     }
   }
 }

@@ -59,6 +59,7 @@ void read_block(const TransferGrid& grid, const std::array<const double*, 3>& x,
     }
     const Four u = corner_sum(velocity) * Corner::share;
     for (int e = 0; e < 3; ++e) to.u[e][q] = u[e];
+    if constexpr (!Changes) to.fourth[q] = u[3];
     if constexpr (Changes) {
       const Four dv = corner_sum(change) * Corner::share;
       for (int e = 0; e < 3; ++e) to.dv[e][q] = dv[e];

@@ -132,6 +132,7 @@ void read(Basis basis, const TransferGrid& grid, const std::array<const double*,
     for (int a = 0; a < D; ++a) node += (w[a].first[q] - axes.low[a]) * axes.stride[a];
     Sums<D, Moments, Changes> s;
     read_particle<D, B::nodes, Moments, Changes>(w, q, node, axes.stride, s);
+    if constexpr (!Changes) to.fourth[q] = s.values[3];
     for (int e = 0; e < 3; ++e) {
       to.u[e][q] = s.values[e];
       if constexpr (Changes) to.dv[e][q] = s.values[4 + e];

@@ -16,6 +16,7 @@ using VelocitiesAtCorners = double[max_corners][3][chunk_size];
 struct GridAtParticles {
   alignas(64) double u[3][chunk_size];
   alignas(64) double dv[3][chunk_size];
+  alignas(64) double fourth[chunk_size];  // sum S of the fourth lane of nodes: read_velocities()
   alignas(64) double L[9][chunk_size];
   alignas(64) double moment[9][chunk_size];  // sum S v* (x) (x_i - x_p), where it is asked for
   alignas(64) VelocitiesAtCorners corner;
@@ -26,7 +27,8 @@ void read_window(Basis basis, const TransferGrid& grid, const std::array<const d
                  const ParticleShape& shape, int at, int n, bool moments, const Window& window,
                  GridAtParticles& to);
 
-// Without dv, which is not touched.
+// Without dv, which is not touched, and with what stands beside the velocities in lane 3 of nodes,
+// of any unit.
 void read_velocities(Basis basis, const TransferGrid& grid, const std::array<const double*, 3>& x,
                      const ParticleShape& shape, int at, int n, const Window& window,
                      GridAtParticles& to);

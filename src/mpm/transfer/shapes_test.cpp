@@ -99,6 +99,7 @@ TEST_P(EveryShape, LinearFieldsAreExact) {
           window.at(i, j, k)[e] = as_bits(field(e, at));
           window.at(i, j, k)[4 + e] = as_bits(1.0);
         }
+        window.at(i, j, k)[3] = as_bits(field(2, at));
       }
   GridAtParticles read;
   read_window(kind.basis, scene.grid, scene.x(), scene.shape(kind.widths), 0, scene.count, false,
@@ -111,6 +112,13 @@ TEST_P(EveryShape, LinearFieldsAreExact) {
       for (int d = 0; d < 3; ++d)
         EXPECT_NEAR(read.L[3 * e + d][p], d < directions ? slope[e][d] : 0.0, 1e-11) << p;
     }
+  }
+  GridAtParticles beside;
+  read_velocities(kind.basis, scene.grid, scene.x(), scene.shape(kind.widths), 0, scene.count,
+                  window, beside);
+  for (int p = 0; p < scene.count; ++p) {
+    EXPECT_EQ(beside.u[2][p], read.u[2][p]);
+    EXPECT_EQ(beside.fourth[p], read.u[2][p]);
   }
 }
 
@@ -173,6 +181,54 @@ TEST_P(EveryShape, GivesAddUp) {
   EXPECT_NEAR(momentum, 20, 1e-9);
   EXPECT_NEAR(force, 0, 1e-4);
   EXPECT_NEAR(work, -20 * (1 + (directions > 1 ? 0.25 : 0)), 1e-4);
+}
+
+// Particles go eight at a time, and what is left one by one: each as if it were alone, to the bit.
+TEST_P(EveryShape, ParticlesTogetherAreAsAlone) {
+  const auto [directions, kind] = GetParam();
+  if (kind.basis == Basis::cpti && directions != 3) return;
+  Scene scene(directions);
+  scene.grid.corner_limit = kind.limit;
+  const int count = 37;
+  const BlockShape shape = block_shape(scene.level.active);
+  Window together(shape, 1), alone(shape, 1), nodes(shape, 1);
+  IntVec3 high{0, 0, 0};
+  for (int d = 0; d < directions; ++d) high[d] = 9;
+  for (Window* w : {&together, &alone, &nodes}) w->begin({0, 0, 0}, high);
+  ParticlesToGrid p;
+  p.x = scene.x();
+  p.shape = scene.shape(kind.widths);
+  p.mass = scene.columns[21].data();
+  p.volume = scene.columns[22].data();
+  for (std::size_t n = 0; n < 9; ++n) {
+    if (n < 3) p.v[n] = p.load[n] = scene.columns[4 + n].data();
+    if (n < 6) p.stress[n] = scene.columns[14 + n].data();
+    p.affine[n] = scene.columns[3 + n].data();
+  }
+  SumUnits units;
+  units.mass = units.momentum = units.force = 0x1p40;
+  units.reference = {0.1, 0.2, 0.3};
+  add_to_window(kind.basis, scene.grid, p, 0, count, units, together);
+  for (int q = 0; q < count; ++q) add_to_window(kind.basis, scene.grid, p, q, q + 1, units, alone);
+  int given = 0;
+  for (int k = 0; k <= high.z; ++k)
+    for (int j = 0; j <= high.y; ++j)
+      for (int i = 0; i <= high.x; ++i)
+        for (int l = 0; l < lanes; ++l) {
+          given += together.at(i, j, k)[l] != 0 ? 1 : 0;
+          EXPECT_EQ(together.at(i, j, k)[l], alone.at(i, j, k)[l]);
+          nodes.at(i, j, k)[l] = as_bits(std::sin(i + 3.0 * j + 7.0 * k + 0.5 * l));
+        }
+  EXPECT_GE(given, lanes * (1 << directions));
+  GridAtParticles all, one;
+  read_velocities(kind.basis, scene.grid, scene.x(), scene.shape(kind.widths), 0, count, nodes,
+                  all);
+  for (int q = 0; q < count; ++q) {
+    read_velocities(kind.basis, scene.grid, scene.x(), scene.shape(kind.widths), q, 1, nodes, one);
+    EXPECT_EQ(all.fourth[q], one.fourth[0]);
+    for (std::size_t e = 0; e < 9; ++e) EXPECT_EQ(all.L[e][q], one.L[e][0]);
+    for (std::size_t e = 0; e < 3; ++e) EXPECT_EQ(all.u[e][q], one.u[e][0]);
+  }
 }
 
 // A square particle turned by 45 degrees: its corners lie on the axes.

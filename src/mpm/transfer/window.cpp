@@ -21,12 +21,18 @@ void Window::begin(IntVec3 block) {
 }
 
 void Window::begin(IntVec3 lowest, IntVec3 highest) {
-  lower_ = lowest;
-  size_ = highest - lowest + IntVec3{1, 1, 1};
-  lanes_.assign(static_cast<std::size_t>(size_.x) * size_.y * size_.z * lanes, 0);
+  move_to(lowest, highest);
+  std::fill(lanes_.begin(), lanes_.end(), 0);
 }
 
-// act(block number, row within the block, row within the window, nodes of the row).
+void Window::move_to(IntVec3 lowest, IntVec3 highest) {
+  lower_ = lowest;
+  size_ = highest - lowest + IntVec3{1, 1, 1};
+  lanes_.resize(static_cast<std::size_t>(size_.x) * size_.y * size_.z * lanes);
+}
+
+// act(block number, row within the block, row within the window, nodes of the row); the number of
+// a block that the table lacks is -1.
 template <class Act>
 void Window::for_each_part(const BlockTable& table, Act&& act) const {
   const IntVec3 last{lower_.x + size_.x - 1, lower_.y + size_.y - 1, lower_.z + size_.z - 1};
@@ -35,7 +41,6 @@ void Window::for_each_part(const BlockTable& table, Act&& act) const {
     for (int by = first_block.y; by <= last_block.y; ++by)
       for (int bx = first_block.x; bx <= last_block.x; ++bx) {
         const int n = table.find({bx, by, bz});
-        if (n < 0) continue;
         const IntVec3 low = shape_.lower({bx, by, bz});
         const IntVec3 from = max(low, lower_);
         const IntVec3 to = min(low + shape_.edge, last + IntVec3{1, 1, 1});
@@ -56,19 +61,24 @@ void Window::load(IntVec3 block, const BlockTable& table, const NodeLanes& from)
 }
 
 void Window::load(IntVec3 lowest, IntVec3 highest, const BlockTable& table, const NodeLanes& from) {
-  begin(lowest, highest);
+  move_to(lowest, highest);
   take(table, from);
 }
 
 void Window::take(const BlockTable& table, const NodeLanes& from) {
   for_each_part(table, [&](int n, int row, std::ptrdiff_t own, int count) {
-    std::memcpy(lanes_.data() + own * lanes, from.sums(n) + row * lanes,
-                static_cast<std::size_t>(count) * lanes * sizeof(std::int64_t));
+    const std::size_t size = static_cast<std::size_t>(count) * lanes;
+    std::int64_t* to = lanes_.data() + own * lanes;
+    if (n < 0)
+      std::fill_n(to, size, 0);
+    else
+      std::memcpy(to, from.sums(n) + row * lanes, size * sizeof(std::int64_t));
   });
 }
 
 void Window::add_to(const BlockTable& table, NodeLanes& to, bool shared) const {
   for_each_part(table, [&](int n, int row, std::ptrdiff_t own, int count) {
+    if (n < 0) return;
     const std::int64_t* from = lanes_.data() + own * lanes;
     std::int64_t* sums = to.sums(n) + row * lanes;
     for (int i = 0; i < count; ++i, from += lanes, sums += lanes) {
@@ -80,6 +90,12 @@ void Window::add_to(const BlockTable& table, NodeLanes& to, bool shared) const {
         for (int l = 0; l < lanes; ++l) sums[l] = wrapped_sum(sums[l], from[l]);
     }
   });
+}
+
+bool Window::any_in(int lane) const {
+  for (std::size_t l = static_cast<std::size_t>(lane); l < lanes_.size(); l += lanes)
+    if (lanes_[l] != 0) return true;
+  return false;
 }
 
 void add_blocks(BlockTable& table, IntVec3 lowest, IntVec3 highest) {

@@ -25,6 +25,9 @@ class Window {
   // adding is atomic.
   void add_to(const BlockTable& table, NodeLanes& to, bool shared) const;
 
+  // Is a lane of any node not zero.
+  bool any_in(int lane) const;
+
   IntVec3 lower() const { return lower_; }
   int size(int d) const { return size_[d]; }
   // Distance in memory of nodes that follow each other along a direction, in lanes.
@@ -40,6 +43,7 @@ class Window {
   }
 
  private:
+  void move_to(IntVec3 lowest, IntVec3 highest);  // lanes may be any
   void take(const BlockTable& table, const NodeLanes& from);
   template <class Act>
   void for_each_part(const BlockTable& table, Act&& act) const;

@@ -9,6 +9,7 @@
 #include <limits>
 #include <optional>
 
+#include "framework/base/eight.hpp"
 #include "mpm/material/base/material.hpp"
 
 namespace sluice::mpm {
@@ -63,7 +64,9 @@ inline VolumeLogs volume_logs(double J) {
   return {e * ln2 + 2 * s + tail, 0.5 * d * d + head - tail};
 }
 
-inline double determinant(const std::array<double, 9>& F) {
+// T: double of one particle, Eight of eight.
+template <class T>
+inline T determinant(const std::array<T, 9>& F) {
   return F[0] * (F[4] * F[8] - F[5] * F[7]) - F[1] * (F[3] * F[8] - F[5] * F[6]) +
          F[2] * (F[3] * F[7] - F[4] * F[6]);
 }
@@ -74,6 +77,13 @@ inline std::array<double, 9> at(const Nine<const double>& F, int i) {
 }
 inline std::array<double, 6> at(const Six<const double>& s, int i) {
   return {s[0][i], s[1][i], s[2][i], s[3][i], s[4][i], s[5][i]};
+}
+// Of the particles of OneOf or EightOf.
+template <class D, std::size_t N, class P>
+inline std::array<typename P::Number, N> at(const std::array<D*, N>& columns, const P& particles) {
+  std::array<typename P::Number, N> all;
+  for (std::size_t n = 0; n < N; ++n) all[n] = particles(columns[n]);
+  return all;
 }
 inline void put(const Six<double>& s, int i, const std::array<double, 6>& values) {
   s[0][i] = values[0];
@@ -92,17 +102,17 @@ inline std::array<double, 6> left_cauchy_green(const std::array<double, 9>& F) {
 }
 
 // R S R^T of a symmetric S: turned by a rotation, or pushed forward.
-inline std::array<double, 6> pushed(const std::array<double, 6>& S,
-                                    const std::array<double, 9>& R) {
-  const double a0 = R[0] * S[0] + R[1] * S[5] + R[2] * S[4];
-  const double a1 = R[0] * S[5] + R[1] * S[1] + R[2] * S[3];
-  const double a2 = R[0] * S[4] + R[1] * S[3] + R[2] * S[2];
-  const double b0 = R[3] * S[0] + R[4] * S[5] + R[5] * S[4];
-  const double b1 = R[3] * S[5] + R[4] * S[1] + R[5] * S[3];
-  const double b2 = R[3] * S[4] + R[4] * S[3] + R[5] * S[2];
-  const double c0 = R[6] * S[0] + R[7] * S[5] + R[8] * S[4];
-  const double c1 = R[6] * S[5] + R[7] * S[1] + R[8] * S[3];
-  const double c2 = R[6] * S[4] + R[7] * S[3] + R[8] * S[2];
+template <class T>
+inline std::array<T, 6> pushed(const std::array<T, 6>& S, const std::array<T, 9>& R) {
+  const T a0 = R[0] * S[0] + R[1] * S[5] + R[2] * S[4];
+  const T a1 = R[0] * S[5] + R[1] * S[1] + R[2] * S[3];
+  const T a2 = R[0] * S[4] + R[1] * S[3] + R[2] * S[2];
+  const T b0 = R[3] * S[0] + R[4] * S[5] + R[5] * S[4];
+  const T b1 = R[3] * S[5] + R[4] * S[1] + R[5] * S[3];
+  const T b2 = R[3] * S[4] + R[4] * S[3] + R[5] * S[2];
+  const T c0 = R[6] * S[0] + R[7] * S[5] + R[8] * S[4];
+  const T c1 = R[6] * S[5] + R[7] * S[1] + R[8] * S[3];
+  const T c2 = R[6] * S[4] + R[7] * S[3] + R[8] * S[2];
   return {a0 * R[0] + a1 * R[1] + a2 * R[2], b0 * R[3] + b1 * R[4] + b2 * R[5],
           c0 * R[6] + c1 * R[7] + c2 * R[8], b0 * R[6] + b1 * R[7] + b2 * R[8],
           a0 * R[6] + a1 * R[7] + a2 * R[8], a0 * R[3] + a1 * R[4] + a2 * R[5]};

@@ -40,7 +40,7 @@ TEST(BatchMath, LogarithmsOfTheVolume) {
 TEST(BatchMath, ReachIsTheLargestEigenvalueOfTwoEqualOnes) {
   // Uniaxial: eigenvalues 5, 1, 1 in turned axes.
   const Matrix R = rotation({1, 2, 3}, 0.7);
-  const std::array<double, 6> S = pushed({5, 1, 1, 0, 0, 0}, R);
+  const std::array<double, 6> S = pushed(std::array<double, 6>{5, 1, 1, 0, 0, 0}, R);
   const double mean = (S[0] + S[1] + S[2]) / 3;
   EXPECT_NEAR(mean + eigenvalue_reach(S, mean), 5, 1e-14);
 }
@@ -62,7 +62,7 @@ TEST(ObjectiveStep, RotationsAreExact) {
 
 // Without rotation: the strain 2 (lambda - 1)/(lambda + 1), of third order from ln lambda.
 TEST(ObjectiveStep, StretchGivesItsLogarithm) {
-  const ObjectiveStep move = objective_step({0.2, 0, 0, 0, 0, 0, 0, 0, -0.1}, 1);
+  const ObjectiveStep move = objective_step(Matrix{0.2, 0, 0, 0, 0, 0, 0, 0, -0.1}, 1);
   EXPECT_NEAR(move.strain[0], 2 * 0.2 / 2.2, 1e-15);
   EXPECT_NEAR(move.strain[2], -2 * 0.1 / 1.9, 1e-15);
   for (std::size_t k = 0; k < 9; ++k) EXPECT_EQ(move.half_turn[k], identity[k]);

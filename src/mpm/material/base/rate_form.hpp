@@ -33,9 +33,9 @@ inline std::array<double, 6> half_turned(const std::array<double, 6>& stress,
 
 // J: V_0 (sigma_n J_n + sigma_n+1 J_n+1)/2 : dt D, V_0 in m^3, both stresses turned to the middle
 // of the step.
-inline double work_of_step(double volume_0, double J_old, const std::array<double, 6>& old,
-                           double J, const std::array<double, 6>& now,
-                           const std::array<double, 6>& strain) {
+template <class T>
+inline T work_of_step(const T& volume_0, const T& J_old, const std::array<T, 6>& old, const T& J,
+                      const std::array<T, 6>& now, const std::array<T, 6>& strain) {
   return 0.5 * volume_0 * (J_old * double_dot(old, strain) + J * double_dot(now, strain));
 }
 

@@ -39,23 +39,29 @@ inline Symmetric symmetric(const Matrix& a) {
   return {a[0], a[4], a[8], 0.5 * (a[5] + a[7]), 0.5 * (a[2] + a[6]), 0.5 * (a[1] + a[3])};
 }
 
-inline double trace(const Symmetric& S) {
+// Of one particle (T: double) or of eight (T: Eight).
+template <class T>
+inline T trace(const std::array<T, 6>& S) {
   return S[0] + S[1] + S[2];
 }
 // A : B
-inline double double_dot(const Symmetric& A, const Symmetric& B) {
-  return A[0] * B[0] + A[1] * B[1] + A[2] * B[2] + 2 * (A[3] * B[3] + A[4] * B[4] + A[5] * B[5]);
+template <class T>
+inline T double_dot(const std::array<T, 6>& A, const std::array<T, 6>& B) {
+  return A[0] * B[0] + A[1] * B[1] + A[2] * B[2] + 2.0 * (A[3] * B[3] + A[4] * B[4] + A[5] * B[5]);
 }
-inline Symmetric deviator(Symmetric S) {
-  const double mean = trace(S) * (1.0 / 3);
+template <class T>
+inline std::array<T, 6> deviator(std::array<T, 6> S) {
+  const T mean = trace(S) * (1.0 / 3);
   S[0] -= mean;
   S[1] -= mean;
   S[2] -= mean;
   return S;
 }
 // a A + b B
-inline Symmetric combined(double a, const Symmetric& A, double b, const Symmetric& B) {
-  Symmetric C;
+template <class S, class T, class U>
+inline std::array<T, 6> combined(const S& a, const std::array<T, 6>& A, const U& b,
+                                 const std::array<T, 6>& B) {
+  std::array<T, 6> C;
   for (std::size_t k = 0; k < 6; ++k) C[k] = a * A[k] + b * B[k];
   return C;
 }

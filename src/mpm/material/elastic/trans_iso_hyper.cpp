@@ -106,9 +106,9 @@ class FibreRubber final : public Material {
       a[k] = root * (F[3 * k] * a0[0] + F[3 * k + 1] * a0[1] + F[3 * k + 2] * a0[2]);
     const double l = std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
     const double pull = of_stretch(l) / J;
-    p.fibre = deviator({pull * a[0] * a[0] / (l * l), pull * a[1] * a[1] / (l * l),
-                        pull * a[2] * a[2] / (l * l), pull * a[1] * a[2] / (l * l),
-                        pull * a[0] * a[2] / (l * l), pull * a[0] * a[1] / (l * l)});
+    p.fibre = deviator(Symmetric{pull * a[0] * a[0] / (l * l), pull * a[1] * a[1] / (l * l),
+                                 pull * a[2] * a[2] / (l * l), pull * a[1] * a[2] / (l * l),
+                                 pull * a[0] * a[2] / (l * l), pull * a[0] * a[1] / (l * l)});
     p.of_fibre = stored(l);
     p.stretch = l;
     p.tangent = l <= 1           ? 0

@@ -38,14 +38,17 @@ struct ScramConstants {
   bool shifts = false, objective = true;
 };
 
+// Of one particle (T: double) or of eight (T: Eight), with the same bits.
+template <class T>
 struct ScramState {
-  std::array<Symmetric, elements> S{};
-  double c = 0;
+  std::array<std::array<T, 6>, elements> S{};
+  T c{};
 };
 
 class ViscoScram final : public Material {
  public:
-  explicit ViscoScram(const ScramConstants& constants) : c_(constants) {
+  explicit ViscoScram(const ScramConstants& constants)
+      : c_(constants), slow_middle_(std::pow(1 + c_.m / 2, 1 / c_.m)) {
     history_ = {{history_label("p.crackRad"), 1},
                 {history_label("p.maxwellStress"), 6 * static_cast<int>(elements)}};
     if (c_.expansion != 0) history_.push_back({strain_temperature_label(), 1});
@@ -67,7 +70,10 @@ class ViscoScram final : public Material {
 
   std::optional<BatchFault> update(const Batch& b) const override {
     if (const auto fault = fault_of_volume(b)) return fault;
-    for (int i = 0; i < b.count; ++i) step(b, i);
+    for_eights(0, static_cast<std::size_t>(b.count), [&](auto particles) {
+      if (step(b, particles)) return;
+      for (std::size_t i = particles.i; i < particles.i + 8; ++i) step(b, OneOf{i});
+    });
     return std::nullopt;
   }
 
@@ -77,139 +83,190 @@ class ViscoScram final : public Material {
   }
 
   // What does not change in a step.
+  template <class T>
   struct Drive {
-    Symmetric rate;  // D'
-    double mean, v, shift;
+    std::array<T, 6> rate;  // D'
+    T mean, v, shift;
   };
 
-  double crack_growth(const Drive& d, const Symmetric& S, double c) const {
-    if (!(d.v > 0)) return 0;
-    const double squares = double_dot(S, S) + (d.mean > 0 ? 3 * d.mean * d.mean : 0);
-    const double intensity = std::sqrt(1.5 * 3.14159265358979323846 * c * squares);
-    double K_0 = c_.K_0;
-    if (d.mean < 0) {
-      const double mu = c_.friction * std::sqrt(45 / (2 * (3 - 2 * c_.friction * c_.friction)));
-      const double b = -mu * d.mean * std::sqrt(c) / K_0;
-      K_0 *= std::sqrt(1 + 3.14159265358979323846 * b * (1 + b));
-    }
-    const double K_prime = K_0 * std::sqrt(1 + 2 / c_.m);
-    if (intensity < K_prime)
-      return d.v * std::pow(intensity / (K_prime * std::pow(1 + c_.m / 2, 1 / c_.m)), c_.m);
-    return d.v * (1 - K_0 * K_0 / (intensity * intensity));
+  template <class T>
+  T crack_growth(const Drive<T>& d, const std::array<T, 6>& S, const T& c) const {
+    const T none{};
+    const T squares = double_dot(S, S) + (d.mean > 0.0 ? 3.0 * d.mean * d.mean : none);
+    const T intensity = square_root(1.5 * 3.14159265358979323846 * c * squares);
+    const double mu = c_.friction * std::sqrt(45 / (2 * (3 - 2 * c_.friction * c_.friction)));
+    const T b = -mu * d.mean * square_root(c) / c_.K_0;
+    const T K_0 = c_.K_0 * (d.mean < 0.0 ? square_root(1.0 + 3.14159265358979323846 * b * (1.0 + b))
+                                         : none + 1.0);
+    const T K_prime = K_0 * std::sqrt(1 + 2 / c_.m);
+    const T fast = d.v * (1.0 - K_0 * K_0 / (intensity * intensity));
+    const T slow =
+        d.v * slow_growth(intensity / (K_prime * slow_middle_), d.v > 0.0, intensity < K_prime);
+    return d.v > 0.0 ? (intensity < K_prime ? slow : fast) : none;
+  }
+  // x^m where cracks grow, and slowly.
+  double slow_growth(double x, bool grows, bool slowly) const {
+    return grows && slowly ? std::pow(x, c_.m) : 0;
+  }
+  template <class Marks>
+  Eight slow_growth(const Eight& x, const Marks& grow, const Marks& slowly) const {
+    Eight y{};
+    for (int l = 0; l < 8; ++l)
+      if (grow[l] != 0 && slowly[l] != 0) y[l] = std::pow(x[l], c_.m);
+    return y;
   }
 
-  static Symmetric sum(const ScramState& s) {
-    Symmetric S{};
-    for (const Symmetric& part : s.S)
+  template <class T>
+  static std::array<T, 6> sum(const ScramState<T>& s) {
+    std::array<T, 6> S{};
+    for (const std::array<T, 6>& part : s.S)
       for (std::size_t k = 0; k < 6; ++k) S[k] += part[k];
     return S;
   }
 
-  ScramState slope(const Drive& d, const ScramState& s) const {
-    const Symmetric S = sum(s);
-    ScramState r;
+  template <class T>
+  ScramState<T> slope(const Drive<T>& d, const ScramState<T>& s) const {
+    const std::array<T, 6> S = sum(s);
+    ScramState<T> r;
     r.c = crack_growth(d, S, s.c);
-    const double per_a3 = 1 / (c_.a * c_.a * c_.a), x = s.c * s.c * s.c * per_a3;
-    const double opening = 3 * s.c * s.c * r.c * per_a3, share = x / (1 + x);
+    const double per_a3 = 1 / (c_.a * c_.a * c_.a);
+    const T x = s.c * s.c * s.c * per_a3;
+    const T opening = 3.0 * s.c * s.c * r.c * per_a3, share = x / (1.0 + x);
     for (std::size_t k = 0; k < 6; ++k) {
-      double relaxed = 0;
+      T relaxed{};
       for (std::size_t n = 0; n < elements; ++n) relaxed += s.S[n][k] * c_.rate[n] * d.shift;
-      const double X = opening * S[k];
-      const double cracks = X + (2 * c_.shear * d.rate[k] - relaxed - X) * share;
+      const T X = opening * S[k];
+      const T cracks = X + (2 * c_.shear * d.rate[k] - relaxed - X) * share;
       for (std::size_t n = 0; n < elements; ++n)
         r.S[n][k] = 2 * c_.G[n] * d.rate[k] - s.S[n][k] * c_.rate[n] * d.shift -
                     c_.G[n] / c_.shear * cracks;
     }
     return r;
   }
-  static ScramState moved(const ScramState& s, double h, const ScramState& r) {
-    ScramState t = s;
+  template <class T>
+  static ScramState<T> moved(const ScramState<T>& s, double h, const ScramState<T>& r) {
+    ScramState<T> t = s;
     t.c += h * r.c;
     for (std::size_t n = 0; n < elements; ++n)
       for (std::size_t k = 0; k < 6; ++k) t.S[n][k] += h * r.S[n][k];
     return t;
   }
-  ScramState after(const Drive& d, ScramState s, double h) const {
-    const ScramState k1 = slope(d, s), k2 = slope(d, moved(s, 0.5 * h, k1));
-    const ScramState k3 = slope(d, moved(s, 0.5 * h, k2)), k4 = slope(d, moved(s, h, k3));
+  template <class T>
+  ScramState<T> after(const Drive<T>& d, ScramState<T> s, double h) const {
+    const ScramState<T> k1 = slope(d, s), k2 = slope(d, moved(s, 0.5 * h, k1));
+    const ScramState<T> k3 = slope(d, moved(s, 0.5 * h, k2)), k4 = slope(d, moved(s, h, k3));
     for (const auto& [weight, k] :
          {std::pair{1.0, &k1}, std::pair{2.0, &k2}, std::pair{2.0, &k3}, std::pair{1.0, &k4}})
       s = moved(s, weight * h / 6, *k);
     return s;
   }
 
-  void step(const Batch& b, int i) const {
-    const ObjectiveStep move =
-        c_.objective ? objective_step(at(b.L, i), b.dt) : plain_step(at(b.L, i), b.dt);
-    const double dt = b.dt, T = b.temperature[i];
-    const Symmetric old = pushed(at(b.old_stress, i), turn(move));
-    ScramState s;
-    s.c = b.old_history[0][i];
-    for (std::size_t n = 0; n < elements; ++n) {
-      for (std::size_t k = 0; k < 6; ++k) s.S[n][k] = b.old_history[1 + 6 * n + k][i];
-      s.S[n] = pushed(s.S[n], turn(move));
-    }
-    Drive d;
-    d.rate = deviator(move.strain);
-    for (double& x : d.rate) x /= dt;
-    d.mean = trace(old) / 3;
-    d.shift = 1;
-    if (c_.shifts)
-      d.shift = std::exp(c_.C1 * (T - c_.T_0) / (c_.C2 + std::max(T - c_.T_0, 1e-3 - c_.C2)));
-    const double size = std::sqrt(1.5 * double_dot(d.rate, d.rate));
-    d.v = size <= 1e-8 ? 0 : std::exp(0.90564746 * std::log(size) - 2.90178468);
-    if (d.mean > 0) d.v *= c_.growth;
-    d.v = std::min(d.v, c_.max_growth);
+  // Of the time that elements relax in.
+  double shift_at(double T) const {
+    return std::exp(c_.C1 * (T - c_.T_0) / (c_.C2 + std::max(T - c_.T_0, 1e-3 - c_.C2)));
+  }
+  // v by |D'|, without the factors.
+  static double growth_rate(double size) {
+    return size <= 1e-8 ? 0 : std::exp(0.90564746 * std::log(size) - 2.90178468);
+  }
+  int parts_of(double dt, double shift) const {
+    const double fastest = *std::max_element(c_.rate.begin(), c_.rate.end()) * shift;
+    return static_cast<int>(std::clamp(std::ceil(2 * dt * fastest), 1.0, 1e5));
+  }
+  // The parts of a step; 0: eight particles that do not take equally many.
+  int common_parts(double dt, double shift) const { return parts_of(dt, shift); }
+  int common_parts(double dt, const Eight& shift) const {
+    const int parts = parts_of(dt, shift[0]);
+    for (int l = 1; l < 8; ++l)
+      if (parts_of(dt, shift[l]) != parts) return 0;
+    return parts;
+  }
 
-    const double fastest = *std::max_element(c_.rate.begin(), c_.rate.end()) * d.shift;
-    const int parts = static_cast<int>(std::clamp(std::ceil(2 * dt * fastest), 1.0, 1e5));
-    double viscous = 0, of_cracks = 0;
+  template <class T>
+  Drive<T> drive_of(const std::array<T, 6>& strain, const std::array<T, 6>& stress, double dt,
+                    const T& shift) const {
+    Drive<T> d;
+    d.rate = deviator(strain);
+    for (T& x : d.rate) x /= dt;
+    d.mean = trace(stress) / 3.0;
+    d.shift = shift;
+    d.v = each(square_root(1.5 * double_dot(d.rate, d.rate)), growth_rate);
+    d.v = d.mean > 0.0 ? d.v * c_.growth : d.v;
+    const T most = T{} + c_.max_growth;
+    d.v = most < d.v ? most : d.v;
+    return d;
+  }
+
+  // Particles of OneOf or EightOf. False, and nothing is done: eight that take steps of their own.
+  template <class P>
+  bool step(const Batch& b, const P& p) const {
+    using T = typename P::Number;
+    const double dt = b.dt;
+    const T warmth = p(b.temperature);
+    T shift = T{} + 1.0;
+    if (c_.shifts) shift = each(warmth, [&](double t) { return shift_at(t); });
+    const int parts = common_parts(dt, shift);
+    if (parts == 0) return false;
+    const ObjectiveStepOf<T> move =
+        c_.objective ? objective_step(at(b.L, p), dt) : plain_step(at(b.L, p), dt);
+    const std::array<T, 6> old = pushed(at(b.old_stress, p), move.half_turn);
+    ScramState<T> s;
+    s.c = p(b.old_history[0]);
+    for (std::size_t n = 0; n < elements; ++n) {
+      for (std::size_t k = 0; k < 6; ++k) s.S[n][k] = p(b.old_history[1 + 6 * n + k]);
+      s.S[n] = pushed(s.S[n], move.half_turn);
+    }
+    const Drive<T> d = drive_of(move.strain, old, dt, shift);
+    T viscous{}, of_cracks{};
     for (int k = 0; k < parts; ++k) {
-      const ScramState next = after(d, s, dt / parts);
+      const ScramState<T> next = after(d, s, dt / parts);
       viscous += 0.5 * dt / parts * (relaxed_power(s, d.shift) + relaxed_power(next, d.shift));
       of_cracks += crack_work(s, next);
       s = next;
     }
 
-    double volume = trace(move.strain);
-    const double tr_D = volume / dt;
+    T volume = trace(move.strain);
+    const T tr_D = volume / dt;
     if (c_.expansion != 0) {
-      volume -= 3 * c_.expansion * (T - b.old_history[1 + 6 * elements][i]);
-      b.history[1 + 6 * elements][i] = T;
+      volume -= 3 * c_.expansion * (warmth - p(b.old_history[1 + 6 * elements]));
+      p.put(warmth, b.history[1 + 6 * elements]);
     }
-    Symmetric now = sum(s);
+    std::array<T, 6> now = sum(s);
     for (std::size_t k = 0; k < 3; ++k) now[k] += d.mean + c_.bulk * volume;
-    const double J_0 = determinant(at(b.old_F, i)), J = determinant(at(b.F, i));
-    b.energy[i] = b.old_energy[i] + work_of_step(b.volume_0[i], J_0, old, J, now, move.strain);
-    b.wave_speed[i] = wave_speed(J);
-    b.heating[i] += -c_.gamma * T * tr_D +
-                    (viscous + c_.beta * of_cracks) * J / (c_.density * c_.specific_heat * dt);
-    now = pushed(now, turn(move));
-    for (std::size_t k = 0; k < 6; ++k) b.stress[k][i] = now[k];
-    b.history[0][i] = s.c;
+    const T J_0 = determinant(at(b.old_F, p)), J = determinant(at(b.F, p));
+    p.put(p(b.old_energy) + work_of_step(p(b.volume_0), J_0, old, J, now, move.strain), b.energy);
+    p.put(square_root((c_.bulk + 4.0 / 3 * c_.shear) * J / c_.density), b.wave_speed);
+    p.put(p(b.heating) + (-c_.gamma * warmth * tr_D + (viscous + c_.beta * of_cracks) * J /
+                                                          (c_.density * c_.specific_heat * dt)),
+          b.heating);
+    now = pushed(now, move.half_turn);
+    for (std::size_t k = 0; k < 6; ++k) p.put(now[k], b.stress[k]);
+    p.put(s.c, b.history[0]);
     for (std::size_t n = 0; n < elements; ++n) {
-      const Symmetric turned = pushed(s.S[n], turn(move));
-      for (std::size_t k = 0; k < 6; ++k) b.history[1 + 6 * n + k][i] = turned[k];
+      const std::array<T, 6> turned = pushed(s.S[n], move.half_turn);
+      for (std::size_t k = 0; k < 6; ++k) p.put(turned[k], b.history[1 + 6 * n + k]);
     }
-  }
-  const Matrix& turn(const ObjectiveStep& move) const {
-    return c_.objective ? move.half_turn : identity;
+    return true;
   }
   // sum S_i : S_i/(2 G_i tau_i)
-  double relaxed_power(const ScramState& s, double shift) const {
-    double power = 0;
+  template <class T>
+  T relaxed_power(const ScramState<T>& s, const T& shift) const {
+    T power{};
     for (std::size_t n = 0; n < elements; ++n)
       if (c_.G[n] > 0) power += double_dot(s.S[n], s.S[n]) * c_.rate[n] * shift / (2 * c_.G[n]);
     return power;
   }
   // S : d(x S)/(2 G)
-  double crack_work(const ScramState& s, const ScramState& next) const {
-    const Symmetric S = sum(s), N = sum(next);
-    const double x = std::pow(s.c / c_.a, 3), y = std::pow(next.c / c_.a, 3);
+  template <class T>
+  T crack_work(const ScramState<T>& s, const ScramState<T>& next) const {
+    const std::array<T, 6> S = sum(s), N = sum(next);
+    const auto cube = [](double ratio) { return std::pow(ratio, 3); };
+    const T x = each(s.c / c_.a, cube), y = each(next.c / c_.a, cube);
     return double_dot(combined(0.5, S, 0.5, N), combined(y, N, -x, S)) / (2 * c_.shear);
   }
 
   ScramConstants c_;
+  double slow_middle_;  // K_1/K'
   std::vector<HistoryColumn> history_;
 };
 
