@@ -184,11 +184,12 @@ template <int D>
 CellMask LevelCoupling<D>::cells_beside_fluid() const {
   if (fluid_->options().scheme.implicit) return CellMask(frame_.cells.size(), 1);
   CellMask mask(frame_.cells.size(), 0);
+  for_each_cell_near([&](const Cell<D>&, std::size_t i) { mask[i] = has_solid(i) ? 1 : 0; });
+  dilate(frame_, 1, mask);
   for_each_cell_near([&](const Cell<D>&, std::size_t i) {
-    const bool fluid = fields_.theta[i] < 1 || fields_.theta_next[i] < 1;
-    mask[i] = fluid && has_solid(i) ? 1 : 0;
+    if (fields_.theta[i] >= 1 && fields_.theta_next[i] >= 1) mask[i] = 0;
   });
-  dilate(frame_, 3, mask);
+  dilate(frame_, 2, mask);  // the cell beside, and the middle of a part in it
   return mask;
 }
 

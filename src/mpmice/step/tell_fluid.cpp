@@ -58,6 +58,9 @@ Column LevelCoupling<D>::velocity_at_faces(std::size_t n) const {
   Column to(frame_.cells.size(), 0.0);
   const Column &mass = fields_.mass, &v = fields_.velocity[n];
   frame_.cells.for_each_cell(frame_.held(), [&](const Cell<D>& face, std::size_t at) {
+    if (!(fields_.mean_covered[n][at] > 0) && fields_.swept[n][at] == 0 &&
+        !(fields_.covered[n][at] > 0) && !(fields_.covered_next[n][at] > 0))
+      return;
     Cell<D> below = face;
     --below[n];
     const std::size_t i = frame_.cells.index(frame_.inside(below)),
