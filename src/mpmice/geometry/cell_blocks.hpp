@@ -137,11 +137,17 @@ class CellBlocks {
   void for_each_part(const CellBox<D>& box, Act&& act) const;
   // Has any cell of a box a block.
   bool holds_any(const CellBox<D>& box) const {
+    return any_block(box, [](std::size_t) { return true; });
+  }
+  // Is act(n) true for any of the blocks that meet a box; the first ends the search.
+  template <class Act>
+  bool any_block(const CellBox<D>& box, Act&& act) const {
     const CellBox<D> blocks = Directory::blocks_of(box);
     if (blocks.empty()) return false;
     Cell<D> b = blocks.lower;
     for (;;) {
-      if (directory_.find(b) != 0) return true;
+      const std::int32_t n = directory_.find(b);
+      if (n != 0 && act(static_cast<std::size_t>(n))) return true;
       std::size_t d = 0;
       for (; d < D; ++d) {
         if (++b[d] < blocks.upper[d]) break;

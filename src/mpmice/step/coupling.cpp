@@ -30,7 +30,7 @@ void start_fractions_of(Warehouse& state, const ice::FluidPart& fluid, const mpm
     particles.start(k, state.level(), state.level().domain, set);
     const mpm::Columns& c = solids.carried()[static_cast<std::size_t>(k)].columns;
     const CornerColumns<D> corners = corner_columns<D>(frame, c, set);
-    add_cells_of<D>(frame, corners, set.size(), occupied);
+    add_cells_of<D>(frame, corners, set.size(), {}, occupied);
   }
   frame.look_at(occupied);
   SolidSums<D> sums;

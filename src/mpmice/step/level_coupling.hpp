@@ -40,7 +40,7 @@ class LevelCoupling final : public Coupling {
  private:
   void list_sets(const StageScope& scope);
   void find_all_faces(const StageScope& scope, bool moved);
-  void add_cells_of_solids();
+  void add_cells_of_solids(double dt);
   void add_cells_kept_closed(const StageScope& scope);
   void add_geometry(const StageScope& scope, When when, Column& theta,
                     std::array<Column, D>& covered);
@@ -52,8 +52,10 @@ class LevelCoupling final : public Coupling {
   void keep_pockets();
   void close_cells_at_sides();
   bool stays_near() const;
-  bool may_see_solids(const CellBox<D>& part) const;
-  SeenPlaces places_seen(const IndexBox& box, int along) const;
+  std::vector<std::uint8_t> blocks_to_tell() const;
+  bool sees_any(const CellBox<D>& part, const std::vector<std::uint8_t>& told) const;
+  SeenPlaces places_seen(const IndexBox& box, int along,
+                         const std::vector<std::uint8_t>& told) const;
   Column velocity_at_faces(std::size_t n) const;
   void find_pressures(const StageScope& scope, bool solved);
   CellMask cells_beside_walls() const;

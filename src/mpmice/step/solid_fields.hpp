@@ -20,8 +20,11 @@ struct Frame {
   // Of cells beyond the sides; beyond periodic ones particles stay a while before they are taken to
   // the other end.
   static constexpr int layers = layers_beyond, periodic_layers = 4;
-  // Cells by which solids may move in a step, and by which what they do reaches beyond them.
-  static constexpr int most_move = 2, reach = 3;
+  // Cells by which solids may move in a step, in a slow one, and by which what they do reaches
+  // beyond them.
+  static constexpr int most_move = 2, slow_move = 1, reach = 3;
+  // Cells in a step from which on a solid is not slow.
+  static constexpr double slow = 0.5;
   std::array<int, D> direction{};
   Vec3 spacing{}, anchor{};
   double cell_volume = 1;
@@ -56,7 +59,7 @@ struct Frame {
     }
     return all;
   }
-  // To solids that lie in these cells: the arrays are over all that a step may touch.
+  // To solids that lie in these cells in the step: the arrays are over all that it may touch.
   void look_at(const OccupiedCells<D>& solids) {
     const CellBox<D> hull = touched_around(solids.hull());
     CellBox<D> all = domain;
@@ -174,12 +177,12 @@ struct Frame {
   bool holds_any(const IndexBox& part) const { return cells.holds_any(box(part)); }
 
  private:
-  // Cells that solids in these may touch in a step.
+  // Cells that solids in these may touch.
   static CellBox<D> touched_around(CellBox<D> solids) {
     if (solids.empty()) return {};
     for (std::size_t a = 0; a < D; ++a) {
-      solids.lower[a] -= most_move + reach;
-      solids.upper[a] += most_move + reach;
+      solids.lower[a] -= reach;
+      solids.upper[a] += reach;
     }
     return solids;
   }

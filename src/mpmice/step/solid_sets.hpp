@@ -32,6 +32,7 @@ struct SolidSet {
   std::vector<models::Ignition> flame;  // that comes to each; empty: none needs time
   // Faces that are outer since solids parted in this step, bits by particle; empty: none.
   std::vector<std::uint8_t> parted;
+  std::vector<std::uint8_t> moves;    // cells by which particles may move in the step
   std::vector<std::uint8_t> dropped;  // 1: leaves the domain in this step; empty: none does
   // All faces of particles at periodic sides: outer, inner.
   OuterFaces<D> outer_at_sides, inner_at_sides;
@@ -49,10 +50,25 @@ CornerColumns<D> corner_columns(const Frame<D>& frame, const mpm::Columns& c,
   return to;
 }
 
-// Adds the cells in which particles of a set lie, with these corners.
+// Cells by which the particles of a set may move in a step, by their velocities as it begins.
+template <int D>
+std::vector<std::uint8_t> moves_of(const Frame<D>& frame, const mpm::Columns& c,
+                                   const ParticleSet& set, double dt) {
+  std::vector<std::uint8_t> moves(set.size(), Frame<D>::slow_move);
+  for (const int d : frame.direction) {
+    const double* v = set.column(static_cast<std::size_t>(c.velocity + d));
+    const double most = Frame<D>::slow * frame.spacing[d] / dt;
+    for (std::size_t p = 0; p < set.size(); ++p)
+      moves[p] = std::fabs(v[p]) <= most ? moves[p] : std::uint8_t{Frame<D>::most_move};
+  }
+  return moves;
+}
+
+// Adds the cells in which particles of a set with these corners may lie as they move by so many
+// cells; empty: they rest.
 template <int D>
 void add_cells_of(const Frame<D>& frame, const CornerColumns<D>& corners, std::size_t count,
-                  OccupiedCells<D>& to) {
+                  const std::vector<std::uint8_t>& moves, OccupiedCells<D>& to) {
   constexpr std::size_t chunk = 64;
   int low[D][chunk], high[D][chunk];
   for (std::size_t at = 0; at < count; at += chunk) {
@@ -73,10 +89,11 @@ void add_cells_of(const Frame<D>& frame, const CornerColumns<D>& corners, std::s
       }
     }
     for (std::size_t q = 0; q < n; ++q) {
+      const int by = moves.empty() ? 0 : moves[at + q];
       CellBox<D> cells;
       for (std::size_t a = 0; a < D; ++a) {
-        cells.lower[a] = low[a][q];
-        cells.upper[a] = high[a][q] + 1;
+        cells.lower[a] = low[a][q] - by;
+        cells.upper[a] = high[a][q] + 1 + by;
       }
       to.add(cells);
     }

@@ -61,10 +61,11 @@ void LevelCoupling<D>::list_sets(const StageScope& scope) {
 }
 
 template <int D>
-void LevelCoupling<D>::add_cells_of_solids() {
-  for (const SolidSet<D>& s : sets_) {
+void LevelCoupling<D>::add_cells_of_solids(double dt) {
+  for (SolidSet<D>& s : sets_) {
+    s.moves = moves_of<D>(frame_, *s.columns, *s.set, dt);
     const CornerColumns<D> corners = corner_columns<D>(frame_, *s.columns, *s.set);
-    add_cells_of<D>(frame_, corners, s.set->size(), occupied_);
+    add_cells_of<D>(frame_, corners, s.set->size(), s.moves, occupied_);
   }
 }
 
@@ -162,7 +163,7 @@ template <int D>
 Verdict LevelCoupling<D>::find_surfaces(const StageScope& scope) {
   list_sets(scope);
   occupied_.begin(frame_.room());
-  add_cells_of_solids();
+  add_cells_of_solids(scope.step.dt);
   add_cells_kept_closed(scope);
   occupied_.join(*scope.ranks);
   frame_.look_at(occupied_);

@@ -16,12 +16,12 @@ bool LevelCoupling<D>::stays_near() const {
     const CornerColumns<D> from = corner_columns<D>(frame_, *s.columns, *s.set),
                            to = corner_columns<D>(frame_, *s.columns, *s.next);
     for (std::size_t a = 0; a < D; ++a) {
-      const double most = Frame<D>::most_move * frame_.spacing[frame_.direction[a]];
+      const double width = frame_.spacing[frame_.direction[a]];
       int far = 0;
       for (std::size_t k = 0; k < from.size(); ++k) {
         const double *x = from[k][a], *y = to[k][a];
         for (std::size_t p = 0; p < s.set->size(); ++p)
-          far |= std::fabs(y[p] - x[p]) <= most ? 0 : 1;
+          far |= std::fabs(y[p] - x[p]) <= s.moves[p] * width ? 0 : 1;
       }
       if (far != 0) return false;
     }
@@ -59,7 +59,9 @@ Verdict LevelCoupling<D>::find_swept_volumes(const StageScope& scope) {
   const auto any = all.add_any(!stays_near());
   scope.ranks->reduce(all);
   if (all.any(any)) {
-    *scope.reason = fmt::format("a solid moves by more than {} cells", Frame<D>::most_move);
+    *scope.reason = fmt::format(
+        "a solid moves by more than {} cells, or by more than {} though it began slowly",
+        Frame<D>::most_move, Frame<D>::slow_move);
     return Verdict::reject;
   }
   find_all_faces(scope, true);

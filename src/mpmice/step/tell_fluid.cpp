@@ -5,9 +5,33 @@
 
 namespace sluice::mpmice {
 
-// May cells of the domain or beyond its sides see, in a mirror too, what the arrays hold.
+// 1 for each block with solids or faces that they cover, or below one that has: elsewhere there is
+// nothing to tell.
 template <int D>
-bool LevelCoupling<D>::may_see_solids(const CellBox<D>& part) const {
+std::vector<std::uint8_t> LevelCoupling<D>::blocks_to_tell() const {
+  constexpr std::size_t n = CellBlocks<D>::block_cells;
+  std::vector<const Column*> fields{&fields_.theta, &fields_.theta_next};
+  for (std::size_t d = 0; d < D; ++d)
+    for (const auto* of :
+         {&fields_.covered, &fields_.covered_next, &fields_.mean_covered, &fields_.swept})
+      fields.push_back(&(*of)[d]);
+  std::vector<std::uint8_t> told(1 + frame_.cells.block_count(), 0);
+  for (std::size_t b = told.size(); b-- > 1;) {
+    for (const Column* field : fields) {
+      bool any = false;
+      for (std::size_t i = b * n; i < (b + 1) * n; ++i) any |= (*field)[i] != 0;
+      if (any) told[b] = 2;
+    }
+    for (int d = 0; d < D; ++d)
+      if (told[frame_.cells.above(b, d)] == 2) told[b] = std::max<std::uint8_t>(told[b], 1);
+  }
+  return told;
+}
+
+// May cells of the domain or beyond its sides see, in a mirror too, one of these blocks.
+template <int D>
+bool LevelCoupling<D>::sees_any(const CellBox<D>& part,
+                                const std::vector<std::uint8_t>& told) const {
   CellBox<D> seen;
   for (std::size_t a = 0; a < D; ++a) {
     const int low = frame_.domain.lower[a], high = frame_.domain.upper[a];
@@ -24,13 +48,14 @@ bool LevelCoupling<D>::may_see_solids(const CellBox<D>& part) const {
       seen.lower[a] = std::min(seen.lower[a], 2 * high - part.upper[a]);
     }
   }
-  return frame_.cells.holds_any(seen);
+  return frame_.cells.any_block(seen, [&](std::size_t b) { return told[b] != 0; });
 }
 
 // Of a box with its ghosts, the cells (along < 0) or the low faces along a direction that see what
 // the arrays hold, and where it lies there.
 template <int D>
-SeenPlaces LevelCoupling<D>::places_seen(const IndexBox& box, int along) const {
+SeenPlaces LevelCoupling<D>::places_seen(const IndexBox& box, int along,
+                                         const std::vector<std::uint8_t>& told) const {
   SeenPlaces seen;
   const auto look = [&](const Cell<D>& at) {
     const IntVec3 c = frame_.index(at);
@@ -44,7 +69,7 @@ SeenPlaces LevelCoupling<D>::places_seen(const IndexBox& box, int along) const {
   const CellBox<D> all = frame_.box(box);
   for_each_cell_of<D>(BlockDirectory<D>::blocks_of(all), [&](const Cell<D>& b) {
     const CellBox<D> part = common<D>(BlockDirectory<D>::cells_of(b), all);
-    if (!may_see_solids(part)) return;
+    if (!sees_any(part, told)) return;
     seen.parts.push_back(frame_.part_of(box, part));
     for_each_cell_of<D>(part, look);
   });
@@ -77,6 +102,7 @@ void LevelCoupling<D>::tell_fluid(const StageScope& scope) {
   const ice::Labels& l = ice::labels();
   std::array<Column, D> velocity;
   for (std::size_t n = 0; n < D; ++n) velocity[n] = velocity_at_faces(n);
+  const std::vector<std::uint8_t> told = blocks_to_tell();
   for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
     SeenPlaces seen;
     IndexBox seen_of;
@@ -84,7 +110,7 @@ void LevelCoupling<D>::tell_fluid(const StageScope& scope) {
     const auto tell = [&](Label label, int along, const Column& from, bool turns = false) {
       const int slot = state.find(label, fluid_->options().place(0));
       const RealView to = state.view(slot, 0, b);
-      if (along != seen_along || !(to.box == seen_of)) seen = places_seen(to.box, along);
+      if (along != seen_along || !(to.box == seen_of)) seen = places_seen(to.box, along, told);
       seen_along = along;
       seen_of = to.box;
       // Others write fractions too: those of a state that was taken over.

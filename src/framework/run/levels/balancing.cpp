@@ -9,9 +9,13 @@
 namespace sluice {
 
 bool Balancing::balance(int step) {
-  constexpr int interval = 50;  // coarse steps: enough to measure, rare enough to cost nothing
-  if (communicator_->size() == 1 || step - last_ < interval) return false;
-  last_ = step;
+  // Coarse steps: enough to measure, rare enough to cost nothing. The first look is early, for
+  // solids that lie in a few boxes.
+  constexpr int first = 3, interval = 50;
+  if (communicator_->size() == 1) return false;
+  if (!next_) next_ = step - 1 + first;
+  if (step < *next_) return false;
+  next_ = step + interval;
   const auto start = std::chrono::steady_clock::now();
   int moved = levels_->count();  // the first level with boxes that moved
   for (int l = 0; l < levels_->count(); ++l) {
@@ -33,7 +37,7 @@ bool Balancing::balance(int step) {
 }
 
 void Balancing::succeed(const Balancing& earlier) {
-  last_ = earlier.last_;
+  next_ = earlier.next_;
   count_ = earlier.count_;
   seconds_ = earlier.seconds_;
 }

@@ -1,5 +1,7 @@
 // Moves boxes to other ranks where that makes the busiest rank faster.
 #pragma once
+#include <optional>
+
 #include "framework/run/levels/levels.hpp"
 #include "framework/run/levels/particle_cloud.hpp"
 
@@ -12,7 +14,7 @@ class Balancing {
             ParticleCloud* particles)
       : scene_(&scene), communicator_(&communicator), levels_(&levels), particles_(particles) {}
 
-  // True when boxes have moved. Looks every 50 coarse steps. Collective.
+  // True when boxes have moved. Looks after three coarse steps, then every 50. Collective.
   bool balance(int step);
   // Goes on from that of an earlier part of the run.
   void succeed(const Balancing& earlier);
@@ -26,7 +28,7 @@ class Balancing {
   Communicator* communicator_;
   Levels* levels_;
   ParticleCloud* particles_;
-  int last_ = 0;  // step of the last look
+  std::optional<int> next_;  // step of the next look; none before the first step
   int count_ = 0;
   double seconds_ = 0;
 };

@@ -77,7 +77,8 @@ class ParticleCloud {
   const ParticleStore& store(int kind) const { return kinds_[kind].store; }
   std::vector<ParticleCount> counts() const;  // collective
   std::int64_t local_count() const;           // of this rank, all kinds
-  // Wall seconds spent on the particles of each local box of a level since boxes were laid out.
+  // Wall seconds spent on the particles of each local box of a level since boxes were laid out;
+  // estimated by their number where they step in stages.
   const std::vector<double>& box_seconds(int level) const { return box_seconds_[level]; }
   // For checkpoints. Collective.
   std::string state() const;
