@@ -167,7 +167,8 @@ class CellBlocks {
   Directory directory_;  // numbers of blocks
   std::vector<Cell<D>> blocks_;
   std::vector<std::int32_t> above_;  // [block][direction]
-  // Where blocks begin that share the coordinate along z, and those along y and z: block n at n - 1.
+  // Where blocks begin that share the coordinate along z, and those along y and z; the first block
+  // is 0 here.
   std::vector<std::uint32_t> slabs_, columns_;
 };
 

@@ -1,4 +1,4 @@
-// One pass over moving surfaces against facet by facet, and the bits of bodies moved by whole cells.
+// One pass over moving surfaces against facet by facet; bits of bodies moved by whole cells.
 #include "mpmice/geometry/moving_surface.hpp"
 
 #include <gtest/gtest.h>
@@ -118,8 +118,8 @@ TEST(MovingSurface, NoBitDependsOnTheOrderOfFaces) {
   EXPECT_EQ(whole.swept.C, other.swept.C);
 }
 
-// Of three dimensions places are counted from a facet's own cells, though facets that several planes
-// cut along a direction are not.
+// Of three dimensions places are counted from a facet's own cells, except of facets that several
+// planes cut along a direction.
 TEST(MovingSurface, ABodyMovedByWholeCellsKeepsItsBits) {
   const auto shifted = [](int by) {
     // Corners are multiples of 2^-20, so that places far from the origin are exact.

@@ -29,9 +29,9 @@ bool in_grid_plane(const FacetNodes<D>& nodes) {
   return false;
 }
 
-// act(i, t, nodes, piece) for the pieces of facet t of face i. In a grid plane outer faces lie in the
-// cell that they look into, inner ones half in each: both sides of one alike, so that they cancel
-// in both cells.
+// act(i, t, nodes, piece) for the pieces of facet t of face i. In a grid plane outer faces lie in
+// the cell that they look into, inner ones half in each: both sides of one alike, so that they
+// cancel in both cells.
 template <int D, class Act>
 void for_each_piece_of(const OuterFaces<D>& faces, When when, std::size_t i, int t, Act&& act) {
   const FacetNodes<D> nodes = facet_nodes<D>(when == When::start ? faces.start : faces.end, i, t);

@@ -195,8 +195,8 @@ CellMask LevelCoupling<D>::cells_beside_fluid() const {
   return mask;
 }
 
-// Mass of the solids in cells beside fluid and their velocity, from a 2^D-th of each particle half way between
-// its middle and each corner; velocities are those of the step, (x' - x)/dt.
+// Mass of the solids in cells beside fluid and their velocity, from a 2^D-th of each particle half
+// way between its middle and each corner; velocities are those of the step, (x' - x)/dt.
 template <int D>
 void LevelCoupling<D>::mean_over_cells(const StageScope& scope) {
   double most_mass = 0, most_speed = 0;
