@@ -97,6 +97,7 @@ ImplicitSettings read_implicit(const DeckNode& flags) {
   s.shrink = real_or(flags, "delT_decrease_factor", s.shrink);
   s.grow = real_or(flags, "delT_increase_factor", s.grow);
   s.conducts = boolean_or(flags, "DoImplicitHeatConduction", s.conducts);
+  s.direct = text_or(flags, "solver", "") == "simple";
   s.heat_is_stored = boolean_or(flags, "DoTransientImplicitHeatConduction", s.heat_is_stored);
   return s;
 }

@@ -109,8 +109,8 @@ Verdict ImplicitStep::find_displacements(const StageScope& scope) {
 Verdict ImplicitStep::conduct(const StageScope& scope) {
   warmed_.clear();
   if (!solids_->implicit->conducts) return Verdict::good;
-  if (conduct_heat(parts(), *outside_, scope.step.time, scope.step.dt, warmed_))
-    return Verdict::good;
+  const HeatStep step{scope.step.time, scope.step.dt, scope.levels.front()->team()};
+  if (conduct_heat(parts(), *outside_, step, warmed_)) return Verdict::good;
   *scope.reason =
       "the conduction of heat has no solution: without storage of heat "
       "(DoTransientImplicitHeatConduction false) a side must give a temperature";
@@ -176,13 +176,9 @@ void ImplicitStep::warm(std::size_t k, const Response::Span& span, const double*
 bool ImplicitStep::move_chunk(std::size_t k, const Response::Span& span, Response& response,
                               std::string& reason) {
   ChunkOfMatrices phi, T;
-  equilibrium_->deformation(*nodes_, k, span, response, phi);
+  equilibrium_->particles().deformation(*nodes_, k, span, response, phi);
   if (const auto fault = response.forces(span, phi, particles_.kind(k).next, span.at, T)) {
-    const Vec3 x = span.set->position(fault->particle);
-    if (reason.empty())
-      reason = fmt::format("particle {} of material {} '{}' at [{:g}, {:g}, {:g}]: {} ({:g})",
-                           span.set->id(fault->particle), k, solids_->materials[k].name, x.x, x.y,
-                           x.z, fault->reason, fault->value);
+    if (reason.empty()) reason = describe_fault(*span.set, k, solids_->materials[k], *fault);
     return false;
   }
   read_nodes(k, span);

@@ -1,5 +1,7 @@
 #include "mpm/implicit/response.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -26,6 +28,14 @@ double adjugate_of(const Matrix& m, Matrix& to) {
 }
 
 }  // namespace
+
+std::string describe_fault(const ParticleSet& set, std::size_t kind, const SolidMaterial& material,
+                           const ResponseFault& fault) {
+  const Vec3 x = set.position(fault.particle);
+  return fmt::format("particle {} of material {} '{}' at [{:g}, {:g}, {:g}]: {} ({:g})",
+                     set.id(fault.particle), kind, material.name, x.x, x.y, x.z, fault.reason,
+                     fault.value);
+}
 
 Response::Response(const MpmScene& solids, const SolidMaterial& material, const Carried& carried,
                    double spacing, std::array<bool, 3> active)
@@ -96,12 +106,21 @@ std::optional<ResponseFault> Response::forces(const Span& s, const ChunkOfMatric
   return std::nullopt;
 }
 
+void Response::make_trial(const ParticleSet& like) {
+  if (trial_.size() != 0) return;
+  trial_ = ParticleSet(like.attribute_count());
+  for (int q = 0; q < chunk_size; ++q) trial_.add({}, 0);
+}
+
+std::optional<ResponseFault> Response::trial_forces(const Span& s, const ChunkOfMatrices& phi,
+                                                    ChunkOfMatrices& T) {
+  make_trial(*s.set);
+  return forces(s, phi, trial_, 0, T);
+}
+
 std::optional<ResponseFault> Response::tangents(const Span& s, const ChunkOfMatrices& phi,
                                                 ChunkOfMatrices& T, double* A) {
-  if (trial_.size() == 0) {
-    trial_ = ParticleSet(s.set->attribute_count());
-    for (int q = 0; q < chunk_size; ++q) trial_.add({}, 0);
-  }
+  make_trial(*s.set);
   ChunkOfMatrices moved = phi, up, down;
   for (std::size_t r = 0; r < 9; ++r) {
     if (!active_[r / 3] || !active_[r % 3]) continue;

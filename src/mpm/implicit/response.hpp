@@ -26,6 +26,9 @@ struct ResponseFault {
   std::string reason;
   double value = 0;
 };
+// "particle 7 of material 0 'bar' at [...]: ..."
+std::string describe_fault(const ParticleSet& set, std::size_t kind, const SolidMaterial& material,
+                           const ResponseFault& fault);
 
 class Response {
  public:
@@ -44,13 +47,20 @@ class Response {
   // T; what the law makes of the particles stands in `to` from `to_at` on.
   std::optional<ResponseFault> forces(const Span& span, const ChunkOfMatrices& phi, ParticleSet& to,
                                       std::size_t to_at, ChunkOfMatrices& T);
+  // T alone.
+  std::optional<ResponseFault> trial_forces(const Span& span, const ChunkOfMatrices& phi,
+                                            ChunkOfMatrices& T);
   // The same with A, 81 numbers a particle: A[9 q + r] = dT_q/dPhi_r.
   std::optional<ResponseFault> tangents(const Span& span, const ChunkOfMatrices& phi,
                                         ChunkOfMatrices& T, double* A);
   // Of the last call of forces(): dT/dt of the law itself, K/s.
   const double* heating() const { return heating_; }
+  // Of the last call: the speed of compression waves, m/s.
+  const double* wave_speed() const { return wave_; }
 
  private:
+  void make_trial(const ParticleSet& like);
+
   const MpmScene* solids_;
   const SolidMaterial* material_;
   const Carried* carried_;
