@@ -73,6 +73,8 @@ NewtonReport Equilibrium::find(NodesOfStep& nodes, SparseSolver& direct) {
     if (!particles_.evaluate(nodes, report.reason)) return report;
   }
   prepare(nodes, direct);
+  report.unknowns = solver_->unknowns();
+  report.directly = solver_->solves_directly();
   iterate(nodes, 1, report);
   if (!report.converged && !nodes.dynamic()) apply_in_increments(nodes, report);
   return report;
@@ -94,7 +96,10 @@ void Equilibrium::iterate(NodesOfStep& nodes, double share, NewtonReport& report
     }
     now.gap = now.gives && find_gap(nodes, share);
     report.converged = has_converged(now);
-    if (report.converged) return;
+    if (report.converged) {
+      report.reason.clear();  // of attempts before
+      return;
+    }
     if (now.iterations >= most || now.solves >= most_solves * most) {
       report.reason = fmt::format(
           "Newton's method has not converged in {} iterations (iters_before_timestep_restart); the "
@@ -114,46 +119,50 @@ bool Equilibrium::has_converged(const Progress& now) const {
 
 // The largest sum of sizes of forces on a node. Each node's sum runs over particles in their order.
 double Equilibrium::find_forces(const NodesOfStep& nodes) {
-  inner_.assign(nodes.count(), Vec3{});
-  smoothing_.assign(nodes.count(), Vec3{});
-  std::vector<double> size(nodes.count());
   const std::size_t n = nodes.count(),
                     pieces = workers_.count == 1 ? 1 : 4 * static_cast<std::size_t>(workers_.count);
+  inner_.assign(n, Vec3{});
+  smoothing_.assign(n, Vec3{});
+  size_.assign(n, 0.0);
   workers_.run(pieces, [&](std::size_t piece, int) {
-    const std::size_t first = piece * n / pieces, end = (piece + 1) * n / pieces;
-    for (std::size_t k = 0; k < particles_.kinds(); ++k) {
-      if (parts_.solids->materials[k].rigid) continue;
-      const Stencils& s = parts_.reached->of(k);
-      const double* V = parts_.particles->kind(k).now.column(
-          static_cast<std::size_t>((*parts_.carried)[k].columns.volume));
-      for (std::size_t e = 0; e < s.node.size(); ++e) {
-        const auto node = static_cast<std::size_t>(s.node[e]);
-        if (node < first || node >= end) continue;
-        const std::size_t p = e / static_cast<std::size_t>(s.per);
-        const double* T = particles_.stress(k).data() + 9 * p;
-        const std::array<double, 3>& g = s.slope[e];
-        const double stiffness = particles_.modulus(k)[p] * V[p];
-        for (int a = 0; a < 3; ++a) {
-          const double f =
-              s.sign(e, a) * (T[3 * a] * g[0] + T[3 * a + 1] * g[1] + T[3 * a + 2] * g[2]);
-          inner_[node][a] -= f;
-          size[node] += std::fabs(f);
-        }
-        size[node] += 3 * strained * stiffness *
-                      std::max({std::fabs(g[0]), std::fabs(g[1]), std::fabs(g[2])});
-      }
-    }
+    for (std::size_t k = 0; k < particles_.kinds(); ++k)
+      if (!parts_.solids->materials[k].rigid)
+        add_particle_forces(k, piece * n / pieces, (piece + 1) * n / pieces);
   });
   second_.add_forces(nodes, smoothing_);
   double most = 0;
   for (std::size_t i = 0; i < n; ++i) {
     if (!nodes.deforms[i]) continue;
+    double size = size_[i];
     for (int d = 0; d < 3; ++d)
       if (nodes.is_free(i, d))
-        size[i] += std::fabs(nodes.force[i][d]) + nodes.inertia(i) * std::fabs(nodes.u[i][d]);
-    most = std::max(most, size[i]);
+        size += std::fabs(nodes.force[i][d]) + nodes.inertia(i) * std::fabs(nodes.u[i][d]);
+    most = std::max(most, size);
   }
   return most;
+}
+
+// Of a kind, to nodes first, ..., end - 1.
+void Equilibrium::add_particle_forces(std::size_t k, std::size_t first, std::size_t end) {
+  const Stencils& s = parts_.reached->of(k);
+  const ParticleSet& set = parts_.particles->kind(k).now;
+  const double* V = set.column(static_cast<std::size_t>((*parts_.carried)[k].columns.volume));
+  for (std::size_t p = 0; p < set.size(); ++p) {
+    double T[9];
+    std::copy_n(particles_.stress(k).data() + 9 * p, 9, T);
+    const double stiffness = 3 * strained * particles_.modulus(k)[p] * V[p];
+    for (std::size_t e = s.first(p); e < s.first(p + 1); ++e) {
+      const auto node = static_cast<std::size_t>(s.node[e]);
+      if (node < first || node >= end) continue;
+      const std::array<double, 3>& g = s.slope[e];
+      Vec3 f{T[0] * g[0] + T[1] * g[1] + T[2] * g[2], T[3] * g[0] + T[4] * g[1] + T[5] * g[2],
+             T[6] * g[0] + T[7] * g[1] + T[8] * g[2]};
+      if (s.flipped[e] != 0) f = {s.sign(e, 0) * f.x, s.sign(e, 1) * f.y, s.sign(e, 2) * f.z};
+      inner_[node] -= f;
+      size_[node] += std::fabs(f.x) + std::fabs(f.y) + std::fabs(f.z) +
+                     stiffness * std::max({std::fabs(g[0]), std::fabs(g[1]), std::fabs(g[2])});
+    }
+  }
 }
 
 // Of what is free, with a share of what has been added since the last equilibrium; the largest, N.
@@ -262,7 +271,8 @@ bool Equilibrium::solve(const NodesOfStep& nodes, Progress& now, NewtonReport& r
     now.fresh = true;
     if (!attempt(true)) return false;
   }
-  if (now.solves == 1) now.first = std::sqrt(solve::dot(workers_, right_, right_));
+  if (now.gap) now.norm = std::sqrt(solve::dot(workers_, right_, right_));
+  if (now.first == 0) now.first = now.norm;
   if (now.solution.solved) return true;
   now.fresh = true;
   if (now.solution.helps) return true;
@@ -275,7 +285,7 @@ bool Equilibrium::step(NodesOfStep& nodes, Progress& now, NewtonReport& report) 
   const ImplicitSettings& settings = *parts_.solids->implicit;
   const double energy = std::fabs(solve::dot(workers_, change_, right_));
   const double square = move(nodes, 1, now.gap);
-  if (now.solves == 1) now.first_energy = energy;
+  if (now.first_energy == 0) now.first_energy = energy;
   now.most_square = std::max(now.most_square, square);
   now.near = now.still = false;
   if (!particles_.evaluate(nodes, report.reason)) {

@@ -32,6 +32,8 @@ struct NewtonReport {
   int gradient_iterations = 0;    // of conjugate gradients or BiCGSTAB, in all
   int increments = 0;             // of the loads; 0: they were applied at once
   int projected = 0;              // iterations without negative eigenvalues of tangents
+  int unknowns = 0;               // free components of displacements
+  bool directly = false;          // linear systems were solved directly
   std::string reason;             // why it did not
   std::vector<double> residuals;  // the largest force on a free node that is not balanced, N
 };
@@ -57,6 +59,7 @@ class Equilibrium {
   void apply_in_increments(NodesOfStep& nodes, NewtonReport& report);
 
   double find_forces(const NodesOfStep& nodes);
+  void add_particle_forces(std::size_t kind, std::size_t first, std::size_t end);
   double find_residual(const NodesOfStep& nodes, double share);
   bool find_gap(const NodesOfStep& nodes, double share);
   bool has_converged(const Progress& now) const;
@@ -77,6 +80,7 @@ class Equilibrium {
   SecondDifferences second_;
   // By unknown of the matrix: right-hand side, its part from given displacements, the change of u.
   std::vector<double> right_, given_, change_;
+  std::vector<double> size_;                   // by node: the sum of sizes of forces, N
   std::vector<Vec3> inner_, smoothing_, gap_;  // gap: given displacement - u of what is given
   bool in_increments_ = false;
   std::vector<Vec3> held_;  // residual of the last equilibrium, of which increments hold a part

@@ -76,11 +76,13 @@ void ParticleStresses::deformation(const NodesOfStep& nodes, std::size_t kind,
     const std::size_t p = span.at + static_cast<std::size_t>(q);
     double sum[9] = {};
     for (std::size_t e = s.first(p); e < s.first(p + 1); ++e) {
-      const Vec3& u = nodes.u[static_cast<std::size_t>(s.node[e])];
+      Vec3 u = nodes.u[static_cast<std::size_t>(s.node[e])];
       const std::array<double, 3>& g = s.slope[e];
-      for (int d = 0; d < 3; ++d) {
-        const double way = s.sign(e, d) * u[d];
-        for (std::size_t k = 0; k < 3; ++k) sum[3 * static_cast<std::size_t>(d) + k] += way * g[k];
+      if (s.flipped[e] != 0) u = {s.sign(e, 0) * u.x, s.sign(e, 1) * u.y, s.sign(e, 2) * u.z};
+      for (std::size_t k = 0; k < 3; ++k) {
+        sum[k] += u.x * g[k];
+        sum[3 + k] += u.y * g[k];
+        sum[6 + k] += u.z * g[k];
       }
     }
     for (int e = 0; e < 9; ++e) phi.e[e][q] += sum[e];

@@ -5,7 +5,8 @@
 //                                      total Lagrangian: Phi_0 = F_n, G of the reference places
 //   F = Phi F_n (total Lagrangian: F = Phi),   T = V sigma Phi^-T,   f_i = -T G_i
 //   A = dT/dPhi, by central differences of the law itself: consistent with whatever the law does in
-//   the step, so that Newton's method converges quadratically with any of them.
+//   the step, so that Newton's method converges quadratically with any of them. Of the neo-Hookean
+//   law it has a closed form (neo_hook_tangent.hpp).
 #pragma once
 #include <optional>
 #include <string>
@@ -15,6 +16,8 @@
 #include "mpm/step/law_batch.hpp"
 
 namespace sluice::mpm {
+
+struct NeoHookConstants;
 
 // Nine columns of a chunk of particles, row after row.
 struct ChunkOfMatrices {
@@ -60,6 +63,8 @@ class Response {
 
  private:
   void make_trial(const ParticleSet& like);
+  void closed_tangents(const Span& span, const ChunkOfMatrices& phi,
+                       const NeoHookConstants& constants, double* A) const;
 
   const MpmScene* solids_;
   const SolidMaterial* material_;
