@@ -30,7 +30,7 @@ struct BlockCycle::Factor {
 BlockCycle::BlockCycle(const Workers& workers) : workers_(&workers) {}
 BlockCycle::~BlockCycle() = default;
 
-bool BlockCycle::set_up(const BlockRows& rows) {
+bool BlockCycle::set_up(const BlockRows& rows, Chebyshev::Estimate estimate) {
   const bool known = !grids_.empty() && grids_.front()->x.size() == rows.unknowns() &&
                      grids_.front()->rows->place == rows.place;
   if (!known) grids_.clear();
@@ -50,7 +50,7 @@ bool BlockCycle::set_up(const BlockRows& rows) {
     if (!known) grid.to_next = interpolation_between(grid.rows->place);
     // Nodes too far apart to have common coarse nodes: no coarser grid is smaller.
     if (grid.to_next.coarse.size() >= grid.rows->count()) break;
-    grid.smoother.set_up(*grid.rows, *workers_);
+    grid.smoother.set_up(*grid.rows, *workers_, estimate);
   }
   return factor_coarsest();
 }

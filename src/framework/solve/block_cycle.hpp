@@ -19,7 +19,7 @@ class BlockCycle {
 
   // Of a symmetric matrix, which must stay. False: the matrix of the coarsest grid cannot be
   // factored. A later matrix with the same nodes uses the grids of the one before.
-  bool set_up(const BlockRows& rows);
+  bool set_up(const BlockRows& rows, Chebyshev::Estimate estimate = Chebyshev::Estimate::quick);
   // x = C r, about A^-1 r; rows.unknowns() numbers each.
   void apply(std::span<const double> r, std::span<double> x);
 

@@ -37,10 +37,9 @@ BlockReport conjugate_gradients(const LinearMap& A, const LinearMap& preconditio
     if (report.iterations == goal.max_iterations || !std::isfinite(report.residual)) return report;
     A(p, q);
     const double curvature = dot(workers, p, q);
-    if (!(curvature > 0) || !(rz > 0)) {
-      report.negative_curvature = true;
-      return report;
-    }
+    report.negative_preconditioner = !(rz > 0);
+    report.negative_curvature = !(curvature > 0);
+    if (report.negative_preconditioner || report.negative_curvature) return report;
     ++report.iterations;
     const double alpha = rz / curvature;
     for (std::size_t i = 0; i < p.size(); ++i) {

@@ -22,6 +22,8 @@ struct BlockReport {
   double right_side = 0;  // norm
   // p . A p <= 0 for a direction p: the matrix is not positive definite.
   bool negative_curvature = false;
+  // r . z <= 0 for a residual r and what the preconditioner C makes of it: C is not.
+  bool negative_preconditioner = false;
 };
 
 // y = f(x), of as many numbers.

@@ -19,20 +19,39 @@ BlockSolver::BlockSolver(Workers workers) : workers_(std::move(workers)) {}
 
 void BlockSolver::set_up(const Matrix& matrix) {
   matrix_ = matrix;
-  cycle_ready_ = cycle_refused_ = false;
-  if (!matrix.well_conditioned && prepare_cycle()) return;
+  cycle_ready_ = cycle_refused_ = cycle_careful_ = false;
+  if (!matrix.well_conditioned && prepare_cycle(Chebyshev::Estimate::quick)) return;
   diagonal_.invert(*matrix.rows);
 }
 
-bool BlockSolver::prepare_cycle() {
+bool BlockSolver::prepare_cycle(Chebyshev::Estimate estimate) {
   const BlockRows* rows = matrix_.rows;
   if (!matrix_.symmetric) {
     half_ = symmetric_part(*rows);
     rows = &half_;
   }
-  cycle_ready_ = cycle_.set_up(*rows);
+  cycle_ready_ = cycle_.set_up(*rows, estimate);
   cycle_refused_ = !cycle_ready_;
   return cycle_ready_;
+}
+
+// The next that may do better: from block Jacobi to the cycle, to the cycle with more work on its
+// smoothers, to block Jacobi again with as many iterations as it needs. False: there is none.
+bool BlockSolver::replace_preconditioner() {
+  if (cycle_refused_) return false;
+  if (!cycle_ready_) {
+    prepare_cycle(Chebyshev::Estimate::quick);
+    return true;
+  }
+  if (!cycle_careful_) {
+    cycle_careful_ = true;
+    prepare_cycle(Chebyshev::Estimate::careful);
+  } else {
+    cycle_refused_ = true;
+    cycle_ready_ = false;
+  }
+  if (cycle_refused_) diagonal_.invert(*matrix_.rows);
+  return true;
 }
 
 BlockReport BlockSolver::attempt(std::span<const double> b, std::span<double> x,
@@ -67,14 +86,12 @@ BlockReport BlockSolver::solve(std::span<const double> b, std::span<double> x, d
     for (std::size_t i = 0; i < b.size(); ++i) r[i] = b[i] - r[i];
     all.residual = std::sqrt(dot(workers_, r, r));
     all.converged = all.residual <= lost * goal;
-    if (all.converged || all.negative_curvature || !std::isfinite(all.residual)) return all;
-    if (!now.converged) {
-      // Block Jacobi is slow here: go on with the cycle from where it has come to.
-      if (cycle_ready_ || cycle_refused_) return all;
-      prepare_cycle();
-      continue;
-    }
-    ++restarts;
+    if (all.converged || all.negative_curvature) return all;
+    if (!std::isfinite(all.residual)) return all;
+    if (now.converged)
+      ++restarts;
+    else if (!replace_preconditioner())
+      return all;
   }
   return all;
 }

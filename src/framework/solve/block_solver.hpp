@@ -31,7 +31,8 @@ class BlockSolver {
   bool uses_cycle() const { return cycle_ready_; }
 
  private:
-  bool prepare_cycle();
+  bool prepare_cycle(Chebyshev::Estimate estimate);
+  bool replace_preconditioner();
   BlockReport attempt(std::span<const double> b, std::span<double> x, const BlockGoal& goal);
 
   Workers workers_;
@@ -39,7 +40,7 @@ class BlockSolver {
   BlockDiagonal diagonal_;
   BlockCycle cycle_{workers_};
   BlockRows half_;  // the symmetric part of a matrix that is not symmetric, for the cycle
-  bool cycle_ready_ = false, cycle_refused_ = false;
+  bool cycle_ready_ = false, cycle_refused_ = false, cycle_careful_ = false;
 };
 
 }  // namespace sluice::solve

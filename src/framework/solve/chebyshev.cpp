@@ -8,18 +8,18 @@ namespace {
 
 constexpr double interval = 8;  // largest over smallest eigenvalue that is damped
 constexpr double margin = 1.1;  // of an estimate from below
-constexpr int first_products = 12, later_products = 3;
+constexpr int first_products = 12, later_products = 3, careful_products = 60;
 
 }  // namespace
 
-void Chebyshev::set_up(const BlockRows& rows, const Workers& workers) {
+void Chebyshev::set_up(const BlockRows& rows, const Workers& workers, Estimate estimate) {
   rows_ = &rows;
   workers_ = &workers;
   diagonal_.invert(rows);
   const std::size_t n = rows.unknowns();
   change_.resize(n);
   product_.resize(n);
-  const bool known = vector_.size() == n;
+  const bool careful = estimate == Estimate::careful, known = !careful && vector_.size() == n;
   if (!known) {
     // Numbers without a pattern, the same in every run: a linear congruential generator.
     vector_.resize(n);
@@ -29,7 +29,7 @@ void Chebyshev::set_up(const BlockRows& rows, const Workers& workers) {
       x = (seed >> 8) / static_cast<double>(1 << 24) - 0.5;
     }
   }
-  estimate_largest(known ? later_products : first_products);
+  estimate_largest(careful ? careful_products : known ? later_products : first_products);
 }
 
 // v = D^-1 A v/|v|, lmax ~ |v|: the power method.

@@ -11,9 +11,11 @@ namespace sluice::solve {
 
 class Chebyshev {
  public:
+  enum class Estimate { quick, careful };
   // The matrix must stay. A later one of the same size begins its estimate of lmax where that of
-  // the matrix before ended, which takes fewer products.
-  void set_up(const BlockRows& rows, const Workers& workers);
+  // the matrix before ended, which takes fewer products; a careful one begins from nothing and takes
+  // more. Eigenvalues far beyond the estimate make the polynomial negative there.
+  void set_up(const BlockRows& rows, const Workers& workers, Estimate estimate = Estimate::quick);
   double largest_eigenvalue() const { return largest_; }
 
   // x = p(D^-1 A) b of the degree, from 0; residual = b - A x.

@@ -75,9 +75,30 @@ NewtonReport Equilibrium::find(NodesOfStep& nodes, SparseSolver& direct) {
   prepare(nodes, direct);
   report.unknowns = solver_->unknowns();
   report.directly = solver_->solves_directly();
+  choose_start(nodes);
   iterate(nodes, 1, report);
   if (!report.converged && !nodes.dynamic()) apply_in_increments(nodes, report);
   return report;
+}
+
+// Without inertia the predictor goes on as in the step before; under loads that rest the place of the
+// start is better. From where the residual is smaller, unless given displacements go on.
+void Equilibrium::choose_start(NodesOfStep& nodes) {
+  if (nodes.dynamic() || std::any_of(nodes.way.begin(), nodes.way.end(),
+                                     [](const Vec3& way) { return way != Vec3{}; }))
+    return;
+  const auto residual = [&] {
+    find_forces(nodes);
+    find_residual(nodes, 1);
+    return solve::dot(workers_, right_, right_);
+  };
+  const double predicted = residual();
+  std::vector<Vec3> u(nodes.count());
+  std::swap(u, nodes.u);
+  std::string ignored;
+  if (particles_.evaluate(nodes, ignored) && residual() <= predicted) return;
+  std::swap(u, nodes.u);
+  particles_.evaluate(nodes, ignored);
 }
 
 void Equilibrium::iterate(NodesOfStep& nodes, double share, NewtonReport& report) {

@@ -55,6 +55,7 @@ class Equilibrium {
  private:
   struct Progress;
   void prepare(const NodesOfStep& nodes, SparseSolver& direct);
+  void choose_start(NodesOfStep& nodes);
   void iterate(NodesOfStep& nodes, double share, NewtonReport& report);
   void apply_in_increments(NodesOfStep& nodes, NewtonReport& report);
 
