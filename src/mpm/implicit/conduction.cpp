@@ -90,8 +90,8 @@ solve::BlockRows conductances(const NodesOfStep::Parts& p, const solve::Workers&
   return rows;
 }
 
-// For the change: (C/dt + K) (T_1 - T_0) = q - K T_0. Makes K the matrix of the free nodes, and adds
-// to q what is known.
+// For the change: (C/dt + K) (T_1 - T_0) = q - K T_0. Makes K the matrix of the free nodes, and
+// adds to q what is known.
 void reduce_to_free(const HeatOfNodes& h, const std::vector<double>& before,
                     const std::vector<double>& warmed, const std::vector<std::uint8_t>& free,
                     double storage, solve::BlockRows& K, std::vector<double>& q) {

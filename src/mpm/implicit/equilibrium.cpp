@@ -12,9 +12,9 @@ constexpr double round_off = 1e-13;  // of the forces in a residual
 constexpr double strained = 0.1;     // of stiffness, beside these: a strain of 1e-14
 constexpr double still = 1e-14;      // of a cell: no displacement at all
 constexpr int most_halvings = 8;
-// Of inexact solutions: the residual of a linear system over its right-hand side, of Newton's method
-// over its first; and by how much an iteration reduces it with a matrix that serves on.
-constexpr double linear_tolerance = 0.03, last_residual = 1e-6, serves = 0.3;
+// Of inexact solutions: the residual of a linear system over its right-hand side, of Newton's
+// method over its first; and by how much an iteration reduces it with a matrix that serves on.
+constexpr double linear_tolerance = 0.01, last_residual = 1e-6, serves = 0.3;
 constexpr int most_solves = 4;                // per iteration that the deck allows
 constexpr double least_increment = 1. / 256;  // of the loads
 constexpr int easy_iterations = 6;            // the next increment may be twice as large
@@ -81,8 +81,8 @@ NewtonReport Equilibrium::find(NodesOfStep& nodes, SparseSolver& direct) {
   return report;
 }
 
-// Without inertia the predictor goes on as in the step before; under loads that rest the place of the
-// start is better. From where the residual is smaller, unless given displacements go on.
+// Without inertia the predictor goes on as in the step before; under loads that rest the place of
+// the start is better. From where the residual is smaller, unless given displacements go on.
 void Equilibrium::choose_start(NodesOfStep& nodes) {
   if (nodes.dynamic() || std::any_of(nodes.way.begin(), nodes.way.end(),
                                      [](const Vec3& way) { return way != Vec3{}; }))
@@ -219,8 +219,8 @@ bool Equilibrium::find_gap(const NodesOfStep& nodes, double share) {
   return any;
 }
 
-// New tangents, or those at hand without their negative eigenvalues; the matrix of them, and the part
-// of the right-hand side that given displacements make.
+// New tangents, or those at hand without their negative eigenvalues; the matrix of them, and the
+// part of the right-hand side that given displacements make.
 bool Equilibrium::renew(const NodesOfStep& nodes, bool positive, Progress& now,
                         NewtonReport& report) {
   if (positive)

@@ -2,19 +2,19 @@
 //
 //   residual r = f_ext + f_2 - sum T G - M a_1(u),   (sum G.A.G + K_2 + 4 M/dt^2) du = r
 //
-// on what is free; f_2, K_2: second_differences.hpp. Displacements that are given enter with the first
-// iteration, as part of its linear system. Small systems are solved directly, with new tangents in
-// every iteration. Large ones are solved by conjugate gradients to a part of the residual (inexact
-// Newton), and tangents, matrix and preconditioner serve while each iteration reduces the residual to
-// .3 of it. It has converged when |du|^2 is less than a part of its largest and |du.r| than a part of
-// the first and, with an inexact solution, the residual than 1e-6 of the first; or when the residual is
-// round-off of the forces in it. A solution that failed is not counted. An iteration that turns a
-// particle inside out is halved. Where the matrix is not positive definite (CG meets p.A p <= 0),
-// negative eigenvalues of the particles' tangents are left out for one iteration. Without inertia a
-// step that fails is repeated in increments: loads and given displacements are those of the last
-// equilibrium and a part of what has been added since.
-// J. E. Guilkey, J. A. Weiss, Int. J. Numer. Meth. Engng 57 (2003) 1323; R. S. Dembo, S. C. Eisenstat,
-// T. Steihaug, SIAM J. Numer. Anal. 19 (1982) 400.
+// on what is free; f_2, K_2: second_differences.hpp. Displacements that are given enter with the
+// first iteration, as part of its linear system. Small systems are solved directly, with new
+// tangents in every iteration. Large ones are solved by conjugate gradients to a part of the
+// residual (inexact Newton), and tangents, matrix and preconditioner serve while each iteration
+// reduces the residual to .3 of it. It has converged when |du|^2 is less than a part of its largest
+// and |du.r| than a part of the first and, with an inexact solution, the residual than 1e-6 of the
+// first; or when the residual is round-off of the forces in it. A solution that failed is not
+// counted. An iteration that turns a particle inside out is halved. Where the matrix is not
+// positive definite (CG meets p.A p <= 0), negative eigenvalues of the particles' tangents are left
+// out for one iteration. Without inertia a step that fails is repeated in increments: loads and
+// given displacements are those of the last equilibrium and a part of what has been added since.
+// J. E. Guilkey, J. A. Weiss, Int. J. Numer. Meth. Engng 57 (2003) 1323; R. S. Dembo, S. C.
+// Eisenstat, T. Steihaug, SIAM J. Numer. Anal. 19 (1982) 400.
 #pragma once
 #include <memory>
 #include <string>

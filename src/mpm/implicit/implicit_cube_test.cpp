@@ -41,6 +41,7 @@ SolidDeck deck_of(const Cube& c) {
 struct Ran {
   std::vector<std::vector<double>> way;
   std::vector<double> id = {};
+  std::string events = {};
   double lowest = 0, mean = 0;  // displacement along y
 };
 
@@ -54,7 +55,8 @@ Ran run_of(const Cube& c, int steps = 1, int threads = 1, const char* patches = 
   rewrites.emplace_back("</resolution>",
                         fmt::format("</resolution><patches>{}</patches>", patches));
   const TextRun run(deck_of(c), rewrites, "cube", threads, implicit_solids);
-  Ran ran{run.particles("p.displacement"), run.particles("p.particleID")[0]};
+  Ran ran{run.particles("p.displacement"), run.particles("p.particleID")[0],
+          run.report().events_json};
   for (const double y : ran.way[1]) {
     ran.lowest = std::min(ran.lowest, y);
     ran.mean += y / static_cast<double>(ran.id.size());
@@ -81,6 +83,16 @@ TEST(ImplicitCube, BendsByItsOwnLength) {
   const Ran cube = run_of({.gravity = 0.3});
   EXPECT_GT(-cube.lowest, 0.7);
   EXPECT_LT(-cube.lowest, 1.2);
+}
+
+// Too much at once: the step is repeated with increments of the load.
+TEST(ImplicitCube, LoadsAreAppliedInIncrementsWhereNewtonsMethodFails) {
+  const Ran cube = run_of({.cells = 4, .gravity = 0.5});
+  EXPECT_NE(cube.events.find("loads were applied in increments"), std::string::npos) << cube.events;
+  EXPECT_GT(-cube.lowest, 0.8);
+  EXPECT_LT(-cube.lowest, 1.5);
+  const Ran easy = run_of({.cells = 4, .gravity = 0.1});
+  EXPECT_EQ(easy.events.find("increments"), std::string::npos) << easy.events;
 }
 
 // The stiffness of a cell with one particle alone has modes without strain.

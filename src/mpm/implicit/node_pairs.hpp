@@ -3,7 +3,7 @@
 // Nodes act on each other if one particle reaches both. The table has one entry for each offset
 // between two nodes, so that a pair is found without a search.
 #pragma once
-#include "framework/solve/block_rows.hpp"
+#include "framework/solve/block/block_rows.hpp"
 #include "framework/task/thread_team.hpp"
 #include "mpm/implicit/nodes_of_step.hpp"
 

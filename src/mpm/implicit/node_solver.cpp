@@ -8,8 +8,8 @@ constexpr int most_direct[4] = {1000000, 1000000, 10000, 1000};
 constexpr int most_direct_at_last = 20000;  // where conjugate gradients fail
 // Asymmetry of tangents up to which their symmetric part serves Newton's method.
 constexpr double nearly_symmetric = 1e-2;
-// Part of storage in the diagonal from which block Jacobi takes a few iterations: their number grows
-// with the root of its inverse.
+// Part of storage in the diagonal from which block Jacobi takes a few iterations: their number
+// grows with the root of its inverse.
 constexpr double well_conditioned = 0.02;
 constexpr double least_help = 0.5;  // of the right-hand side
 
@@ -24,8 +24,8 @@ NodeSolver::NodeSolver(System system, const solve::Workers& workers, SparseSolve
 }
 
 bool NodeSolver::takes_symmetric(double asymmetry) const {
-  // A direct solution takes the matrix as it is: of few particles it may have modes without stiffness,
-  // and round-off that breaks the symmetry of a deck would move them.
+  // A direct solution takes the matrix as it is: of few particles it may have modes without
+  // stiffness, and round-off that breaks the symmetry of a deck would move them.
   return !system_.direct && asymmetry <= nearly_symmetric;
 }
 

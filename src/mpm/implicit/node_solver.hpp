@@ -1,8 +1,9 @@
-// Linear systems of the unknowns of nodes: directly where they are small, else by conjugate gradients.
+// Linear systems of the unknowns of nodes: directly where they are small, else by conjugate
+// gradients.
 #pragma once
 #include <cstdint>
 
-#include "framework/solve/block_solver.hpp"
+#include "framework/solve/block/block_solver.hpp"
 #include "mpm/implicit/sparse_solver.hpp"
 
 namespace sluice::mpm {

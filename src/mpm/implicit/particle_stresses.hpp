@@ -29,7 +29,8 @@ class ParticleStresses {
                    const Response& response, ChunkOfMatrices& phi) const;
 
   std::size_t kinds() const { return T_.size(); }
-  // By kind: 9 numbers a particle, J; 81 numbers A[9 q + r] = dT_q/dPhi_r, J. Empty for rigid kinds.
+  // By kind: 9 numbers a particle, J; 81 numbers A[9 q + r] = dT_q/dPhi_r, J. Empty for rigid
+  // kinds.
   const std::vector<double>& stress(std::size_t kind) const { return T_[kind]; }
   const std::vector<double>& tangent(std::size_t kind) const { return A_[kind]; }
   // By kind, as last evaluated: rho c^2 of a particle, Pa.

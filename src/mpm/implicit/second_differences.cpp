@@ -16,8 +16,8 @@ double cell_volume(const Level& level) {
   return level.spacing.x * level.spacing.y * level.spacing.z;
 }
 
-// Volume hardly changes in modes that need this stiffness: of materials that resist such changes far
-// more than shear, a part of rho c^2 counts.
+// Volume hardly changes in modes that need this stiffness: of materials that resist such changes
+// far more than shear, a part of rho c^2 counts.
 double part_of_modulus(const Material& law) {
   const double shear = law.shear_modulus(), all = law.bulk_modulus() + 4.0 / 3 * shear;
   return shear > 0 && all > most_shear * shear ? most_shear * shear / all : 1;

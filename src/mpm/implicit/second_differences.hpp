@@ -1,17 +1,17 @@
 // A weak stiffness against second differences of displacements along lines of the grid.
 //
 //   f = -g E V_c/h^2 c c^T u,   c = (1, -2, 1), for every three nodes in a row of a body, each
-//   component by itself; E = rho c^2 at the middle node (no more than 3.5 times the shear modulus), V_c
-//   the volume of a cell, h its size there
+//   component by itself; E = rho c^2 at the middle node (no more than 3.5 times the shear modulus),
+//   V_c the volume of a cell, h its size there
 //
-// It is 0 for displacements that are linear in space: rigid motion, uniform strain. It gives stiffness
-// to nodes that a body only just reaches, to modes without strain at particles (hourglasses of one
-// particle per cell), and to nodes whose only stiffness is that of compressive stress. Without inertia
-// each of them makes the stiffness singular or indefinite. u is the displacement of the step, so that
-// nothing of it is left once a body rests. g = 1e-4, and 1e-3 where particles are fewer than 2^d per
-// cell.
-// E. Burman, C. R. Math. 348 (2010) 1217, ghost penalty; W. M. Coombs, Int. J. Numer. Meth. Engng 124
-// (2023) 4841, for material points.
+// It is 0 for displacements that are linear in space: rigid motion, uniform strain. It gives
+// stiffness to nodes that a body only just reaches, to modes without strain at particles
+// (hourglasses of one particle per cell), and to nodes whose only stiffness is that of compressive
+// stress. Without inertia each of them makes the stiffness singular or indefinite. u is the
+// displacement of the step, so that nothing of it is left once a body rests. g = 1e-4, and 1e-3
+// where particles are fewer than 2^d per cell.
+// E. Burman, C. R. Math. 348 (2010) 1217, ghost penalty; W. M. Coombs, Int. J. Numer. Meth. Engng
+// 124 (2023) 4841, for material points.
 #pragma once
 #include "mpm/implicit/stiffness.hpp"
 

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "framework/solve/block_rows.hpp"
+#include "framework/solve/block/block_rows.hpp"
 
 namespace sluice::mpm {
 

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "framework/solve/node_numbers.hpp"
+#include "framework/solve/block/node_numbers.hpp"
 #include "mpm/boundary/node_boundary.hpp"
 #include "mpm/implicit/all_particles.hpp"
 #include "mpm/step/columns.hpp"

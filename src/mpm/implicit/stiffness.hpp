@@ -1,7 +1,7 @@
 // The stiffness of the nodes, K = sum_p G.A.G, as a matrix of blocks.
 //
-// Particles add to rows in their order: each entry is a sum in a fixed order, whatever the number of
-// threads. Of a symmetric matrix the upper half is summed and the lower one copied from it.
+// Particles add to rows in their order: each entry is a sum in a fixed order, whatever the number
+// of threads. Of a symmetric matrix the upper half is summed and the lower one copied from it.
 #pragma once
 #include "mpm/implicit/node_pairs.hpp"
 #include "mpm/implicit/particle_stresses.hpp"

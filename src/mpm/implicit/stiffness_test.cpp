@@ -1,4 +1,5 @@
-// The matrix of the nodes against differences of their forces; second differences; positive tangents.
+// The matrix of the nodes against differences of their forces; second differences; positive
+// tangents.
 #include "mpm/implicit/stiffness.hpp"
 
 #include <gtest/gtest.h>
@@ -94,7 +95,8 @@ INSTANTIATE_TEST_SUITE_P(Stiffness, Matrix,
                                          Case{2, "gimp"}, Case{3, "gimp"}, Case{2, "3rdorderBS"},
                                          Case{2, "gimp", true}));
 
-// Rigid rotation with uniform strain meets no force; a parabola meets that of its second difference.
+// Rigid rotation with uniform strain meets no force; a parabola meets that of its second
+// difference.
 TEST(SecondDifferences, ActOnWhatIsNotLinear) {
   for (const int dimensions : {1, 2, 3})
     look_at_start(
@@ -135,8 +137,8 @@ TEST(SecondDifferences, ActOnWhatIsNotLinear) {
         });
 }
 
-// Compressed so far that some modes have no stiffness left: what remains has no negative eigenvalue,
-// and a tangent that has none is left as it is.
+// Compressed so far that some modes have no stiffness left: what remains has no negative
+// eigenvalue, and a tangent that has none is left as it is.
 TEST(ParticleStresses, TangentsBecomePositive) {
   look_at_start(block_of(3, "<dynamic>false</dynamic>"), "positive", [&](const StartOfStep& start) {
     ParticleStresses particles(start.parts, start.team, 0);

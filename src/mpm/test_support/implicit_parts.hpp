@@ -36,7 +36,7 @@ class ShownStart : public Mpm {
     const NodeBoundary boundary(run_scene(), scene(), level);
     const ReachedNodes reached(scene(), level, boundary, carried(), all);
     const NodesOfStep::Parts parts{&run_scene(), &scene(), &level,  &boundary,
-                                   &carried(),  &all,     &reached};
+                                   &carried(),   &all,     &reached};
     const NodesOfStep::Vectors none(all.count());
     NodesOfStep nodes(parts, none, none, s.step.dt, true);
     look_({parts, nodes, *s.levels.front()->team()});

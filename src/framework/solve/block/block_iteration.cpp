@@ -1,4 +1,4 @@
-#include "framework/solve/block_iteration.hpp"
+#include "framework/solve/block/block_iteration.hpp"
 
 #include <algorithm>
 #include <cmath>

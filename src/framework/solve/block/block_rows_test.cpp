@@ -1,13 +1,13 @@
 // Matrices of blocks against dense ones: products, diagonals, coarse matrices, numbers of nodes.
-#include "framework/solve/block_rows.hpp"
+#include "framework/solve/block/block_rows.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "framework/solve/block_coarsening.hpp"
-#include "framework/solve/block_diagonal.hpp"
-#include "framework/solve/block_test_support.hpp"
+#include "framework/solve/block/block_coarsening.hpp"
+#include "framework/solve/block/block_diagonal.hpp"
+#include "framework/solve/block/block_test_support.hpp"
 
 namespace sluice::solve::block_rows_test {
 namespace {

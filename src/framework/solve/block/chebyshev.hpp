@@ -2,10 +2,10 @@
 //
 // It damps errors of eigenvalues in [lmax/8, lmax]; products and no sweeps, so that its bits depend
 // on the matrix alone.
-// Y. Saad, Iterative Methods for Sparse Linear Systems (2003), algorithm 12.1; M. Adams, M. Brezina,
-// J. Hu, R. Tuminaro, J. Comput. Phys. 188 (2003) 593.
+// Y. Saad, Iterative Methods for Sparse Linear Systems (2003), algorithm 12.1; M. Adams, M.
+// Brezina, J. Hu, R. Tuminaro, J. Comput. Phys. 188 (2003) 593.
 #pragma once
-#include "framework/solve/block_diagonal.hpp"
+#include "framework/solve/block/block_diagonal.hpp"
 
 namespace sluice::solve {
 
@@ -13,8 +13,8 @@ class Chebyshev {
  public:
   enum class Estimate { quick, careful };
   // The matrix must stay. A later one of the same size begins its estimate of lmax where that of
-  // the matrix before ended, which takes fewer products; a careful one begins from nothing and takes
-  // more. Eigenvalues far beyond the estimate make the polynomial negative there.
+  // the matrix before ended, which takes fewer products; a careful one begins from nothing and
+  // takes more. Eigenvalues far beyond the estimate make the polynomial negative there.
   void set_up(const BlockRows& rows, const Workers& workers, Estimate estimate = Estimate::quick);
   double largest_eigenvalue() const { return largest_; }
 

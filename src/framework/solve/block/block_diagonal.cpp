@@ -1,4 +1,4 @@
-#include "framework/solve/block_diagonal.hpp"
+#include "framework/solve/block/block_diagonal.hpp"
 
 #include <cmath>
 #include <Eigen/Dense>

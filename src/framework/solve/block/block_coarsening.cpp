@@ -1,9 +1,9 @@
-#include "framework/solve/block_coarsening.hpp"
+#include "framework/solve/block/block_coarsening.hpp"
 
 #include <algorithm>
 #include <memory>
 
-#include "framework/solve/node_numbers.hpp"
+#include "framework/solve/block/node_numbers.hpp"
 
 namespace sluice::solve {
 namespace {

@@ -1,4 +1,4 @@
-#include "framework/solve/block_solver.hpp"
+#include "framework/solve/block/block_solver.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // Numbers of some of the nodes of a grid, found by the index of a node.
 //
-// Nodes are marked first and numbered then, along x, y and z. The table has tiles of 8 nodes in each
-// direction, so that its memory follows the marked nodes and not the box around them.
+// Nodes are marked first and numbered then, along x, y and z. The table has tiles of 8 nodes in
+// each direction, so that its memory follows the marked nodes and not the box around them.
 #pragma once
 #include <cstdint>
 #include <vector>

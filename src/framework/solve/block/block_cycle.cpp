@@ -1,4 +1,4 @@
-#include "framework/solve/block_cycle.hpp"
+#include "framework/solve/block/block_cycle.hpp"
 
 #include <algorithm>
 #include <Eigen/Dense>

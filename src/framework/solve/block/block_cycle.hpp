@@ -1,14 +1,14 @@
 // A multigrid V-cycle for matrices of blocks, on grids of 2, 4, 8, ... times the spacing.
 //
-// Galerkin's matrices (block_coarsening.hpp), smoothing by Chebyshev polynomials before and after, a
-// direct solve on the coarsest grid. It is symmetric, as conjugate gradients need it.
+// Galerkin's matrices (block_coarsening.hpp), smoothing by Chebyshev polynomials before and after,
+// a direct solve on the coarsest grid. It is symmetric, as conjugate gradients need it.
 // Y. Zhu, E. Sifakis, J. Teran, A. Brandt, ACM Trans. Graph. 29 (2010) 16, for elastic solids on
 // grids.
 #pragma once
 #include <memory>
 
-#include "framework/solve/block_coarsening.hpp"
-#include "framework/solve/chebyshev.hpp"
+#include "framework/solve/block/block_coarsening.hpp"
+#include "framework/solve/block/chebyshev.hpp"
 
 namespace sluice::solve {
 

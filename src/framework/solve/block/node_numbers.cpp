@@ -1,4 +1,4 @@
-#include "framework/solve/node_numbers.hpp"
+#include "framework/solve/block/node_numbers.hpp"
 
 namespace sluice::solve {
 

@@ -5,7 +5,7 @@
 // A. Brandt, Math. Comp. 31 (1977) 333; W. L. Briggs, V. E. Henson, S. F. McCormick, A Multigrid
 // Tutorial (2000), chapter 10.
 #pragma once
-#include "framework/solve/block_rows.hpp"
+#include "framework/solve/block/block_rows.hpp"
 
 namespace sluice::solve {
 

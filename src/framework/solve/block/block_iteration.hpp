@@ -6,7 +6,7 @@
 #include <functional>
 #include <string>
 
-#include "framework/solve/block_rows.hpp"
+#include "framework/solve/block/block_rows.hpp"
 
 namespace sluice::solve {
 

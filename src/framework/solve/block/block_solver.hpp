@@ -1,12 +1,13 @@
 // The solver of systems with matrices of blocks: conjugate gradients with block Jacobi where few
-// iterations are expected, else with the multigrid cycle; BiCGSTAB where the matrix is not symmetric.
+// iterations are expected, else with the multigrid cycle; BiCGSTAB where the matrix is not
+// symmetric.
 //
 // The bits of a solution depend on the matrix and the right-hand side alone.
 #pragma once
 #include <optional>
 
-#include "framework/solve/block_cycle.hpp"
-#include "framework/solve/block_iteration.hpp"
+#include "framework/solve/block/block_cycle.hpp"
+#include "framework/solve/block/block_iteration.hpp"
 
 namespace sluice::solve {
 

@@ -1,7 +1,7 @@
-// Inverses of the diagonal blocks of a matrix: the preconditioner of block Jacobi, and the scale of a
-// smoother.
+// Inverses of the diagonal blocks of a matrix: the preconditioner of block Jacobi, and the scale of
+// a smoother.
 #pragma once
-#include "framework/solve/block_rows.hpp"
+#include "framework/solve/block/block_rows.hpp"
 
 namespace sluice::solve {
 

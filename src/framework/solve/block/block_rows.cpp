@@ -1,4 +1,4 @@
-#include "framework/solve/block_rows.hpp"
+#include "framework/solve/block/block_rows.hpp"
 
 #include <algorithm>
 

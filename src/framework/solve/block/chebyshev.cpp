@@ -1,4 +1,4 @@
-#include "framework/solve/chebyshev.hpp"
+#include "framework/solve/block/chebyshev.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,12 @@
-// Solutions of systems of blocks against dense ones; iterations; bits over threads; what is singular.
-#include "framework/solve/block_solver.hpp"
+// Solutions of systems of blocks against dense ones; iterations; bits over threads; what is
+// singular.
+#include "framework/solve/block/block_solver.hpp"
 
 #include <gtest/gtest.h>
 
 #include <thread>
 
-#include "framework/solve/block_test_support.hpp"
+#include "framework/solve/block/block_test_support.hpp"
 
 namespace sluice::solve::block_solver_test {
 namespace {

@@ -2,8 +2,8 @@
 #pragma once
 #include <cmath>
 
-#include "framework/solve/block_rows.hpp"
-#include "framework/solve/node_numbers.hpp"
+#include "framework/solve/block/block_rows.hpp"
+#include "framework/solve/block/node_numbers.hpp"
 
 namespace sluice::solve {
 
