@@ -20,7 +20,10 @@ std::string_view name_of(Transfer t) {
 void add_of_implicit(const ImplicitSettings& s, EffectList& list) {
   list.add({"deformation",
             s.mechanics,
-            s.mechanics ? "Newton's method for the nodes" : "DoMechanics is false",
+            !s.mechanics ? "DoMechanics is false"
+            : s.direct   ? "Newton's method for the nodes, linear systems solved directly"
+                         : "Newton's method for the nodes, large linear systems by conjugate "
+                           "gradients with multigrid",
             {}});
   list.add({"inertia",
             s.mechanics && s.dynamic,

@@ -290,10 +290,10 @@ CASES += [
     Run("implicit cube, 8,000 particles, static", IMPLICIT, 1, settings=("MPM/dynamic=false",),
         unit=PARTICLE),
     Run("implicit cube, 32,768 particles, linear", IMPLICIT, 2, "[32,32,32]",
-        settings=("MPM/interpolator=linear",), unit=PARTICLE, long=True),
-    # The factor of 300,000 unknowns does not fit into the memory of most machines.
-    Run("implicit cube, 97,336 particles", IMPLICIT, 1, "[46,46,46]", settings=(), unit=PARTICLE,
-        long=True, by_name=True),
+        settings=("MPM/interpolator=linear",), unit=PARTICLE),
+    Run("implicit cube, 97,336 particles", IMPLICIT, 2, "[46,46,46]", settings=(), unit=PARTICLE),
+    Run("implicit cube, 97,336 particles, static", IMPLICIT, 1, "[46,46,46]",
+        settings=("MPM/dynamic=false",), unit=PARTICLE),
 ]
 
 SUITE = os.environ.get("SLUICE_DECKS")

@@ -43,6 +43,10 @@ ROOMS = {
         {".": "XML to a tree, spelling, obsolete tags, overrides, the check against a schema"},
         {"format": "the blocks that every component has: schema, rules and completions"},
     ],
+    "framework/solve": [
+        {"block": "matrices of blocks, of several unknowns per node, and their solvers"},
+        {".": "systems of one unknown per cell, on one level or several, and their solvers"},
+    ],
     "framework/run": [
         {"component": "the interface of a component, and what a run keeps for it: time, events, "
                       "conservation, reports"},

@@ -32,9 +32,9 @@ std::vector<TagSpec> implicit_tags() {
   return {
       implicit_flag("dynamic", "nodes have inertia; false: every step ends in equilibrium", "true"),
       tag("solver",
-          "accepted without effect: linear systems of implicit steps "
-          "are solved directly, and "
-          "corrected until the residual is small")
+          "implicit steps: how linear systems are solved; petsc, hypre and no tag: small ones "
+          "directly, large ones by conjugate gradients with multigrid on the grid; simple: all "
+          "directly")
           .words({"petsc", "simple", "hypre"}),
       implicit_criterion("convergence_criteria_disp",
                          "Newton's method ends when |du|^2 is less than this part of "
@@ -52,7 +52,7 @@ std::vector<TagSpec> implicit_tags() {
           "after at most this number of iterations it is delT_increase_factor times as long", "4"),
       implicit_count("iters_before_timestep_restart",
                      "a step that has not converged after this number of iterations is repeated "
-                     "with half its length",
+                     "with half its length, without inertia first with increments of the loads",
                      "25"),
       implicit_criterion("delT_decrease_factor", "see num_iters_to_decrease_delT", "0.6")
           .at_most(0.95),
@@ -97,6 +97,7 @@ ImplicitSettings read_implicit(const DeckNode& flags) {
   s.shrink = real_or(flags, "delT_decrease_factor", s.shrink);
   s.grow = real_or(flags, "delT_increase_factor", s.grow);
   s.conducts = boolean_or(flags, "DoImplicitHeatConduction", s.conducts);
+  s.direct = text_or(flags, "solver", "") == "simple";
   s.heat_is_stored = boolean_or(flags, "DoTransientImplicitHeatConduction", s.heat_is_stored);
   return s;
 }

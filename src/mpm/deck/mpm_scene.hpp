@@ -190,6 +190,7 @@ struct ImplicitSettings {
   int iterations_to_shrink = 12, iterations_to_grow = 4, max_iterations = 25;
   double shrink = 0.6, grow = 2;                 // factors of the step
   bool conducts = false, heat_is_stored = true;  // by implicit steps
+  bool direct = false;                           // linear systems, whatever their size
 };
 
 struct MpmScene {

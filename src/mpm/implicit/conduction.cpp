@@ -4,8 +4,13 @@
 #include <cmath>
 #include <optional>
 
+#include "mpm/implicit/node_pairs.hpp"
+#include "mpm/implicit/node_solver.hpp"
+
 namespace sluice::mpm {
 namespace {
+
+constexpr double tolerance = 1e-12;  // residual over right-hand side
 
 // What particles give to the nodes.
 struct HeatOfNodes {
@@ -62,85 +67,93 @@ std::optional<double> given_temperature(const NodesOfStep::Parts& p, IntVec3 nod
   return given;
 }
 
-// K of one node with all others, in their order.
-void row_of(const NodesOfStep::Parts& p, std::size_t node,
-            std::vector<std::pair<std::int32_t, double>>& row) {
-  row.clear();
-  for (const ReachedNodes::Entry& entry : p.reached->reaching(node)) {
-    const Stencils& s = p.reached->of(entry.kind);
-    const Columns& c = (*p.carried)[entry.kind].columns;
-    const double* V = p.particles->kind(entry.kind).now.column(static_cast<std::size_t>(c.volume));
-    const double kV = p.solids->materials[entry.kind].constants.conductivity * V[entry.particle];
-    const std::array<double, 3>& g = s.slope[entry.entry];
-    for (std::size_t e = s.first(entry.particle); e < s.first(entry.particle + 1); ++e) {
-      const std::array<double, 3>& h = s.slope[e];
-      row.emplace_back(s.node[e], kV * (g[0] * h[0] + g[1] * h[1] + g[2] * h[2]));
+// K_ij = sum k V G_i.G_j.
+solve::BlockRows conductances(const NodesOfStep::Parts& p, const solve::Workers& workers) {
+  NodePairs pairs(p, true, workers);
+  solve::BlockRows rows = pairs.number(1);
+  for (std::size_t k = 0; k < p.particles->count(); ++k) {
+    const ParticleSet& set = p.particles->kind(k).now;
+    const Stencils& s = p.reached->of(k);
+    const double* V = set.column(static_cast<std::size_t>((*p.carried)[k].columns.volume));
+    for (std::size_t q = 0; q < set.size(); ++q) {
+      const double kV = p.solids->materials[k].constants.conductivity * V[q];
+      for (std::size_t a = s.first(q); a < s.first(q + 1); ++a) {
+        const std::array<double, 3>& g = s.slope[a];
+        for (std::size_t b = s.first(q); b < s.first(q + 1); ++b) {
+          const std::array<double, 3>& h = s.slope[b];
+          rows.value[pairs.block(rows, s.node[a], s.node[b])] +=
+              kV * (g[0] * h[0] + g[1] * h[1] + g[2] * h[2]);
+        }
+      }
     }
   }
-  std::stable_sort(row.begin(), row.end(),
-                   [](const auto& a, const auto& b) { return a.first < b.first; });
-  std::size_t to = 0;
-  for (std::size_t n = 0; n < row.size(); ++n)
-    if (to > 0 && row[to - 1].first == row[n].first)
-      row[to - 1].second += row[n].second;
-    else
-      row[to++] = row[n];
-  row.resize(to);
+  return rows;
+}
+
+// For the change: (C/dt + K) (T_1 - T_0) = q - K T_0. Makes K the matrix of the free nodes, and
+// adds to q what is known.
+void reduce_to_free(const HeatOfNodes& h, const std::vector<double>& before,
+                    const std::vector<double>& warmed, const std::vector<std::uint8_t>& free,
+                    double storage, solve::BlockRows& K, std::vector<double>& q) {
+  for (std::size_t n = 0; n < K.count(); ++n)
+    for (std::size_t e = K.begin[n]; e < K.begin[n + 1]; ++e) {
+      const auto other = static_cast<std::size_t>(K.column[e]);
+      // Nodes that are reached by a slope alone: nothing is known there.
+      const double value = h.capacity[other] > 0 ? K.value[e] : 0;
+      q[n] -= value * (before[other] - before[n]);
+      if (free[other] == 0) q[n] -= value * warmed[other];
+      K.value[e] = free[n] != 0 && free[other] != 0 ? value : 0;
+      if (other == n && free[n] != 0) K.value[e] += storage * h.capacity[n];
+    }
+  for (std::size_t n = 0; n < K.count(); ++n)
+    if (free[n] == 0) q[n] = 0;
+}
+
+double share_of_storage(const HeatOfNodes& h, double storage, const std::vector<std::uint8_t>& free,
+                        const solve::BlockRows& K) {
+  double stored = 0, all = 0;
+  for (std::size_t n = 0; n < K.count(); ++n) {
+    if (free[n] == 0) continue;
+    stored += storage * h.capacity[n];
+    all += *K.find(n, static_cast<std::int32_t>(n));
+  }
+  return all > 0 ? stored / all : 0;
 }
 
 }  // namespace
 
-bool conduct_heat(const NodesOfStep::Parts& p, const OutsideForces& outside, double time, double dt,
+bool conduct_heat(const NodesOfStep::Parts& p, const OutsideForces& outside, const HeatStep& step,
                   std::vector<double>& warmed) {
-  const HeatOfNodes h = sum_heat(p, outside, time + dt);
+  HeatOfNodes h = sum_heat(p, outside, step.time + step.dt);
   const std::size_t count = p.reached->count();
   warmed.assign(count, 0.0);
-  std::vector<std::optional<double>> given(count);
-  std::vector<int> unknown(count, -1);
+  std::vector<std::uint8_t> free(count, 0);
   std::vector<double> before(count);
   bool moves = h.high > h.low;
-  int unknowns = 0;
   for (std::size_t n = 0; n < count; ++n) {
     if (!(h.capacity[n] > 0)) continue;
     before[n] = h.heat[n] / h.capacity[n];
-    given[n] = given_temperature(p, p.reached->index(n));
-    if (given[n]) warmed[n] = *given[n] - before[n];
+    const std::optional<double> given = given_temperature(p, p.reached->index(n));
+    if (given) warmed[n] = *given - before[n];
     moves |= h.source[n] != 0 || warmed[n] != 0;
-    if (!given[n]) unknown[n] = unknowns++;
+    free[n] = given ? 0 : 1;
   }
   if (!moves) {
     warmed.clear();
     return true;
   }
-  SparseRows rows;
-  rows.begin.assign(1, 0);
-  std::vector<double> right;
-  std::vector<std::pair<std::int32_t, double>> row;
-  const double storage = p.solids->implicit->heat_is_stored ? 1 / dt : 0;
-  for (std::size_t n = 0; n < count; ++n) {
-    if (unknown[n] < 0) continue;
-    row_of(p, n, row);
-    // For the change: (C/dt + K) (T_1 - T_0) = q - K T_0.
-    double r = h.source[n];
-    for (const auto& [m, value] : row) {
-      const auto other = static_cast<std::size_t>(m);
-      if (!(h.capacity[other] > 0)) continue;  // reached by a slope alone: nothing is known there
-      r -= value * (before[other] - before[n]);
-      if (unknown[other] < 0) {
-        r -= value * warmed[other];
-        continue;
-      }
-      rows.column.push_back(unknown[other]);
-      rows.value.push_back(value + (other == n ? storage * h.capacity[n] : 0));
-    }
-    right.push_back(r);
-    rows.begin.push_back(static_cast<int>(rows.column.size()));
-  }
+  const solve::Workers workers = workers_of(*step.team);
+  const double storage = p.solids->implicit->heat_is_stored ? 1 / step.dt : 0;
+  solve::BlockRows K = conductances(p, workers);
+  reduce_to_free(h, before, warmed, free, storage, K, h.source);
+  SparseSolver direct;
+  NodeSolver solver({&K, free, p.level->active_count(), p.solids->implicit->direct}, workers,
+                    direct);
+  solver.set_up(0, share_of_storage(h, storage, free, K));
   std::vector<double> change;
-  SparseSolver solver;
-  if (!solver.solve(rows, right, change)) return false;
+  if (!solver.solve(h.source, change, tolerance).solved) return false;
   for (std::size_t n = 0; n < count; ++n)
-    if (unknown[n] >= 0) warmed[n] = change[static_cast<std::size_t>(unknown[n])];
+    if (free[n] != 0) warmed[n] = change[n];
   return true;
 }
 

@@ -4,14 +4,19 @@
 //
 // Particles take the change T_1 - T_0 of their nodes. Without storage (steady heat): K T_1 = q.
 #pragma once
+#include "framework/task/thread_team.hpp"
 #include "mpm/implicit/nodes_of_step.hpp"
-#include "mpm/implicit/sparse_solver.hpp"
 #include "mpm/step/outside_forces.hpp"
 
 namespace sluice::mpm {
 
-// By node; false: there is no solution.
-bool conduct_heat(const NodesOfStep::Parts& parts, const OutsideForces& outside, double time,
-                  double dt, std::vector<double>& warmed);
+struct HeatStep {
+  double time, dt;  // of its start, s
+  const ThreadTeam* team;
+};
+
+// warmed: T_1 - T_0 by node, K; empty where nothing is warmed. False: there is no solution.
+bool conduct_heat(const NodesOfStep::Parts& parts, const OutsideForces& outside,
+                  const HeatStep& step, std::vector<double>& warmed);
 
 }  // namespace sluice::mpm

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "framework/base/error.hpp"
+#include "framework/run/component/event_ledger.hpp"
 #include "mpm/implicit/conduction.hpp"
 #include "mpm/implicit/step_books.hpp"
 #include "mpm/step/book_leaving.hpp"
@@ -14,7 +16,9 @@
 namespace sluice::mpm {
 namespace {
 
-constexpr double most_cells = 0.8;  // that a particle goes in a step
+constexpr double most_cells = 0.8;     // that a particle goes in a step
+constexpr int most_shorter_steps = 2;  // without inertia, before a run ends
+constexpr int many_unknowns = 20000;   // of a direct solution
 
 }  // namespace
 
@@ -100,17 +104,37 @@ Verdict ImplicitStep::find_displacements(const StageScope& scope) {
     return Verdict::good;
   }
   newton_ = equilibrium_->find(*nodes_, solver_);
+  record_events(scope);
   if (newton_.converged) return Verdict::good;
   *scope.reason = newton_.reason;
   retried_ = true;
+  // Loads do not shrink with the step: a shorter one helps laws alone that depend on its length.
+  if (!solids_->implicit->dynamic && ++failures_ > most_shorter_steps)
+    throw PhysicsError(fmt::format("the step at t = {:g}, with {} shorter steps too: {}",
+                                   scope.step.time, most_shorter_steps, newton_.reason));
   return Verdict::reject;
+}
+
+// Every rank has found the same: one of them records it.
+void ImplicitStep::record_events(const StageScope& scope) const {
+  if (scope.ranks->rank() != 0) return;
+  const auto record = [&](const char* name, int count, double value) {
+    EventPlace place;
+    place.task = "displacements of the nodes";
+    place.value = value;
+    if (count > 0) scope.events->record(name, place, count);
+  };
+  record("loads were applied in increments", newton_.increments, newton_.increments);
+  record("negative eigenvalues of tangents were left out", newton_.projected, newton_.projected);
+  record("direct solution of more than 20,000 unknowns (<solver>simple)",
+         newton_.directly && newton_.unknowns > many_unknowns ? 1 : 0, newton_.unknowns);
 }
 
 Verdict ImplicitStep::conduct(const StageScope& scope) {
   warmed_.clear();
   if (!solids_->implicit->conducts) return Verdict::good;
-  if (conduct_heat(parts(), *outside_, scope.step.time, scope.step.dt, warmed_))
-    return Verdict::good;
+  const HeatStep step{scope.step.time, scope.step.dt, scope.levels.front()->team()};
+  if (conduct_heat(parts(), *outside_, step, warmed_)) return Verdict::good;
   *scope.reason =
       "the conduction of heat has no solution: without storage of heat "
       "(DoTransientImplicitHeatConduction false) a side must give a temperature";
@@ -176,13 +200,9 @@ void ImplicitStep::warm(std::size_t k, const Response::Span& span, const double*
 bool ImplicitStep::move_chunk(std::size_t k, const Response::Span& span, Response& response,
                               std::string& reason) {
   ChunkOfMatrices phi, T;
-  equilibrium_->deformation(*nodes_, k, span, response, phi);
+  equilibrium_->particles().deformation(*nodes_, k, span, response, phi);
   if (const auto fault = response.forces(span, phi, particles_.kind(k).next, span.at, T)) {
-    const Vec3 x = span.set->position(fault->particle);
-    if (reason.empty())
-      reason = fmt::format("particle {} of material {} '{}' at [{:g}, {:g}, {:g}]: {} ({:g})",
-                           span.set->id(fault->particle), k, solids_->materials[k].name, x.x, x.y,
-                           x.z, fault->reason, fault->value);
+    if (reason.empty()) reason = describe_fault(*span.set, k, solids_->materials[k], *fault);
     return false;
   }
   read_nodes(k, span);
@@ -291,6 +311,7 @@ Verdict ImplicitStep::take_over(const StageScope& scope) {
                                 ranks = scope.ranks, sums = scope.sums, events = scope.events,
                                 end = scope.step.time + scope.step.dt] {
     retried_ = false;
+    failures_ = 0;
     cloud->commit(end);
     book_leaving(*solids_, *carried_, {level_}, *cloud, *ranks, *sums, *events);
     std::vector<double>& all = maxima->front();

@@ -30,6 +30,7 @@ class ImplicitStep {
   NodesOfStep::Parts parts() const;
   void find_rigid_displacements(double time, double dt);
   void find_forces(const StageScope& scope);
+  void record_events(const StageScope& scope) const;
   void fill_forces(double time, NodesOfStep::Vectors& forces);
   bool move_kind(const StageScope& scope, std::size_t kind, std::string& reason);
   bool move_chunk(std::size_t kind, const Response::Span& span, Response& response,
@@ -55,6 +56,7 @@ class ImplicitStep {
   SparseSolver solver_;
   NewtonReport newton_;
   bool retried_ = false;        // this step is shorter than the one that failed
+  int failures_ = 0;            // attempts at this step that failed
   std::vector<double> warmed_;  // change of temperature of nodes; empty: heat rests
   std::vector<double> new_rates_;
 };

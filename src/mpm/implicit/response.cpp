@@ -1,9 +1,13 @@
 #include "mpm/implicit/response.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "mpm/implicit/neo_hook_tangent.hpp"
 #include "mpm/material/base/tensor.hpp"
+#include "mpm/material/elastic/neo_hook.hpp"
 
 namespace sluice::mpm {
 namespace {
@@ -26,6 +30,14 @@ double adjugate_of(const Matrix& m, Matrix& to) {
 }
 
 }  // namespace
+
+std::string describe_fault(const ParticleSet& set, std::size_t kind, const SolidMaterial& material,
+                           const ResponseFault& fault) {
+  const Vec3 x = set.position(fault.particle);
+  return fmt::format("particle {} of material {} '{}' at [{:g}, {:g}, {:g}]: {} ({:g})",
+                     set.id(fault.particle), kind, material.name, x.x, x.y, x.z, fault.reason,
+                     fault.value);
+}
 
 Response::Response(const MpmScene& solids, const SolidMaterial& material, const Carried& carried,
                    double spacing, std::array<bool, 3> active)
@@ -96,11 +108,41 @@ std::optional<ResponseFault> Response::forces(const Span& s, const ChunkOfMatric
   return std::nullopt;
 }
 
+void Response::make_trial(const ParticleSet& like) {
+  if (trial_.size() != 0) return;
+  trial_ = ParticleSet(like.attribute_count());
+  for (int q = 0; q < chunk_size; ++q) trial_.add({}, 0);
+}
+
+std::optional<ResponseFault> Response::trial_forces(const Span& s, const ChunkOfMatrices& phi,
+                                                    ChunkOfMatrices& T) {
+  make_trial(*s.set);
+  return forces(s, phi, trial_, 0, T);
+}
+
+void Response::closed_tangents(const Span& s, const ChunkOfMatrices& phi,
+                               const NeoHookConstants& constants, double* A) const {
+  const Columns& c = carried_->columns;
+  const double* V0 = s.set->column(static_cast<std::size_t>(c.volume_0)) + s.at;
+  NeoHookPoint point{constants.bulk, constants.shear, 0, {1, 0, 0, 0, 1, 0, 0, 0, 1}, {}};
+  for (int q = 0; q < s.count; ++q) {
+    point.volume_0 = V0[q];
+    point.phi = matrix_at(phi, q);
+    for (std::size_t e = 0; e < 9 && !solids_->total_lagrangian; ++e)
+      point.before[e] =
+          s.set->column(static_cast<std::size_t>(c.F) + e)[s.at + static_cast<std::size_t>(q)];
+    neo_hook_tangent(point, A + 81 * static_cast<std::size_t>(q));
+  }
+}
+
 std::optional<ResponseFault> Response::tangents(const Span& s, const ChunkOfMatrices& phi,
                                                 ChunkOfMatrices& T, double* A) {
-  if (trial_.size() == 0) {
-    trial_ = ParticleSet(s.set->attribute_count());
-    for (int q = 0; q < chunk_size; ++q) trial_.add({}, 0);
+  make_trial(*s.set);
+  const std::optional<NeoHookConstants> neo_hook = neo_hookean(*material_->law);
+  if (neo_hook && neo_hook->expansion == 0 && neo_hook->J0 == 1) {
+    if (auto fault = forces(s, phi, trial_, 0, T)) return fault;
+    closed_tangents(s, phi, *neo_hook, A);
+    return std::nullopt;
   }
   ChunkOfMatrices moved = phi, up, down;
   for (std::size_t r = 0; r < 9; ++r) {

@@ -5,7 +5,8 @@
 //                                      total Lagrangian: Phi_0 = F_n, G of the reference places
 //   F = Phi F_n (total Lagrangian: F = Phi),   T = V sigma Phi^-T,   f_i = -T G_i
 //   A = dT/dPhi, by central differences of the law itself: consistent with whatever the law does in
-//   the step, so that Newton's method converges quadratically with any of them.
+//   the step, so that Newton's method converges quadratically with any of them. Of the neo-Hookean
+//   law it has a closed form (neo_hook_tangent.hpp).
 #pragma once
 #include <optional>
 #include <string>
@@ -15,6 +16,8 @@
 #include "mpm/step/law_batch.hpp"
 
 namespace sluice::mpm {
+
+struct NeoHookConstants;
 
 // Nine columns of a chunk of particles, row after row.
 struct ChunkOfMatrices {
@@ -26,6 +29,9 @@ struct ResponseFault {
   std::string reason;
   double value = 0;
 };
+// "particle 7 of material 0 'bar' at [...]: ..."
+std::string describe_fault(const ParticleSet& set, std::size_t kind, const SolidMaterial& material,
+                           const ResponseFault& fault);
 
 class Response {
  public:
@@ -44,13 +50,22 @@ class Response {
   // T; what the law makes of the particles stands in `to` from `to_at` on.
   std::optional<ResponseFault> forces(const Span& span, const ChunkOfMatrices& phi, ParticleSet& to,
                                       std::size_t to_at, ChunkOfMatrices& T);
+  // T alone.
+  std::optional<ResponseFault> trial_forces(const Span& span, const ChunkOfMatrices& phi,
+                                            ChunkOfMatrices& T);
   // The same with A, 81 numbers a particle: A[9 q + r] = dT_q/dPhi_r.
   std::optional<ResponseFault> tangents(const Span& span, const ChunkOfMatrices& phi,
                                         ChunkOfMatrices& T, double* A);
   // Of the last call of forces(): dT/dt of the law itself, K/s.
   const double* heating() const { return heating_; }
+  // Of the last call: the speed of compression waves, m/s.
+  const double* wave_speed() const { return wave_; }
 
  private:
+  void make_trial(const ParticleSet& like);
+  void closed_tangents(const Span& span, const ChunkOfMatrices& phi,
+                       const NeoHookConstants& constants, double* A) const;
+
   const MpmScene* solids_;
   const SolidMaterial* material_;
   const Carried* carried_;

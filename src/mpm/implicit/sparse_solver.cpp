@@ -70,9 +70,30 @@ double bicgstab(const Rows& A, const Vector& b, const Precondition& precondition
 
 }  // namespace
 
+SparseRows sparse_rows(const solve::BlockRows& blocks, const std::vector<int>& number) {
+  SparseRows rows;
+  rows.begin.assign(1, 0);
+  const auto w = static_cast<std::size_t>(blocks.width);
+  for (std::size_t i = 0; i < blocks.count(); ++i)
+    for (std::size_t a = 0; a < w; ++a) {
+      if (number[w * i + a] < 0) continue;
+      for (std::size_t e = blocks.begin[i]; e < blocks.begin[i + 1]; ++e) {
+        const std::size_t j = w * static_cast<std::size_t>(blocks.column[e]);
+        for (std::size_t b = 0; b < w; ++b) {
+          if (number[j + b] < 0) continue;
+          rows.column.push_back(number[j + b]);
+          rows.value.push_back(blocks.value[w * w * e + w * a + b]);
+        }
+      }
+      rows.begin.push_back(static_cast<int>(rows.column.size()));
+    }
+  return rows;
+}
+
 bool SparseSolver::solve(const SparseRows& rows, std::span<const double> right_side,
                          std::vector<double>& x) {
   const int n = rows.count();
+  indefinite_ = false;
   x.assign(static_cast<std::size_t>(n), 0.0);
   const Vector b = Eigen::Map<const Vector>(right_side.data(), n);
   if (!b.allFinite()) return false;
@@ -96,6 +117,7 @@ bool SparseSolver::solve(const SparseRows& rows, std::span<const double> right_s
   }
   f.ldlt.factorize(K);
   if (f.ldlt.info() != Eigen::Success) return false;
+  indefinite_ = f.ldlt.vectorD().minCoeff() < 0;
   Vector solution;
   const double residual = bicgstab(
       A, b, [&f](const Vector& r) { return f.apply(r); }, solution);

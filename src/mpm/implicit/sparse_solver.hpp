@@ -8,6 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "framework/solve/block/block_rows.hpp"
+
 namespace sluice::mpm {
 
 // Row after row; columns rise. The pattern is symmetric.
@@ -17,6 +19,9 @@ struct SparseRows {
   int count() const { return static_cast<int>(begin.size()) - 1; }
 };
 
+// A matrix of blocks without the unknowns whose number is -1; the numbers of the others rise.
+SparseRows sparse_rows(const solve::BlockRows& blocks, const std::vector<int>& number);
+
 class SparseSolver {
  public:
   SparseSolver();
@@ -24,10 +29,13 @@ class SparseSolver {
 
   // False: the system is singular, or holds no numbers.
   bool solve(const SparseRows& rows, std::span<const double> right_side, std::vector<double>& x);
+  // Of the last system: its symmetric part has a negative eigenvalue beyond round-off.
+  bool indefinite() const { return indefinite_; }
 
  private:
   struct Factor;
   std::unique_ptr<Factor> factor_;
+  bool indefinite_ = false;
 };
 
 }  // namespace sluice::mpm

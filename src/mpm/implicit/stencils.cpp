@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "mpm/shape/weights.hpp"
 #include "mpm/step/solid_step.hpp"
@@ -12,21 +13,20 @@ namespace {
 
 constexpr double least_reach = 1e-12;
 
-bool comes_before(IntVec3 a, IntVec3 b) {
-  if (a.z != b.z) return a.z < b.z;
-  return a.y != b.y ? a.y < b.y : a.x < b.x;
-}
-
 }  // namespace
 
 ReachedNodes::ReachedNodes(const MpmScene& solids, const Level& level, const NodeBoundary& boundary,
                            const std::vector<Carried>& carried, const AllParticles& particles)
-    : stencils_(particles.count()), raw_(particles.count()) {
+    : stencils_(particles.count()),
+      raw_(particles.count()),
+      domain_(level.domain),
+      active_(level.active),
+      periodic_(level.periodic) {
   for (std::size_t k = 0; k < particles.count(); ++k)
     find_stencils(solids, level, carried[k], particles.kind(k).now, k);
-  number(boundary);
+  replace_images(boundary);
+  number();
   raw_.clear();
-  list_entries();
 }
 
 void ReachedNodes::find_stencils(const MpmScene& solids, const Level& level, const Carried& carried,
@@ -81,8 +81,17 @@ void ReachedNodes::find_stencils(const MpmScene& solids, const Level& level, con
   });
 }
 
-// Numbers rise along x, then y, then z.
-void ReachedNodes::number(const NodeBoundary& boundary) {
+IntVec3 ReachedNodes::wrap(IntVec3 index) const {
+  for (int d = 0; d < 3; ++d) {
+    if (!active(d) || !periodic_[static_cast<std::size_t>(d)]) continue;
+    const int period = domain_.upper[d] - domain_.lower[d];
+    while (index[d] < domain_.lower[d]) index[d] += period;
+    while (index[d] >= domain_.upper[d]) index[d] -= period;
+  }
+  return index;
+}
+
+void ReachedNodes::replace_images(const NodeBoundary& boundary) {
   for (std::size_t k = 0; k < raw_.size(); ++k)
     for (std::size_t e = 0; e < raw_[k].size(); ++e) {
       const int material = static_cast<int>(k);
@@ -93,28 +102,33 @@ void ReachedNodes::number(const NodeBoundary& boundary) {
         if (image.flipped[static_cast<std::size_t>(d)])
           stencils_[k].flipped[e] = static_cast<std::uint8_t>(stencils_[k].flipped[e] | 1 << d);
     }
-  for (const auto& nodes : raw_) at_.insert(at_.end(), nodes.begin(), nodes.end());
-  std::sort(at_.begin(), at_.end(), comes_before);
-  at_.erase(std::unique(at_.begin(), at_.end()), at_.end());
-  for (std::size_t k = 0; k < raw_.size(); ++k)
-    for (std::size_t e = 0; e < raw_[k].size(); ++e)
-      stencils_[k].node[e] = static_cast<std::int32_t>(
-          std::lower_bound(at_.begin(), at_.end(), raw_[k][e], comes_before) - at_.begin());
 }
 
-void ReachedNodes::list_entries() {
-  begin_.assign(at_.size() + 1, 0);
-  for (const Stencils& s : stencils_)
-    for (const std::int32_t n : s.node) ++begin_[static_cast<std::size_t>(n) + 1];
-  for (std::size_t n = 0; n < at_.size(); ++n) begin_[n + 1] += begin_[n];
-  entries_.resize(begin_.back());
-  std::vector<std::size_t> to(begin_.begin(), begin_.end() - 1);
-  for (std::size_t k = 0; k < stencils_.size(); ++k) {
-    const Stencils& s = stencils_[k];
-    for (std::size_t e = 0; e < s.node.size(); ++e)
-      entries_[to[static_cast<std::size_t>(s.node[e])]++] = {
-          static_cast<std::uint32_t>(k),
-          static_cast<std::uint32_t>(e / static_cast<std::size_t>(s.per)), e};
+// Numbers rise along x, then y, then z.
+void ReachedNodes::number() {
+  IntVec3 low = IntVec3::all(std::numeric_limits<int>::max()), high = IntVec3::all(-1);
+  for (std::size_t k = 0; k < raw_.size(); ++k)
+    for (const IntVec3 i : raw_[k]) {
+      low = min(low, i);
+      high = max(high, i);
+    }
+  for (int d = 0; d < 3; ++d)
+    if (low[d] > high[d]) return;  // no particle
+  numbers_ = solve::NodeNumbers(low, high + IntVec3::all(1));
+  for (std::size_t k = 0; k < raw_.size(); ++k)
+    for (std::size_t e = 0; e < raw_[k].size(); ++e)
+      if (stencils_[k].acts(e)) numbers_.mark(raw_[k][e]);
+  at_ = numbers_.number();
+  for (std::size_t k = 0; k < raw_.size(); ++k) {
+    Stencils& s = stencils_[k];
+    for (std::size_t first = 0; first < raw_[k].size(); first += static_cast<std::size_t>(s.per)) {
+      std::int32_t any = -1;
+      const std::size_t end = first + static_cast<std::size_t>(s.per);
+      for (std::size_t e = first; e < end; ++e)
+        if (s.acts(e)) any = s.node[e] = numbers_(raw_[k][e]);
+      for (std::size_t e = first; e < end; ++e)
+        if (!s.acts(e)) s.node[e] = any;
+    }
   }
 }
 

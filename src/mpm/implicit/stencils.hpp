@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "framework/solve/block/node_numbers.hpp"
 #include "mpm/boundary/node_boundary.hpp"
 #include "mpm/implicit/all_particles.hpp"
 #include "mpm/step/columns.hpp"
@@ -22,6 +23,11 @@ struct Stencils {
   std::vector<std::array<double, 3>> slope;  // grad S, 1/m
 
   std::size_t first(std::size_t particle) const { return particle * static_cast<std::size_t>(per); }
+  // Has the particle weight or slope at an entry; entries without have any node of the particle.
+  bool acts(std::size_t entry) const {
+    return weight[entry] != 0 || slope[entry][0] != 0 || slope[entry][1] != 0 ||
+           slope[entry][2] != 0;
+  }
   // +1 or -1: the sign of component d at an entry.
   double sign(std::size_t entry, int d) const {
     return (flipped[entry] >> d & 1) != 0 ? -1.0 : 1.0;
@@ -36,29 +42,26 @@ class ReachedNodes {
 
   std::size_t count() const { return at_.size(); }
   IntVec3 index(std::size_t node) const { return at_[node]; }
+  // -1: no particle reaches it.
+  std::int32_t find(IntVec3 index) const { return numbers_(index); }
+  // The node of the domain that one beyond a periodic side is.
+  IntVec3 wrap(IntVec3 index) const;
+  bool active(int d) const { return active_[static_cast<std::size_t>(d)]; }
   const Stencils& of(std::size_t kind) const { return stencils_[kind]; }
   std::size_t kinds() const { return stencils_.size(); }
-
-  // Entries that reach a node, kind after kind, particle after particle.
-  struct Entry {
-    std::uint32_t kind = 0, particle = 0;
-    std::size_t entry = 0;
-  };
-  std::span<const Entry> reaching(std::size_t node) const {
-    return std::span(entries_).subspan(begin_[node], begin_[node + 1] - begin_[node]);
-  }
 
  private:
   void find_stencils(const MpmScene& solids, const Level& level, const Carried& carried,
                      const ParticleSet& set, std::size_t kind);
-  void number(const NodeBoundary& boundary);
-  void list_entries();
+  void replace_images(const NodeBoundary& boundary);
+  void number();
 
   std::vector<Stencils> stencils_;
   std::vector<std::vector<IntVec3>> raw_;  // nodes before they are numbered, by kind
   std::vector<IntVec3> at_;
-  std::vector<std::size_t> begin_;
-  std::vector<Entry> entries_;
+  solve::NodeNumbers numbers_;
+  IndexBox domain_;
+  std::array<bool, 3> active_, periodic_;
 };
 
 }  // namespace sluice::mpm

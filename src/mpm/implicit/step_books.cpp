@@ -99,7 +99,7 @@ void add_of_mirrors(const FinishedStep& s, Sums3& impulse) {
     const ParticleSet& set = p.particles->kind(k).now;
     const double* m = set.column(static_cast<std::size_t>((*p.carried)[k].columns.mass));
     const Stencils& to = p.reached->of(k);
-    const std::vector<double>& T = s.equilibrium->stresses(k);
+    const std::vector<double>& T = s.equilibrium->particles().stress(k);
     for (std::size_t e = 0; e < to.node.size(); ++e) {
       if (to.flipped[e] == 0) continue;
       const std::size_t q = e / static_cast<std::size_t>(to.per);
@@ -127,7 +127,8 @@ void add_reactions(const FinishedStep& s, std::vector<double>& sums) {
     const Vec3 v1 = nodes.velocity(n);
     for (int d = 0; d < 3; ++d) {
       if (!nodes.by_rigid[n][static_cast<std::size_t>(d)]) continue;
-      f[d] = s.equilibrium->inner_forces()[n][d] + nodes.force[n][d];
+      f[d] = s.equilibrium->inner_forces()[n][d] + s.equilibrium->smoothing_forces()[n][d] +
+             nodes.force[n][d];
       if (nodes.dynamic()) f[d] -= nodes.mass[n] * (v1[d] - nodes.v0[n][d]) / s.dt;
       force[static_cast<std::size_t>(d)].add(f[d]);
     }
@@ -144,12 +145,13 @@ void add_reactions(const FinishedStep& s, std::vector<double>& sums) {
 
 struct NodeSums {
   Sums3 impulse;  // of all that acts, in the sense of the rule, but the stresses within
-  ExactSum gain, within, outside, given;
+  ExactSum gain, within, outside, given, smoothed;
 };
 
 void add_of_nodes(const FinishedStep& s, NodeSums& sums) {
   const NodesOfStep& nodes = *s.nodes;
   const std::vector<Vec3>& inner = s.equilibrium->inner_forces();
+  const std::vector<Vec3>& smoothing = s.equilibrium->smoothing_forces();
   const NodeForces before = forces_before(s);
   for (std::size_t n = 0; n < nodes.count(); ++n) {
     if (!(nodes.mass[n] > 0)) continue;
@@ -162,12 +164,15 @@ void add_of_nodes(const FinishedStep& s, NodeSums& sums) {
       sums.gain.add(gain);
       sums.within.add(within);
       sums.outside.add(outside);
+      // Second differences begin with no force.
+      const double smoothed = 0.5 * smoothing[n][d] * nodes.u[n][d];
+      sums.smoothed.add(smoothed);
       if (nodes.is_free(n, d) && nodes.dynamic()) {
         sums.impulse[axis].add(0.5 * s.dt * (nodes.mass[n] * nodes.a0[n][d] + nodes.force[n][d]));
       } else {
-        sums.impulse[axis].add(change - 0.5 * s.dt * inner[n][d]);
+        sums.impulse[axis].add(change - 0.5 * s.dt * (inner[n][d] + smoothing[n][d]));
         // Without inertia a node's motion is not gained from anything.
-        sums.given.add(nodes.is_free(n, d) ? gain : gain - within - outside);
+        sums.given.add(nodes.is_free(n, d) ? gain : gain - within - outside - smoothed);
       }
     }
   }
@@ -198,6 +203,8 @@ void book_step(const FinishedStep& step, std::vector<double>& sums) {
   sums[StepSums::force_work] += of_nodes.outside.value();
   sums[StepSums::node_gain] += of_nodes.gain.value() + rigid_gain;
   sums[StepSums::node_work] += of_nodes.within.value();
+  // No friction in implicit steps: the place is free (ImplicitMpmBudgets).
+  sums[StepSums::contact_loss] -= of_nodes.smoothed.value();
 }
 
 }  // namespace sluice::mpm

@@ -22,6 +22,7 @@ class NeoHook final : public Material {
   double bulk_modulus() const override { return c_.bulk; }
   double shear_modulus() const override { return c_.shear; }
   bool stress_of_state() const override { return true; }
+  const NeoHookConstants& constants() const { return c_; }
 
  private:
   void evaluate(const Batch& batch) const {
@@ -109,6 +110,12 @@ std::shared_ptr<const Material> make(const Parameters& p) {
 }
 
 }  // namespace
+
+std::optional<NeoHookConstants> neo_hookean(const Material& law) {
+  const auto* neo_hook = dynamic_cast<const NeoHook*>(&law);
+  if (neo_hook == nullptr) return std::nullopt;
+  return neo_hook->constants();
+}
 
 NeoHookConstants neo_hook_constants(const Parameters& p) {
   NeoHookConstants c;

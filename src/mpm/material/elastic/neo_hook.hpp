@@ -5,6 +5,7 @@
 //   W     = K/2 [(J^2 - 1)/2 - ln J] + G/2 (tr b_bar - 3)   per reference volume (J_T = 1)
 #pragma once
 #include <memory>
+#include <optional>
 
 #include "mpm/material/base/parameters.hpp"
 
@@ -20,6 +21,9 @@ struct NeoHookConstants {
 
 // Checked: K > 0, G >= 0; initial pressure to J0.
 NeoHookConstants neo_hook_constants(const Parameters& parameters);
+
+// The constants of a law that is the elastic solid; nothing for any other law.
+std::optional<NeoHookConstants> neo_hookean(const Material& law);
 
 std::shared_ptr<const Material> make_neo_hook(const NeoHookConstants& constants);
 // neo_hook_plastic.cpp
