@@ -38,8 +38,8 @@ OccupiedCells<D> cells_of_pieces(const Frame<D>& frame, const mpm::MpmScene& sce
           const double n = (x - frame.anchor[d]) / frame.spacing[d];
           return std::clamp<double>(n, frame.domain.lower[a], frame.domain.upper[a]);
         };
-        of.lower[a] = static_cast<int>(std::floor(cell(bounds.lower[d])));
-        of.upper[a] = static_cast<int>(std::ceil(cell(bounds.upper[d])));
+        of.lower[a] = static_cast<int>(std::floor(cell(bounds.lower[d]))) - Frame<D>::slow_move;
+        of.upper[a] = static_cast<int>(std::ceil(cell(bounds.upper[d]))) + Frame<D>::slow_move;
       }
       cells.add(of);
     }

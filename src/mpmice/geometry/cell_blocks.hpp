@@ -169,7 +169,7 @@ class CellBlocks {
   std::vector<std::int32_t> above_;  // [block][direction]
   // Where blocks begin that share the coordinate along z, and those along y and z; the first block
   // is 0 here.
-  std::vector<std::uint32_t> slabs_, columns_;
+  KeptArray<std::uint32_t> slabs_, columns_;
 };
 
 template <int D>

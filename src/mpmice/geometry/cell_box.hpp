@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 
+#include "framework/base/kept_array.hpp"
 #include "framework/grid/index_box.hpp"
 
 namespace sluice::mpmice {

@@ -66,7 +66,7 @@ void CellSums<D>::add_from_above(int lane_of, int d) {
 }
 
 template <int D>
-void CellSums<D>::values(int lane_of, std::vector<double>& to) const {
+void CellSums<D>::values(int lane_of, KeptArray<double>& to) const {
   to.resize(count_);
   const std::uint64_t* sums = lane(lane_of);
   for (std::size_t i = 0; i < count_; ++i) to[i] = from_sum(sums[i]);

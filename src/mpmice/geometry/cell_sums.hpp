@@ -45,7 +45,7 @@ class CellSums {
   // what is 0 where these end follows from its differences.
   void add_from_above(int lane, int d);
   // Values of a lane into an array over the cells.
-  void values(int lane, std::vector<double>& to) const;
+  void values(int lane, KeptArray<double>& to) const;
 
   int lanes() const { return lanes_; }
   const CellBlocks<D>& cells() const { return *cells_; }
@@ -58,7 +58,7 @@ class CellSums {
   const CellBlocks<D>* cells_ = nullptr;
   std::size_t count_ = 0;
   int lanes_ = 0;
-  std::vector<std::uint64_t> sums_;
+  KeptArray<std::uint64_t> sums_;
 };
 
 }  // namespace sluice::mpmice

@@ -322,7 +322,7 @@ void take_nodes(const OuterFaces<3>& faces, std::size_t i, int t, double (&x)[2]
 }  // namespace
 
 void FacetGroups::add(const OuterFaces<3>& faces, const CellBlocks<3>& cells, std::uint64_t* sums,
-                      std::vector<std::uint32_t>& left) {
+                      KeptArray<std::uint32_t>& left) {
   left.clear();
   // Turns that bring the directions that are cut, by their bits, to the front.
   static constexpr int turn_of[8] = {0, 0, 1, 0, 2, 2, 1, 0};

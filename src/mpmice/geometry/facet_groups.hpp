@@ -32,7 +32,7 @@ class FacetGroups {
   // Adds all faces to `sums`, numbers_of_cell for each cell of the blocks. Facets that span more
   // cells, or lie in a plane of the grid, are left to others: 4 face + facet, in rising order.
   void add(const OuterFaces<3>& faces, const CellBlocks<3>& cells, std::uint64_t* sums,
-           std::vector<std::uint32_t>& left);
+           KeptArray<std::uint32_t>& left);
 
   static constexpr std::size_t width = 8;
 

@@ -4,7 +4,7 @@ namespace sluice::mpmice {
 namespace {
 
 // From numbers beside each other to lanes.
-void give(const std::vector<std::uint64_t>& numbers, CellSums<3>& end, CellSums<3>& swept) {
+void give(const KeptArray<std::uint64_t>& numbers, CellSums<3>& end, CellSums<3>& swept) {
   const auto take = [&](std::size_t number, std::uint64_t* lane) {
     const std::uint64_t* from = numbers.data() + number;
     for (std::size_t i = 0, n = numbers.size() / numbers_of_cell; i < n; ++i)

@@ -17,8 +17,8 @@ class MovingSurface {
  private:
   // Of three dimensions; they keep their memory.
   FacetGroups groups_;
-  std::vector<std::uint64_t> numbers_;  // numbers_of_cell of each cell
-  std::vector<std::uint32_t> left_;
+  KeptArray<std::uint64_t> numbers_;  // numbers_of_cell of each cell
+  KeptArray<std::uint32_t> left_;
 };
 
 }  // namespace sluice::mpmice

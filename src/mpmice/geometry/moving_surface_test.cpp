@@ -45,7 +45,7 @@ Sums<D> by_facets(const OuterFaces<D>& faces) {
   return to;
 }
 
-double difference(const std::vector<double>& a, const std::vector<double>& b) {
+double difference(const KeptArray<double>& a, const KeptArray<double>& b) {
   EXPECT_EQ(a.size(), b.size());
   double worst = 0;
   for (std::size_t i = 0; i < a.size(); ++i) worst = std::max(worst, std::abs(a[i] - b[i]));
@@ -144,14 +144,14 @@ TEST(MovingSurface, ABodyMovedByWholeCellsKeepsItsBits) {
     SweptVolumes<3> s;
     end.finish(g);
     swept.finish(s);
-    std::vector<double> values;
+    KeptArray<double> values;
     for_each_cell_of<3>({all<3>(-6 + by), all<3>(16 + by)}, [&](const Cell<3>& c) {
       const std::size_t i = blocks.index(c);
       values.insert(values.end(), {g.theta[i], g.a[0][i], g.a[1][i], s.A[2][i], s.C[0][i], s.q[i]});
     });
     return values;
   };
-  const std::vector<double> here = shifted(0);
+  const KeptArray<double> here = shifted(0);
   EXPECT_EQ(here, shifted(500));
   EXPECT_EQ(here, shifted(-203));
 }

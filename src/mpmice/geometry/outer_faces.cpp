@@ -25,7 +25,7 @@ void put(typename OuterFaces<D>::Places& to, const OuterFaces<D>& faces, std::si
   const std::size_t end = faces.size();
   for (std::size_t k = 0; k < corners_of_face<D>; ++k)
     for (std::size_t d = 0; d < D; ++d) {
-      std::vector<double>& column = to[k][d];
+      KeptArray<double>& column = to[k][d];
       column.resize(end);
       for (std::size_t i = begin; i < end; ++i) {
         const double* corner = x[face_corners<D>[faces.face[i]][k]][d];
@@ -41,7 +41,7 @@ template <int D>
 void OuterFaces<D>::clear() {
   for (Places* places : {&start, &end})
     for (auto& corner_places : *places)
-      for (std::vector<double>& column : corner_places) column.clear();
+      for (KeptArray<double>& column : corner_places) column.clear();
   particle.clear();
   face.clear();
   weight.clear();

@@ -34,16 +34,16 @@ struct CellUnits {
 // Columns over the outer faces.
 template <int D>
 struct OuterFaces {
-  using Places = std::array<std::array<std::vector<double>, D>, corners_of_face<D>>;
-  Places start, end;                    // [corner of the face][direction], cells
-  std::vector<std::uint32_t> particle;  // whose face it is
-  std::vector<std::uint8_t> face;       // which of its faces: 2 axis + side
+  using Places = std::array<std::array<KeptArray<double>, D>, corners_of_face<D>>;
+  Places start, end;                  // [corner of the face][direction], cells
+  KeptArray<std::uint32_t> particle;  // whose face it is
+  KeptArray<std::uint8_t> face;       // which of its faces: 2 axis + side
   // The part of the particle's volume that is solid, by face; empty: all of it. Sums over surfaces
   // count a face by it: of particles that are solid in part all faces must be here.
-  std::vector<double> weight;
+  KeptArray<double> weight;
   // 1: another particle shares the face, which is here for the two may be solid in different parts;
   // empty: none is.
-  std::vector<std::uint8_t> inner;
+  KeptArray<std::uint8_t> inner;
 
   std::size_t size() const { return face.size(); }
   double weight_of(std::size_t i) const { return weight.empty() ? 1.0 : weight[i]; }

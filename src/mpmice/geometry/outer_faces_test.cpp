@@ -105,8 +105,8 @@ TEST(OuterFaces, PiecesAddUp) {
 TEST(OuterFaces, BothSidesOfAnInnerOneCancelInOneCell) {
   OuterFaces<2> faces;
   for (auto* x : {&faces.start, &faces.end}) {
-    (*x)[0] = {std::vector<double>{3, 3}, std::vector<double>{1.25, 1.75}};
-    (*x)[1] = {std::vector<double>{3, 3}, std::vector<double>{1.75, 1.25}};
+    (*x)[0] = {KeptArray<double>{3, 3}, KeptArray<double>{1.25, 1.75}};
+    (*x)[1] = {KeptArray<double>{3, 3}, KeptArray<double>{1.75, 1.25}};
   }
   faces.particle = {0, 1};
   faces.face = {1, 0};  // the high side of particle 0, the low side of particle 1

@@ -19,7 +19,7 @@ constexpr double of_identity = 4e-15;
 // All faces of particles first to end - 1; part p of each.
 template <int D>
 OuterFaces<D> all_faces(const Body<D>& body, std::size_t first, std::size_t end,
-                        const std::vector<double>& part) {
+                        const KeptArray<double>& part) {
   std::vector<std::uint8_t> bits(body.size(), 0);
   for (std::size_t p = first; p < end; ++p) bits[p] = (1 << faces_of_particle<D>)-1;
   OuterFaces<D> f;
@@ -40,8 +40,8 @@ SolidInCells<D> geometry(const OuterFaces<D>& faces, When when) {
 }
 
 template <int D>
-std::vector<double> parts_of(std::size_t n) {
-  std::vector<double> part(n);
+KeptArray<double> parts_of(std::size_t n) {
+  KeptArray<double> part(n);
   for (std::size_t p = 0; p < n; ++p) part[p] = 0.5 + 0.5 * hashed(p, D);
   return part;
 }
@@ -49,8 +49,8 @@ std::vector<double> parts_of(std::size_t n) {
 template <int D>
 void check_theta() {
   const Body<D> body = block<D>("block", 4, {});
-  const std::vector<double> part = parts_of<D>(body.size()), whole(body.size(), 1.0);
-  std::vector<double> sum(test_cells<D>().size(), 0.0);
+  const KeptArray<double> part = parts_of<D>(body.size()), whole(body.size(), 1.0);
+  KeptArray<double> sum(test_cells<D>().size(), 0.0);
   for (std::size_t p = 0; p < body.size(); ++p) {
     const auto one = geometry<D>(all_faces(body, p, p + 1, whole), When::start);
     for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += part[p] * one.theta[i];

@@ -25,9 +25,9 @@ namespace sluice::mpmice {
 // Arrays over the cells of blocks, zero where no surface is near. As summed: clean_... below.
 template <int D>
 struct SolidInCells {
-  std::vector<double> theta;             // volume fraction of solid
-  std::array<std::vector<double>, D> a;  // lower faces along d: the part inside or touched by solid
-  std::array<std::vector<double>, D> n;  // N_d = a(lower) - a(upper): area vector of the surface
+  KeptArray<double> theta;             // volume fraction of solid
+  std::array<KeptArray<double>, D> a;  // lower faces along d: the part inside or touched by solid
+  std::array<KeptArray<double>, D> n;  // N_d = a(lower) - a(upper): area vector of the surface
 };
 
 template <int D>

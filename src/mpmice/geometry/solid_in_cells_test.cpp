@@ -154,7 +154,7 @@ TEST(SolidInCells, ATurnedSquareIsWhatClippingGives) {
 template <int D>
 double error_of_directions(const OuterFaces<D>& faces) {
   const SolidInCells<D> g = geometry<D>(faces);
-  std::array<std::vector<double>, D> T;
+  std::array<KeptArray<double>, D> T;
   for (auto& t : T) t.assign(cells_of(g).size(), 0.0);
   for_each_piece<D>(faces, When::start, 0, faces.size(),
                     [&](std::size_t, int, const FacetNodes<D>& x, const Piece<D>& piece) {
@@ -316,7 +316,7 @@ template <int D>
 double error_of_forces(const Body<D>& body) {
   const OuterFaces<D> faces = body.faces();
   const SolidInCells<D> g = geometry<D>(faces);
-  std::array<std::vector<double>, D> on_nodes, in_cells;
+  std::array<KeptArray<double>, D> on_nodes, in_cells;
   for (auto* to : {&on_nodes, &in_cells})
     for (auto& column : *to) column.assign(cells_of(g).size(), 0.0);
   const auto spread = [&](const Point<D>& x, std::size_t d, double value) {
@@ -404,12 +404,12 @@ TEST(SolidInCells, NoBitDependsOnTheOrderOfFaces) {
 }
 
 TEST(SolidInCells, CleanValuesLieBetweenNoughtAndOne) {
-  std::vector<double> a{-3e-16, 5e-15, 2e-14, 0.5, 1 - 5e-15, 1 + 3e-16, 2};
+  KeptArray<double> a{-3e-16, 5e-15, 2e-14, 0.5, 1 - 5e-15, 1 + 3e-16, 2};
   clean_covered_parts(a);
-  EXPECT_EQ(a, (std::vector<double>{0, 0, 2e-14, 0.5, 1, 1, 1}));
-  std::vector<double> theta{-3e-16, 5e-15, 2e-14, 0.5, 1 - 2e-10, 1 - 5e-11, 1.3};
+  EXPECT_EQ(a, (KeptArray<double>{0, 0, 2e-14, 0.5, 1, 1, 1}));
+  KeptArray<double> theta{-3e-16, 5e-15, 2e-14, 0.5, 1 - 2e-10, 1 - 5e-11, 1.3};
   clean_volume_fractions(theta);
-  EXPECT_EQ(theta, (std::vector<double>{0, 0, 2e-14, 0.5, 1 - 2e-10, 1, 1}));
+  EXPECT_EQ(theta, (KeptArray<double>{0, 0, 2e-14, 0.5, 1 - 2e-10, 1, 1}));
 }
 
 }  // namespace

@@ -82,7 +82,7 @@ TEST(SolidOnRanks, NoFacesAtAll) {
   sums.sum_over_ranks(world());
   SolidInCells<2> g;
   sums.finish(g);
-  EXPECT_EQ(g.theta, std::vector<double>(test_cells<2>().size(), 0.0));
+  EXPECT_EQ(g.theta, KeptArray<double>(test_cells<2>().size(), 0.0));
 }
 
 }  // namespace

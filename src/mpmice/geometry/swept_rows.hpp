@@ -20,7 +20,7 @@ struct SweptRows {
   std::array<double*, D> Nl{}, Tl{};  // null along directions that are not split
 
   // `memory` holds the numbers, and keeps its capacity.
-  SweptRows(const MixedFacet<D>& f, std::vector<double>& memory) {
+  SweptRows(const MixedFacet<D>& f, KeptArray<double>& memory) {
     std::size_t split = 0;
     for (std::size_t d = 0; d < D; ++d) {
       cells.lower[d] = f.spans[d].low;

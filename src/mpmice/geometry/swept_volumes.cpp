@@ -28,7 +28,7 @@ void check_reach(const MixedFacet<D>& f) {
 template <int D, bool WithMoments>
 class FacetSums {
  public:
-  FacetSums(CellSums<D>& sums, std::vector<double>& memory)
+  FacetSums(CellSums<D>& sums, KeptArray<double>& memory)
       : cells_(sums.cells()), memory_(memory), q_(sums.lane(SweptSums<D>::lane_of_q)) {
     for (int d = 0; d < D; ++d) {
       const auto a = static_cast<std::size_t>(d);
@@ -96,7 +96,7 @@ class FacetSums {
   }
 
   const CellBlocks<D>& cells_;
-  std::vector<double>& memory_;  // of SweptRows
+  KeptArray<double>& memory_;  // of SweptRows
   std::uint64_t* q_;
   std::array<std::uint64_t*, D> A_, C_;
   std::array<std::uint64_t*, face_moments<D>> M_{};

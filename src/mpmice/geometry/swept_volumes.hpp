@@ -32,11 +32,11 @@ inline constexpr int face_moments = D * (D - 1);
 // Arrays over the cells of blocks, zero where no surface is near.
 template <int D>
 struct SweptVolumes {
-  std::vector<double> q;
-  std::array<std::vector<double>, D> A, C;  // lower faces along d
+  KeptArray<double> q;
+  std::array<KeptArray<double>, D> A, C;  // lower faces along d
   // M_du of lower faces, [d (D - 1) + j]: u is the j-th other direction, rising. Empty unless asked
   // for.
-  std::array<std::vector<double>, face_moments<D>> M;
+  std::array<KeptArray<double>, face_moments<D>> M;
 };
 
 template <int D>
@@ -61,8 +61,8 @@ class SweptSums {
 
  private:
   bool with_moments_ = false;
-  CellSums<D> sums_;           // lanes A, C, q, M
-  std::vector<double> local_;  // Nl, Tl of one facet; keeps its memory
+  CellSums<D> sums_;         // lanes A, C, q, M
+  KeptArray<double> local_;  // Nl, Tl of one facet; keeps its memory
 };
 
 }  // namespace sluice::mpmice

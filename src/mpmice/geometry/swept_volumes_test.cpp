@@ -42,7 +42,7 @@ SweptVolumes<D> swept(const OuterFaces<D>& faces, bool moments = false) {
 
 // Lower minus upper face of a cell.
 template <int D>
-double difference(const std::vector<double>& f, const TestCells<D>& cells, Cell<D> c, int d) {
+double difference(const KeptArray<double>& f, const TestCells<D>& cells, Cell<D> c, int d) {
   const double low = f[cells.index(c)];
   const auto a = static_cast<std::size_t>(d);
   return low - (++c[a] < cells.upper[a] ? f[cells.index(c)] : 0.0);
@@ -132,8 +132,8 @@ TEST(SweptVolumes, BodiesAtRestSweepNothing) {
 
 // int a v dt over a step by the midpoint rule on n parts, for a body in uniform motion.
 template <int D>
-std::array<std::vector<double>, D> passed(const Body<D>& body, const Point<D>& v, int n) {
-  std::array<std::vector<double>, D> sum;
+std::array<KeptArray<double>, D> passed(const Body<D>& body, const Point<D>& v, int n) {
+  std::array<KeptArray<double>, D> sum;
   for (auto& column : sum) column.assign(test_cells<D>().size(), 0.0);
   for (int i = 0; i < n; ++i) {
     Body<D> there = body;
@@ -300,7 +300,7 @@ double error_of_turning(double angle, bool with_moments) {
   const SolidInCells<3> before = geometry<3>(faces, When::start),
                         after = geometry<3>(faces, When::end);
   const SweptVolumes<3> s = swept<3>(faces, true);
-  std::array<std::vector<double>, 3> H;
+  std::array<KeptArray<double>, 3> H;
   for (auto& column : H) column.assign(s.q.size(), 0.0);
   const double g[2][2] = {{std::cos(angle) - 1, -std::sin(angle)},
                           {std::sin(angle), std::cos(angle) - 1}};  // grad v

@@ -7,7 +7,7 @@
 
 namespace sluice::mpmice {
 
-using CellMask = std::vector<std::uint8_t>;
+using CellMask = KeptArray<std::uint8_t>;
 
 // Marks the cells, too, that lie at most `reach` cells along every direction from a marked one.
 // Around periodic sides the frame says which; elsewhere cells beyond the sides may be marked.
@@ -67,7 +67,7 @@ class Dilation {
   }
 
   const Frame<D>& frame_;
-  std::vector<std::uint64_t> bits_, before_;  // by block; the first of them is none
+  KeptArray<std::uint64_t> bits_, before_;  // by block; the first of them is none
 };
 
 template <int D>

@@ -18,7 +18,7 @@ class KnownByOne {
   double value(int lane, std::size_t cell) const {
     return std::bit_cast<double>(sums_.lane(lane)[cell]);
   }
-  void take(int lane, std::vector<double>& to) const {
+  void take(int lane, KeptArray<double>& to) const {
     to.resize(sums_.cells().size());
     for (std::size_t i = 0; i < to.size(); ++i) to[i] = value(lane, i);
   }

@@ -181,7 +181,7 @@ bool LevelCoupling<D>::settle_cell(std::size_t i, const ice::mixture::Equilibrat
 template <int D>
 void LevelCoupling<D>::fill_dry_cells() {
   filled_.assign(frame_.cells.size(), 0);
-  std::vector<std::pair<Cell<D>, std::size_t>> dry;
+  KeptArray<std::pair<Cell<D>, std::size_t>> dry;
   for_each_cell_near([&](const Cell<D>& c, std::size_t i) {
     if (!(amounts_.volume[i] > 0))
       dry.emplace_back(c, i);
@@ -190,7 +190,7 @@ void LevelCoupling<D>::fill_dry_cells() {
   });
   std::vector<Column*> columns;
   settled_.for_each_amount([&](Column& column) { columns.push_back(&column); });
-  std::vector<std::size_t> around;
+  KeptArray<std::size_t> around;
   // What the cells around hold; false: nothing is known there.
   const auto fill = [&](const Cell<D>& c, std::size_t i) {
     around.clear();

@@ -64,7 +64,7 @@ void LevelCoupling<D>::spread_flames(const models::Ddt1& law, const ExplosiveCel
                                      std::size_t n, double dt) {
   SolidSet<D>& s = sets_[n];
   std::vector<std::array<double, D>> normals(s.set->size());
-  std::vector<std::uint8_t> open(s.set->size());
+  KeptArray<std::uint8_t> open(s.set->size());
   for_each_open_piece(
       s, [&](std::size_t p, int, const std::array<double, D>& area, const Cell<D>&, std::size_t) {
         open[p] = 1;

@@ -52,10 +52,9 @@ class LevelCoupling final : public Coupling {
   void keep_pockets();
   void close_cells_at_sides();
   bool stays_near() const;
-  std::vector<std::uint8_t> blocks_to_tell() const;
-  bool sees_any(const CellBox<D>& part, const std::vector<std::uint8_t>& told) const;
-  SeenPlaces places_seen(const IndexBox& box, int along,
-                         const std::vector<std::uint8_t>& told) const;
+  KeptArray<std::uint8_t> blocks_to_tell() const;
+  bool sees_any(const CellBox<D>& part, const KeptArray<std::uint8_t>& told) const;
+  SeenPlaces places_seen(const IndexBox& box, int along, const KeptArray<std::uint8_t>& told) const;
   Column velocity_at_faces(std::size_t n) const;
   void find_pressures(const StageScope& scope, bool solved);
   CellMask cells_beside_walls() const;
@@ -79,14 +78,14 @@ class LevelCoupling final : public Coupling {
   double approach_at_surface(const Cell<D>& c, std::size_t i, double size,
                              const std::array<Column, D>& u, double du) const;
   double pressure_beside_wall(const Cell<D>& c, std::size_t i, double size) const;
-  std::vector<std::uint8_t> fill_dry(Column& values) const;
+  KeptArray<std::uint8_t> fill_dry(Column& values) const;
   double area_of(const Piece<D>& piece) const;
   Vec3 velocity_of(const SolidSet<D>& s, std::size_t face, const FacetNodes<D>& nodes,
                    const Piece<D>& piece) const;
   bool all_rigid() const;
   double force_of_walls(std::size_t d) const;
   void find_overlaps();
-  std::vector<mpm::CornerForce> forces_on(const SolidSet<D>& s) const;
+  void add_forces_on(const SolidSet<D>& s, std::vector<mpm::CornerForce>& forces) const;
   void bound_velocities(const StageScope& scope, int kind);
   void book_outside(const StageScope& scope);
   void book_surface_work(const StageScope& scope, const Column& moved);
@@ -233,18 +232,20 @@ class LevelCoupling final : public Coupling {
   BurnedSums burned_;
   std::size_t next_switch_ = 0;   // among those of the step
   std::vector<Column> products_;  // by fluid: mass per cell volume that burning has made
-  bool overlap_ = false;          // do bodies overlap somewhere
-  bool vanished_ = false;         // has a particle burned to its end in this step
+  // On corners of outer faces, by level and kind of solid.
+  std::vector<std::vector<std::vector<mpm::CornerForce>>> corner_forces_;
+  bool overlap_ = false;   // do bodies overlap somewhere
+  bool vanished_ = false;  // has a particle burned to its end in this step
   SolidSums<D> geometry_;
   SweptSums<D> swept_;
   MovingSurface<D> moving_;
   CoveredSides<D> at_sides_;  // of periodic sides
   KnownByOne<D> known_;
-  std::vector<std::uint8_t> swept_with_solid_;  // 1: cells of which the sweep has left amounts
+  KeptArray<std::uint8_t> swept_with_solid_;  // 1: cells of which the sweep has left amounts
   CellAmounts<D> amounts_;
-  CellAmounts<D> settled_;            // what becomes their state, per volume of fluid
-  std::vector<std::uint8_t> filled_;  // 1: they are known
-  std::vector<std::uint8_t> spoilt_;  // 1: what is left there is no state
+  CellAmounts<D> settled_;          // what becomes their state, per volume of fluid
+  KeptArray<std::uint8_t> filled_;  // 1: they are known
+  KeptArray<std::uint8_t> spoilt_;  // 1: what is left there is no state
 };
 
 template <int D>

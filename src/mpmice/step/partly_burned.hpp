@@ -33,8 +33,8 @@ class PartlyBurned {
   }
   // Bits of the faces of a set over which surfaces are summed. Whether an inner face is one follows
   // from its corners, so that both particles that share it answer alike.
-  std::vector<std::uint8_t> faces_in_sums(const Frame<D>& frame, const SolidSet<D>& s) const {
-    std::vector<std::uint8_t> faces = outer_faces_of(s);
+  KeptArray<std::uint8_t> faces_in_sums(const Frame<D>& frame, const SolidSet<D>& s) const {
+    KeptArray<std::uint8_t> faces = outer_faces_of(s);
     if (s.part < 0) return faces;
     for (std::size_t p = 0; p < faces.size(); ++p) {
       unsigned near = 0;  // bits of the corners in whose cells particles differ

@@ -36,8 +36,8 @@ class Neighbourhoods {
   bool any() const { return !cells_.empty(); }
 
   // One pass of one amount. `count`: N_j.
-  void share(Column& amount, const std::vector<std::uint16_t>& count) const {
-    std::vector<double> Q(cells_.size());
+  void share(Column& amount, const KeptArray<std::uint16_t>& count) const {
+    KeptArray<double> Q(cells_.size());
     for (std::size_t s = 0; s < cells_.size(); ++s) {
       double A = 0, V = 0;
       for (std::size_t h = begin_[s]; h < begin_[s + 1]; ++h) {
@@ -60,8 +60,8 @@ class Neighbourhoods {
   }
 
   // N_j: of small cells those that hold them; of others one more, their own.
-  std::vector<std::uint16_t> count() {
-    std::vector<std::uint16_t> n(amounts_.volume.size(), 0);
+  KeptArray<std::uint16_t> count() {
+    KeptArray<std::uint16_t> n(amounts_.volume.size(), 0);
     shared_.assign(n.size(), 0);
     touched_.clear();
     for (const std::size_t j : holds_) {
@@ -171,9 +171,9 @@ class Neighbourhoods {
   const Frame<D>& frame_;
   const SolidFields<D>& solids_;
   const CellAmounts<D>& amounts_;
-  std::vector<std::size_t> cells_, begin_, holds_, touched_;
-  std::vector<std::uint16_t> shared_;
-  std::vector<std::uint8_t> is_small_;
+  KeptArray<std::size_t> cells_, begin_, holds_, touched_;
+  KeptArray<std::uint16_t> shared_;
+  KeptArray<std::uint8_t> is_small_;
 };
 
 }  // namespace
@@ -186,7 +186,7 @@ bool redistribute(const Frame<D>& frame, const SolidFields<D>& solids, CellAmoun
     Neighbourhoods<D> around(frame, solids, amounts);
     if (!around.find(stuck)) return false;
     if (!around.any()) return true;
-    const std::vector<std::uint16_t> count = around.count();
+    const KeptArray<std::uint16_t> count = around.count();
     amounts.for_each_amount([&](Column& amount) { around.share(amount, count); });
     for (std::size_t i = 0; i < count.size(); ++i)
       if (count[i] > 0) amounts.touched[i] = 1;

@@ -202,7 +202,7 @@ struct Frame {
   std::array<bool, D> repeats_{};  // the level's periodic directions
 };
 
-using Column = std::vector<double>;
+using Column = KeptArray<double>;
 
 // A cell of a box, or its low face along a direction, and the place in the arrays that it sees;
 // `flipped`: a face in a mirror, along which velocities turn.
@@ -214,7 +214,7 @@ struct SeenPlace {
 
 // Those of a box with its ghosts, and parts of it in which all of them are.
 struct SeenPlaces {
-  std::vector<SeenPlace> places;
+  KeptArray<SeenPlace> places;
   std::vector<IndexBox> parts;
 };
 
@@ -250,12 +250,12 @@ struct CellAmounts {
   // energy and what remapping momentum left to heat, and for one fluid alone its whole energy.
   std::vector<Column> mass, filled, energy;
   Column kinetic;
-  std::vector<Column> momentum;       // by component
-  std::vector<Column> scalar;         // of each scalar: its value times its carrier's mass
-  std::vector<std::uint8_t> near;     // 1: a cell near solids, whose amounts are here
-  std::vector<std::uint8_t> touched;  // 1: they become its state anew
+  std::vector<Column> momentum;     // by component
+  std::vector<Column> scalar;       // of each scalar: its value times its carrier's mass
+  KeptArray<std::uint8_t> near;     // 1: a cell near solids, whose amounts are here
+  KeptArray<std::uint8_t> touched;  // 1: they become its state anew
   // 1: what is left there is no state; it is shared through covered faces too.
-  std::vector<std::uint8_t> spoilt;
+  KeptArray<std::uint8_t> spoilt;
 
   double mass_of_all(std::size_t i) const {
     double sum = 0;

@@ -24,16 +24,16 @@ struct SolidSet {
   // Of particles that burn: what is left of each as the present step has it so far, the faces
   // that are outer since the last one vanished, what surfaces remember (empty: nothing).
   ParticleSet* present = nullptr;  // the set, for what a step leaves behind
-  std::vector<double> filled, stays;
-  std::vector<std::uint8_t> outer;
+  KeptArray<double> filled, stays;
+  KeptArray<std::uint8_t> outer;
   int surface_column = -1;  // of mpm::Carried::surface
   std::vector<models::SurfaceHistory> surface;
   int flame_column = -1;                // of mpm::Carried::flame
   std::vector<models::Ignition> flame;  // that comes to each; empty: none needs time
   // Faces that are outer since solids parted in this step, bits by particle; empty: none.
-  std::vector<std::uint8_t> parted;
-  std::vector<std::uint8_t> moves;    // cells by which particles may move in the step
-  std::vector<std::uint8_t> dropped;  // 1: leaves the domain in this step; empty: none does
+  KeptArray<std::uint8_t> parted;
+  KeptArray<std::uint8_t> moves;    // cells by which particles may move in the step
+  KeptArray<std::uint8_t> dropped;  // 1: leaves the domain in this step; empty: none does
   // All faces of particles at periodic sides: outer, inner.
   OuterFaces<D> outer_at_sides, inner_at_sides;
 };
@@ -52,9 +52,9 @@ CornerColumns<D> corner_columns(const Frame<D>& frame, const mpm::Columns& c,
 
 // Cells by which the particles of a set may move in a step, by their velocities as it begins.
 template <int D>
-std::vector<std::uint8_t> moves_of(const Frame<D>& frame, const mpm::Columns& c,
-                                   const ParticleSet& set, double dt) {
-  std::vector<std::uint8_t> moves(set.size(), Frame<D>::slow_move);
+KeptArray<std::uint8_t> moves_of(const Frame<D>& frame, const mpm::Columns& c,
+                                 const ParticleSet& set, double dt) {
+  KeptArray<std::uint8_t> moves(set.size(), Frame<D>::slow_move);
   for (const int d : frame.direction) {
     const double* v = set.column(static_cast<std::size_t>(c.velocity + d));
     const double most = Frame<D>::slow * frame.spacing[d] / dt;
@@ -68,7 +68,7 @@ std::vector<std::uint8_t> moves_of(const Frame<D>& frame, const mpm::Columns& c,
 // cells; empty: they rest.
 template <int D>
 void add_cells_of(const Frame<D>& frame, const CornerColumns<D>& corners, std::size_t count,
-                  const std::vector<std::uint8_t>& moves, OccupiedCells<D>& to) {
+                  const KeptArray<std::uint8_t>& moves, OccupiedCells<D>& to) {
   constexpr std::size_t chunk = 64;
   int low[D][chunk], high[D][chunk];
   for (std::size_t at = 0; at < count; at += chunk) {
@@ -102,8 +102,8 @@ void add_cells_of(const Frame<D>& frame, const CornerColumns<D>& corners, std::s
 
 // Bits of the faces that no other particle shares.
 template <int D>
-std::vector<std::uint8_t> outer_faces_of(const SolidSet<D>& s) {
-  std::vector<std::uint8_t> faces(s.set->size());
+KeptArray<std::uint8_t> outer_faces_of(const SolidSet<D>& s) {
+  KeptArray<std::uint8_t> faces(s.set->size());
   const double* bits = s.set->column(static_cast<std::size_t>(s.columns->outer));
   for (std::size_t p = 0; p < faces.size(); ++p) faces[p] = static_cast<std::uint8_t>(bits[p]);
   for (std::size_t p = 0; p < s.parted.size(); ++p) faces[p] |= s.parted[p];
@@ -116,7 +116,7 @@ std::vector<std::uint8_t> outer_faces_of(const SolidSet<D>& s) {
 template <int D>
 void weigh_faces(SolidSet<D>& s) {
   if (s.part < 0) return;
-  std::vector<std::uint8_t> outer = outer_faces_of(s);
+  KeptArray<std::uint8_t> outer = outer_faces_of(s);
   if (s.outer.size() == outer.size())
     for (std::size_t p = 0; p < outer.size(); ++p) outer[p] |= s.outer[p];
   s.faces.weight.resize(s.faces.size());
@@ -130,10 +130,10 @@ void weigh_faces(SolidSet<D>& s) {
 
 // Particles that reach a periodic side at either end of the step.
 template <int D>
-std::vector<std::uint8_t> at_sides(const Frame<D>& frame, const CornerColumns<D>& from,
-                                   const CornerColumns<D>& to, const CellUnits<D>& units,
-                                   std::size_t count) {
-  std::vector<std::uint8_t> found(count);
+KeptArray<std::uint8_t> at_sides(const Frame<D>& frame, const CornerColumns<D>& from,
+                                 const CornerColumns<D>& to, const CellUnits<D>& units,
+                                 std::size_t count) {
+  KeptArray<std::uint8_t> found(count);
   constexpr double hair = 1e-9;  // corners a rounding beside a side are in it
   for (std::size_t p = 0; p < count; ++p) {
     std::array<double, D> low, high;
@@ -184,8 +184,7 @@ void read_flames(SolidSet<D>& s) {
 
 // Takes the faces of a set with these bits, at both ends of the step where `moved`.
 template <int D>
-void find_faces(const Frame<D>& frame, SolidSet<D>& s, bool moved,
-                std::vector<std::uint8_t> outer) {
+void find_faces(const Frame<D>& frame, SolidSet<D>& s, bool moved, KeptArray<std::uint8_t> outer) {
   CellUnits<D> units;
   for (std::size_t a = 0; a < D; ++a) {
     units.origin[a] = frame.anchor[frame.direction[a]];
@@ -198,8 +197,8 @@ void find_faces(const Frame<D>& frame, SolidSet<D>& s, bool moved,
   s.faces.add(from, end, outer.data(), outer.size(), units);
   weigh_faces(s);
   if (!frame.sides().any()) return;
-  const std::vector<std::uint8_t> there = at_sides<D>(frame, from, to, units, outer.size());
-  std::vector<std::uint8_t> inner(outer.size());
+  const KeptArray<std::uint8_t> there = at_sides<D>(frame, from, to, units, outer.size());
+  KeptArray<std::uint8_t> inner(outer.size());
   constexpr unsigned all = (1u << (2 * D)) - 1;
   for (std::size_t p = 0; p < outer.size(); ++p) {
     inner[p] = there[p] != 0 ? static_cast<std::uint8_t>(all & ~unsigned{outer[p]}) : 0;

@@ -11,12 +11,13 @@ namespace sluice::mpmice {
 // On corners of the outer faces: (-(p_w - p_ref) n + t |n|) m_k of each piece, t: friction of the
 // fluid. Solids are free of stress at the reference pressure of the deck.
 template <int D>
-std::vector<mpm::CornerForce> LevelCoupling<D>::forces_on(const SolidSet<D>& s) const {
+void LevelCoupling<D>::add_forces_on(const SolidSet<D>& s,
+                                     std::vector<mpm::CornerForce>& forces) const {
   const bool rubs = fluid_->options().transport.viscous;
   std::array<double, D> per_largest;  // face area over the largest, in which areas are counted
   for (std::size_t d = 0; d < D; ++d)
     per_largest[d] = frame_.face_area(static_cast<int>(d)) / frame_.largest_face();
-  std::vector<std::array<std::array<double, corners_of_face<D>>, D>> sums(s.faces.size());
+  KeptArray<std::array<std::array<double, corners_of_face<D>>, D>> sums(s.faces.size());
   s.pieces.for_each(s.faces, [&](std::size_t i, int t, const FacetNodes<D>&,
                                  const Piece<D>& piece) {
     // A body that a side of the domain cuts has no surface there.
@@ -34,7 +35,6 @@ std::vector<mpm::CornerForce> LevelCoupling<D>::forces_on(const SolidSet<D>& s) 
       add_to_corners<D>(t, moments, sums[i][d]);
     }
   });
-  std::vector<mpm::CornerForce> forces;
   for (std::size_t i = 0; i < sums.size(); ++i)
     for (std::size_t k = 0; k < corners_of_face<D>; ++k) {
       mpm::CornerForce f;
@@ -46,7 +46,6 @@ std::vector<mpm::CornerForce> LevelCoupling<D>::forces_on(const SolidSet<D>& s) 
       for (std::size_t a = 0; a < D; ++a) f.force[frame_.direction[a]] = sums[i][a][k];
       forces.push_back(f);
     }
-  return forces;
 }
 
 // Of the whole facet, m^2.
@@ -194,16 +193,16 @@ void LevelCoupling<D>::book_outside(const StageScope& scope) {
 template <int D>
 Verdict LevelCoupling<D>::press_on_solids(const StageScope& scope) {
   // Solids lie on the finest level.
-  std::vector<std::vector<std::vector<mpm::CornerForce>>> forces(
-      static_cast<std::size_t>(step_->count()));
-  for (auto& of_level : forces) of_level.resize(solids_->scene().materials.size());
+  corner_forces_.resize(static_cast<std::size_t>(step_->count()));
+  for (auto& of_level : corner_forces_) {
+    of_level.resize(solids_->scene().materials.size());
+    for (auto& of_kind : of_level) of_kind.clear();
+  }
   for (const SolidSet<D>& s : sets_) {
     if (solids_->scene().materials[static_cast<std::size_t>(s.kind)].rigid) continue;
-    const std::vector<mpm::CornerForce> own = forces_on(s);
-    auto& all = forces.back()[static_cast<std::size_t>(s.kind)];
-    all.insert(all.end(), own.begin(), own.end());
+    add_forces_on(s, corner_forces_.back()[static_cast<std::size_t>(s.kind)]);
   }
-  step_->add_corner_forces(scope, forces);
+  step_->add_corner_forces(scope, corner_forces_);
   book_outside(scope);
   return Verdict::good;
 }

@@ -181,7 +181,7 @@ Verdict LevelCoupling<D>::find_surfaces(const StageScope& scope) {
 // surface, by area; rigid bodies have neither compliance nor 1/rho.
 template <int D>
 void LevelCoupling<D>::mean_over_surfaces(const StageScope& scope) {
-  std::vector<double> wave(solids_->scene().materials.size());
+  KeptArray<double> wave(solids_->scene().materials.size());
   double least = 1e300;
   for (std::size_t a = 0; a < D; ++a) least = std::min(least, frame_.spacing[frame_.direction[a]]);
   for (std::size_t k = 0; k < wave.size(); ++k)

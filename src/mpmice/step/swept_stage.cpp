@@ -34,7 +34,7 @@ bool LevelCoupling<D>::stays_near() const {
 // left: blocks that see no solid know of no such face.
 template <int D>
 void LevelCoupling<D>::open_faces_of_fluid() {
-  std::vector<std::uint8_t> beside(frame_.cells.size());
+  KeptArray<std::uint8_t> beside(frame_.cells.size());
   for_each_cell_near([&](const Cell<D>&, std::size_t i) { beside[i] = has_solid(i) ? 1 : 0; });
   dilate(frame_, 1, beside);
   const auto is_beside = [&](const Cell<D>& c) {
@@ -139,7 +139,7 @@ double LevelCoupling<D>::growth_of_solids(const StageScope& scope) const {
 template <int D>
 void LevelCoupling<D>::keep_pockets() {
   constexpr double least_pocket = 1e-3;  // of a cell
-  std::vector<std::size_t> pockets;
+  KeptArray<std::size_t> pockets;
   for_each_cell_near([&](const Cell<D>& c, std::size_t i) {
     if (!wet(i) || fields_.theta_next[i] < 1) return;
     bool taken = false;
@@ -158,7 +158,7 @@ void LevelCoupling<D>::close_cells_at_sides() {
     return fields_.covered[d][face] >= 1 && fields_.covered_next[d][face] >= 1 &&
            fields_.mean_covered[d][face] >= 1;
   };
-  std::vector<Cell<D>> closed;
+  KeptArray<Cell<D>> closed;
   for_each_cell_near([&](const Cell<D>& c, std::size_t i) {
     if (fields_.theta[i] < 1 || fields_.theta_next[i] < 1) return;
     for (std::size_t d = 0; d < D; ++d) {

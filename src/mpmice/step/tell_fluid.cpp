@@ -8,14 +8,14 @@ namespace sluice::mpmice {
 // 1 for each block with solids or faces that they cover, or below one that has: elsewhere there is
 // nothing to tell.
 template <int D>
-std::vector<std::uint8_t> LevelCoupling<D>::blocks_to_tell() const {
+KeptArray<std::uint8_t> LevelCoupling<D>::blocks_to_tell() const {
   constexpr std::size_t n = CellBlocks<D>::block_cells;
   std::vector<const Column*> fields{&fields_.theta, &fields_.theta_next};
   for (std::size_t d = 0; d < D; ++d)
     for (const auto* of :
          {&fields_.covered, &fields_.covered_next, &fields_.mean_covered, &fields_.swept})
       fields.push_back(&(*of)[d]);
-  std::vector<std::uint8_t> told(1 + frame_.cells.block_count(), 0);
+  KeptArray<std::uint8_t> told(1 + frame_.cells.block_count(), 0);
   for (std::size_t b = told.size(); b-- > 1;) {
     for (const Column* field : fields) {
       bool any = false;
@@ -30,8 +30,7 @@ std::vector<std::uint8_t> LevelCoupling<D>::blocks_to_tell() const {
 
 // May cells of the domain or beyond its sides see, in a mirror too, one of these blocks.
 template <int D>
-bool LevelCoupling<D>::sees_any(const CellBox<D>& part,
-                                const std::vector<std::uint8_t>& told) const {
+bool LevelCoupling<D>::sees_any(const CellBox<D>& part, const KeptArray<std::uint8_t>& told) const {
   CellBox<D> seen;
   for (std::size_t a = 0; a < D; ++a) {
     const int low = frame_.domain.lower[a], high = frame_.domain.upper[a];
@@ -55,7 +54,7 @@ bool LevelCoupling<D>::sees_any(const CellBox<D>& part,
 // the arrays hold, and where it lies there.
 template <int D>
 SeenPlaces LevelCoupling<D>::places_seen(const IndexBox& box, int along,
-                                         const std::vector<std::uint8_t>& told) const {
+                                         const KeptArray<std::uint8_t>& told) const {
   SeenPlaces seen;
   const auto look = [&](const Cell<D>& at) {
     const IntVec3 c = frame_.index(at);
@@ -102,7 +101,7 @@ void LevelCoupling<D>::tell_fluid(const StageScope& scope) {
   const ice::Labels& l = ice::labels();
   std::array<Column, D> velocity;
   for (std::size_t n = 0; n < D; ++n) velocity[n] = velocity_at_faces(n);
-  const std::vector<std::uint8_t> told = blocks_to_tell();
+  const KeptArray<std::uint8_t> told = blocks_to_tell();
   for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
     SeenPlaces seen;
     IndexBox seen_of;

@@ -197,11 +197,11 @@ double LevelCoupling<D>::pressure_beside_wall(const Cell<D>& c, std::size_t i, d
 // Cells without fluid, two layers deep: the mean of what their neighbours have. Beyond the domain
 // as inside. Which are known then.
 template <int D>
-std::vector<std::uint8_t> LevelCoupling<D>::fill_dry(Column& values) const {
-  std::vector<std::uint8_t> known(frame_.cells.size(), 0);
+KeptArray<std::uint8_t> LevelCoupling<D>::fill_dry(Column& values) const {
+  KeptArray<std::uint8_t> known(frame_.cells.size(), 0);
   for_each_cell_near([&](const Cell<D>&, std::size_t i) { known[i] = wet(i) ? 1 : 0; });
   for (int layer = 0; layer < 2; ++layer) {
-    std::vector<std::pair<std::size_t, double>> found;
+    KeptArray<std::pair<std::size_t, double>> found;
     for_each_cell_near([&](const Cell<D>& c, std::size_t i) {
       if (known[i] != 0) return;
       double sum = 0;
@@ -227,8 +227,8 @@ template void LevelCoupling<3>::find_pressures(const StageScope&, bool);
 template double LevelCoupling<1>::most_impedance(std::size_t, double, double, double) const;
 template double LevelCoupling<2>::most_impedance(std::size_t, double, double, double) const;
 template double LevelCoupling<3>::most_impedance(std::size_t, double, double, double) const;
-template std::vector<std::uint8_t> LevelCoupling<1>::fill_dry(Column&) const;
-template std::vector<std::uint8_t> LevelCoupling<2>::fill_dry(Column&) const;
-template std::vector<std::uint8_t> LevelCoupling<3>::fill_dry(Column&) const;
+template KeptArray<std::uint8_t> LevelCoupling<1>::fill_dry(Column&) const;
+template KeptArray<std::uint8_t> LevelCoupling<2>::fill_dry(Column&) const;
+template KeptArray<std::uint8_t> LevelCoupling<3>::fill_dry(Column&) const;
 
 }  // namespace sluice::mpmice

@@ -24,7 +24,7 @@ Verdict LevelCoupling<D>::tell_pressures(const StageScope& scope) {
 template <int D>
 Verdict LevelCoupling<D>::keep_work_pressure(const StageScope& scope) {
   Column& X = fields_.pressure;
-  std::vector<std::uint8_t> known = fill_dry(X);
+  KeptArray<std::uint8_t> known = fill_dry(X);
   Warehouse& next = scope.levels.front()->attempted();
   const FluidCells fluid(*fluid_, next);
   const int slot = next.find(ice::labels().pressure_offset, fluid_->options().place(0));
