@@ -51,7 +51,7 @@ void CoveredSides<D>::add(const OuterFaces<D>& faces, bool outer, When when) {
             span_along<D>(nodes, d, chosen[static_cast<std::size_t>(d)]);
       cut_facet<D>(nodes, spans, chosen, [&](const Cell<D>& cell, const Moments<D>& piece) {
         std::array<double, D> area = n;
-        for (double& a : area) a *= piece.s;
+        for (double& a : area) a *= faces.weight_of(i) * piece.s;
         add_piece(cell, area);
       });
     }
@@ -68,7 +68,7 @@ void CoveredSides<D>::add_mean(const OuterFaces<D>& faces, bool outer) {
         cut_facet<D>(nodes, f.spans, choice<D>(N, outer),
                      [&](const Cell<D>& cell, const Moments<D>& piece) {
                        std::array<double, D> area = N;
-                       for (double& a : area) a *= piece.s;
+                       for (double& a : area) a *= faces.weight_of(i) * piece.s;
                        add_piece(cell, area);
                      });
       });

@@ -7,8 +7,8 @@
 //   a_d(side) = sum of N_d beyond the high side  (at the high end)
 //             = - sum of N_d beyond the low side (at the low end)
 //
-// and the sum over the particles is the covered part of the side, as faces that particles share
-// cancel. In the side itself outer faces count as everywhere: they belong to the cell that the
+// and the sum over the particles, each by what is left of it, is the covered part of the side, as
+// faces that particles share cancel but for that. In the side itself outer faces count as everywhere: they belong to the cell that the
 // normal points to. Inner ones there belong to the cell above, or a body that two particles
 // continue through the side would count twice.
 #pragma once

@@ -105,5 +105,33 @@ TEST(PartialParticles, SweepWhatThetaChangesBy) {
   check_identity<3>();
 }
 
+// At rest what faces cover in the mean is what they cover, in planes of the grid too.
+template <int D>
+void check_rest() {
+  Point<D> on;
+  on.fill(2);
+  const Body<D> body = block<D>("on grid planes", 4, on);
+  OuterFaces<D> faces = all_faces(body, 0, body.size(), parts_of<D>(body.size()));
+  for (std::size_t i = 0; i < faces.size(); ++i)
+    faces.inner.push_back((body.outer[faces.particle[i]] >> faces.face[i] & 1) == 0 ? 1 : 0);
+  const auto covered = geometry<D>(faces, When::start);
+  SweptSums<D> sums;
+  sums.begin(test_cells<D>().blocks);
+  sums.add(faces, 0, faces.size());
+  SweptVolumes<D> s;
+  sums.finish(s);
+  for (std::size_t d = 0; d < D; ++d)
+    for (std::size_t i = 0; i < s.A[d].size(); ++i) {
+      EXPECT_NEAR(s.A[d][i], covered.a[d][i], of_identity) << D;
+      EXPECT_EQ(s.C[d][i], 0) << D;
+    }
+}
+
+TEST(PartialParticles, AtRestCoverInTheMeanWhatTheyCover) {
+  check_rest<1>();
+  check_rest<2>();
+  check_rest<3>();
+}
+
 }  // namespace
 }  // namespace sluice::mpmice::partial_particles

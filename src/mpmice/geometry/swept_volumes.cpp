@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "mpmice/geometry/face_moments.hpp"
+#include "mpmice/geometry/pieces.hpp"
 #include "mpmice/geometry/swept_rows.hpp"
 
 namespace sluice::mpmice {
@@ -40,24 +41,22 @@ class FacetSums {
         M_[static_cast<std::size_t>(i)] = sums.lane(lane_of_M<D>(i));
   }
 
-  // `weight`: all sums are linear in the areas of the facet.
-  void add(const MixedFacet<D>& f, double weight) {
+  // `weight`: all sums are linear in the areas of the facet. Cuts of inner facets that lie in a grid
+  // plane belong by halves to the cells on both sides, as everywhere (pieces.hpp).
+  void add(const MixedFacet<D>& f, double weight, bool inner) {
     check_reach<D>(f);
     SweptRows<D> rows(f, memory_);
     for_each_cut<D>(f, [&](const std::array<Slots, D>& slots, const FacetNodes<D>& nodes) {
       std::array<double, D> N = f.mean_area(slots);
       for (double& n : N) n *= weight;
-      if constexpr (WithMoments) {
-        const FaceMoments<D> moments(f, slots, f.mean_area(slots));
-        cut_facet<D>(nodes, f.spans, N, [&](const Cell<D>& cell, const Moments<D>& piece) {
-          add_piece(f, slots, nodes, N, cell, piece, rows);
-          add_moments(moments, cell, piece, weight);
-        });
-      } else {
-        cut_facet<D>(nodes, f.spans, N, [&](const Cell<D>& cell, const Moments<D>& piece) {
-          add_piece(f, slots, nodes, N, cell, piece, rows);
-        });
+      if (!inner || !in_grid_plane<D>(nodes)) {
+        add_cut(f, slots, nodes, N, N, 1, weight, rows);
+        return;
       }
+      std::array<double, D> back = N;
+      for (double& n : back) n = -n;
+      add_cut(f, slots, nodes, N, N, 0.5, weight, rows);
+      add_cut(f, slots, nodes, N, back, 0.5, weight, rows);
     });
     for (int d = 0; d < D; ++d) {
       const auto a = static_cast<std::size_t>(d);
@@ -66,6 +65,29 @@ class FacetSums {
   }
 
  private:
+  // A share of a cut; pieces in grid planes lie in the cells to which `look` points.
+  void add_cut(const MixedFacet<D>& f, const std::array<Slots, D>& slots,
+               const FacetNodes<D>& nodes, const std::array<double, D>& N,
+               const std::array<double, D>& look, double share, double weight, SweptRows<D>& rows) {
+    const auto of_share = [&](Moments<D> piece) {
+      piece.s *= share;
+      for (double& m : piece.m) m *= share;
+      return piece;
+    };
+    if constexpr (WithMoments) {
+      const FaceMoments<D> moments(f, slots, f.mean_area(slots));
+      cut_facet<D>(nodes, f.spans, look, [&](const Cell<D>& cell, const Moments<D>& whole) {
+        const Moments<D> piece = of_share(whole);
+        add_piece(f, slots, nodes, N, cell, piece, rows);
+        add_moments(moments, cell, piece, weight);
+      });
+    } else {
+      cut_facet<D>(nodes, f.spans, look, [&](const Cell<D>& cell, const Moments<D>& whole) {
+        add_piece(f, slots, nodes, N, cell, of_share(whole), rows);
+      });
+    }
+  }
+
   // A, q, and Nl, Tl for C.
   void add_piece(const MixedFacet<D>& f, const std::array<Slots, D>& slots,
                  const FacetNodes<D>& nodes, const std::array<double, D>& N, const Cell<D>& cell,
@@ -115,9 +137,9 @@ void SweptSums<D>::add_facet(const OuterFaces<D>& faces, std::size_t i, int t) {
   const MixedFacet<D> facet(facet_nodes<D>(faces.start, i, t), facet_nodes<D>(faces.end, i, t),
                             faces.face[i]);
   if (with_moments_)
-    FacetSums<D, true>(sums_, local_).add(facet, faces.weight_of(i));
+    FacetSums<D, true>(sums_, local_).add(facet, faces.weight_of(i), faces.is_inner(i));
   else
-    FacetSums<D, false>(sums_, local_).add(facet, faces.weight_of(i));
+    FacetSums<D, false>(sums_, local_).add(facet, faces.weight_of(i), faces.is_inner(i));
 }
 
 template <int D>

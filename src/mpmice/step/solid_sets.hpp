@@ -206,6 +206,11 @@ void find_faces(const Frame<D>& frame, SolidSet<D>& s, bool moved, KeptArray<std
   }
   s.outer_at_sides.add(from, end, outer.data(), outer.size(), units);
   s.inner_at_sides.add(from, end, inner.data(), inner.size(), units);
+  if (s.part < 0) return;
+  for (OuterFaces<D>* faces : {&s.outer_at_sides, &s.inner_at_sides}) {
+    faces->weight.resize(faces->size());
+    for (std::size_t i = 0; i < faces->size(); ++i) faces->weight[i] = s.filled[faces->particle[i]];
+  }
 }
 
 // Sums over parts of particles have room for so many of the heaviest in a cell.
