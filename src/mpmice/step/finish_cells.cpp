@@ -182,11 +182,15 @@ template <int D>
 void LevelCoupling<D>::fill_dry_cells() {
   filled_.assign(frame_.cells.size(), 0);
   KeptArray<std::pair<Cell<D>, std::size_t>> dry;
+  constexpr int layers = 2;
+  const bool all = !settled_.scalar.empty();
+  for_each_cell_near([&](const Cell<D>&, std::size_t i) {
+    if (amounts_.volume[i] > 0 && amounts_.near[i] != 0) filled_[i] = 1;
+  });
+  CellMask within = filled_;
+  if (!all) dilate(frame_, layers, within);
   for_each_cell_near([&](const Cell<D>& c, std::size_t i) {
-    if (!(amounts_.volume[i] > 0))
-      dry.emplace_back(c, i);
-    else if (amounts_.near[i] != 0)
-      filled_[i] = 1;
+    if (!(amounts_.volume[i] > 0) && (all || within[i] != 0)) dry.emplace_back(c, i);
   });
   std::vector<Column*> columns;
   settled_.for_each_amount([&](Column& column) { columns.push_back(&column); });
@@ -205,8 +209,7 @@ void LevelCoupling<D>::fill_dry_cells() {
     }
     return true;
   };
-  const bool all = !settled_.scalar.empty();
-  for (int layer = 0; all || layer < 2; ++layer) {
+  for (int layer = 0; all || layer < layers; ++layer) {
     const auto found = std::partition(
         dry.begin(), dry.end(), [&](const auto& cell) { return !fill(cell.first, cell.second); });
     if (found == dry.end()) return;

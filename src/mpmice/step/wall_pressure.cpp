@@ -200,10 +200,13 @@ template <int D>
 KeptArray<std::uint8_t> LevelCoupling<D>::fill_dry(Column& values) const {
   KeptArray<std::uint8_t> known(frame_.cells.size(), 0);
   for_each_cell_near([&](const Cell<D>&, std::size_t i) { known[i] = wet(i) ? 1 : 0; });
-  for (int layer = 0; layer < 2; ++layer) {
+  constexpr int layers = 2;
+  CellMask within = known;
+  dilate(frame_, layers, within);
+  for (int layer = 0; layer < layers; ++layer) {
     KeptArray<std::pair<std::size_t, double>> found;
     for_each_cell_near([&](const Cell<D>& c, std::size_t i) {
-      if (known[i] != 0) return;
+      if (known[i] != 0 || within[i] == 0) return;
       double sum = 0;
       int count = 0;
       for_each_neighbour(c, [&](std::size_t j) {
