@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "framework/base/close_ranks_test_support.hpp"
 #include "mpmice/geometry/occupied_cells.hpp"
 
 namespace sluice::mpmice::cell_blocks {
@@ -129,8 +130,12 @@ TEST(OccupiedCells, AreTheSmallestBoxesOfTheirBlocks) {
   EXPECT_EQ(cells.boxes()[0], (CellBox<2>{{1, 2}, {5, 6}}));
   EXPECT_EQ(cells.boxes()[1], (CellBox<2>{{-20, 0}, {-19, 1}}));
   EXPECT_EQ(cells.hull(), (CellBox<2>{{-20, 0}, {5, 6}}));
-  cells.add({{6, 6}, {10, 7}});  // in two blocks
+  cells.add({{6, 6}, {10, 7}}, 2);  // in two blocks
   EXPECT_EQ(cells.boxes().size(), 3u);
+  cells.join(world());
+  EXPECT_EQ(cells.boxes()[0], (CellBox<2>{{-1, 0}, {10, 9}}));  // may move by two
+  EXPECT_EQ(cells.boxes()[1], (CellBox<2>{{-20, 0}, {-19, 1}}));
+  EXPECT_EQ(cells.boxes()[2], (CellBox<2>{{6, 4}, {12, 9}}));
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// The cells that something occupies: by block of cells, the smallest box around them.
+// The cells that something occupies: by block of cells, the smallest box around them, grown by as
+// many cells as the fastest in the block may move.
 #pragma once
 #include <vector>
 
@@ -11,10 +12,11 @@ class OccupiedCells {
  public:
   // None, and room for these cells: what lies beyond is left out. Keeps its memory.
   void begin(const CellBox<D>& room);
-  void add(const CellBox<D>& cells);
-  // Collective: those of all ranks, in any order.
+  // `move`: by so many cells it may leave them.
+  void add(const CellBox<D>& cells, int move = 0);
+  // Once all are added: grows the boxes. Collective: then those of all ranks, in any order.
   void join(Communicator& ranks);
-  // Each lies in one block; a block has one for every rank that has cells there.
+  // One for each block and rank that has cells there.
   const std::vector<CellBox<D>>& boxes() const { return boxes_; }
   // Around all of them.
   CellBox<D> hull() const;
@@ -23,6 +25,10 @@ class OccupiedCells {
   CellBox<D> room_;
   BlockDirectory<D> directory_;  // of a block: 1 + the number of its box
   std::vector<CellBox<D>> boxes_;
+  std::vector<int> moves_;  // of each box
+  // The block of the last call: particles that follow each other are in one mostly.
+  Cell<D> last_{};
+  std::size_t number_of_last_ = 0;  // of its box
 };
 
 }  // namespace sluice::mpmice

@@ -89,13 +89,12 @@ void add_cells_of(const Frame<D>& frame, const CornerColumns<D>& corners, std::s
       }
     }
     for (std::size_t q = 0; q < n; ++q) {
-      const int by = moves.empty() ? 0 : moves[at + q];
       CellBox<D> cells;
       for (std::size_t a = 0; a < D; ++a) {
-        cells.lower[a] = low[a][q] - by;
-        cells.upper[a] = high[a][q] + 1 + by;
+        cells.lower[a] = low[a][q];
+        cells.upper[a] = high[a][q] + 1;
       }
-      to.add(cells);
+      to.add(cells, moves.empty() ? 0 : moves[at + q]);
     }
   }
 }
