@@ -1,3 +1,4 @@
+// Memory that arrays give back is taken by the next of their size.
 #include "framework/base/kept_array.hpp"
 
 #include <gtest/gtest.h>

@@ -41,8 +41,8 @@ class FacetSums {
         M_[static_cast<std::size_t>(i)] = sums.lane(lane_of_M<D>(i));
   }
 
-  // `weight`: all sums are linear in the areas of the facet. Cuts of inner facets that lie in a grid
-  // plane belong by halves to the cells on both sides, as everywhere (pieces.hpp).
+  // `weight`: all sums are linear in the areas of the facet. Cuts of inner facets that lie in a
+  // grid plane belong by halves to the cells on both sides, as everywhere (pieces.hpp).
   void add(const MixedFacet<D>& f, double weight, bool inner) {
     check_reach<D>(f);
     SweptRows<D> rows(f, memory_);
