@@ -88,6 +88,7 @@ template <class F>
 // eight at a time and then what is left one by one.
 struct OneOf {
   using Number = double;
+  static constexpr std::size_t count = 1;
   std::size_t i;
 
   OneOf behind(std::size_t first) const { return {first + i}; }
@@ -99,6 +100,7 @@ struct OneOf {
 };
 struct EightOf {
   using Number = Eight;
+  static constexpr std::size_t count = 8;
   std::size_t i;
 
   EightOf behind(std::size_t first) const { return {first + i}; }

@@ -7,7 +7,11 @@
 
 namespace sluice {
 
-// Collective. `leaving`: by rank; what is meant for this rank itself is returned as well.
-ParticleSet exchange_particles(const std::vector<ParticleSet>& leaving, Communicator& communicator);
+// Collective. `leaving`: by rank; what is meant for this rank itself is returned first, then what
+// comes from the others, in the order of ranks. `neighbours`: ranks to which particles usually go,
+// each of which has this rank among its own. Where all do, numbers of particles pass between
+// neighbours alone; where one goes farther, all ranks tell all others.
+ParticleSet exchange_particles(const std::vector<ParticleSet>& leaving,
+                               const std::vector<int>& neighbours, Communicator& communicator);
 
 }  // namespace sluice

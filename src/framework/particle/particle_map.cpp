@@ -51,4 +51,49 @@ bool ParticleMap::is_home(int level, int box, Vec3 point) const {
                       [&](const IndexBox& cells) { return cells.contains(cell); });
 }
 
+// The owners of all boxes that overlap a region of a level. Regions and boxes of two levels meet in
+// cells of the finer one, so that it does not matter which of both was grown.
+void ParticleMap::add_ranks_near(std::size_t level, const IndexBox& grown,
+                                 std::vector<int>& ranks) const {
+  IndexBox region = grown;
+  const auto add = [&](std::size_t l) {
+    for (const int n : finders_[l].overlapping(region)) ranks.push_back(levels_[l].boxes[n].owner);
+  };
+  add(level);
+  for (std::size_t l = level; l-- > 0;) {
+    region = coarsen(region, levels_[l + 1].ratio);
+    add(l);
+  }
+  region = grown;
+  for (std::size_t l = level + 1; l < levels_.size(); ++l) {
+    region = refine(region, levels_[l].ratio);
+    add(l);
+  }
+}
+
+std::vector<int> ParticleMap::ranks_near(int rank, int reach) const {
+  std::vector<int> ranks;
+  IntVec3 layers = IntVec3::all(reach);
+  for (std::size_t l = 0; l < levels_.size(); ++l) {
+    const Level& level = levels_[l];
+    if (l > 0) layers = layers * level.ratio;
+    const IntVec3 size = level.domain.size();
+    const IntVec3 turns{level.periodic[0], level.periodic[1], level.periodic[2]};
+    for (const GridBox& box : level.boxes) {
+      if (box.owner != rank) continue;
+      for (int k = -turns.z; k <= turns.z; ++k)
+        for (int j = -turns.y; j <= turns.y; ++j)
+          for (int i = -turns.x; i <= turns.x; ++i) {
+            const IntVec3 by = IntVec3{i, j, k} * size;
+            add_ranks_near(l, {box.cells.lower - layers + by, box.cells.upper + layers + by},
+                           ranks);
+          }
+    }
+  }
+  std::sort(ranks.begin(), ranks.end());
+  ranks.erase(std::unique(ranks.begin(), ranks.end()), ranks.end());
+  std::erase(ranks, rank);
+  return ranks;
+}
+
 }  // namespace sluice

@@ -26,8 +26,13 @@ class ParticleMap {
   Home find(Vec3 point) const;
   // Is this box the home of a point: without a search, unless a finer level begins in the box.
   bool is_home(int level, int box, Vec3 point) const;
+  // The other ranks, rising, that own boxes within `reach` cells of the coarsest level from boxes
+  // of a rank, on any level and across periodic sides: each is near those that are near to it.
+  std::vector<int> ranks_near(int rank, int reach) const;
 
  private:
+  void add_ranks_near(std::size_t level, const IndexBox& grown, std::vector<int>& ranks) const;
+
   std::vector<Level> levels_;
   std::vector<BoxFinder> finders_;
   // By level and box: finer boxes that overlie a part of it.

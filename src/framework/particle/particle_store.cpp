@@ -10,6 +10,10 @@
 
 namespace sluice {
 
+// Cells of the coarsest level that a particle passes before it is brought to its box; those that go
+// farther arrive as well.
+static constexpr int usual_way = 2;
+
 void ParticleStore::lay_out(const ParticleMap& map) {
   ParticleSet homeless(attributes_);
   for (const auto& boxes : sets_)
@@ -17,6 +21,7 @@ void ParticleStore::lay_out(const ParticleMap& map) {
       for (std::size_t n = 0; n < box.set.size(); ++n) homeless.add_from(box.set, n);
   homeless_ = std::move(homeless);
   map_ = &map;
+  neighbours_ = map.ranks_near(rank_, usual_way);
   sets_.clear();
   locals_.clear();
   for (const Level& level : map.levels()) {
@@ -79,7 +84,7 @@ void ParticleStore::settle(Communicator& communicator) {
           send(box.set, n);
       if (staying.size() < box.set.size()) box.set.select(staying);
     }
-  const ParticleSet arrived = exchange_particles(leaving, communicator);
+  const ParticleSet arrived = exchange_particles(leaving, neighbours_, communicator);
   for (std::size_t n = 0; n < arrived.size(); ++n) adopt(arrived, n);
   for (int l = 0; l < level_count(); ++l)
     for (Box& box : at(l)) sort(l, box);

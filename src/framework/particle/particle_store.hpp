@@ -64,6 +64,7 @@ class ParticleStore {
   const ParticleMap* map_ = nullptr;
   std::vector<std::vector<Box>> sets_;    // by level, local box
   std::vector<std::vector<int>> locals_;  // by level, box id: its local number
+  std::vector<int> neighbours_;           // ranks to which particles go in a step
   ParticleSet homeless_;
 };
 

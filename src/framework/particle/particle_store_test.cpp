@@ -99,18 +99,22 @@ TEST(ParticleStore, FollowsNewBoxes) {
   EXPECT_EQ(store.set(0, 3).id(0), 7);
 }
 
-// Every rank sends to every rank, and more to those further on.
-TEST(ParticleExchange, BringsEachToItsRank) {
+// Every rank sends to every rank within a distance, and more to those further on.
+void brings_each_to_its_rank(int distance, const std::vector<int>& neighbours) {
   Communicator& ranks = world();
   std::vector<ParticleSet> leaving(ranks.size(), ParticleSet(1));
-  for (int to = 0; to < ranks.size(); ++to)
+  std::size_t expected = 0;
+  for (int to = 0; to < ranks.size(); ++to) {
+    if (std::abs(to - ranks.rank()) > distance) continue;
+    expected += static_cast<std::size_t>(ranks.rank()) + 1;
     for (int n = 0; n <= to; ++n) {
       ParticleSet& set = leaving[to];
       set.add({1.0 * ranks.rank(), 1.0 * to, 1.0 * n}, most_particle_id - 1 - n);
       set.attribute(0, set.size() - 1) = 0.25 * n;
     }
-  const ParticleSet arrived = exchange_particles(leaving, ranks);
-  ASSERT_EQ(arrived.size(), static_cast<std::size_t>(ranks.size() * (ranks.rank() + 1)));
+  }
+  const ParticleSet arrived = exchange_particles(leaving, neighbours, ranks);
+  ASSERT_EQ(arrived.size(), expected);
   std::set<std::pair<double, double>> seen;
   for (std::size_t n = 0; n < arrived.size(); ++n) {
     EXPECT_EQ(arrived.position(n).y, ranks.rank());
@@ -118,7 +122,60 @@ TEST(ParticleExchange, BringsEachToItsRank) {
     EXPECT_EQ(arrived.id(n),
               most_particle_id - 1 - static_cast<std::int64_t>(arrived.position(n).z));
     EXPECT_TRUE(seen.insert({arrived.position(n).x, arrived.position(n).z}).second);
+    if (n > 0 && arrived.position(n - 1).x != ranks.rank()) {
+      EXPECT_LE(arrived.position(n - 1).x, arrived.position(n).x);
+    }
   }
+}
+
+TEST(ParticleExchange, BringsEachToItsRank) {
+  std::vector<int> beside;
+  for (const int r : {world().rank() - 1, world().rank() + 1})
+    if (r >= 0 && r < world().size()) beside.push_back(r);
+  brings_each_to_its_rank(world().size(), {});
+  brings_each_to_its_rank(world().size(), beside);
+  brings_each_to_its_rank(1, beside);
+}
+
+// By the distance of every cell of one rank from every cell of another.
+TEST(ParticleMap, RanksAreNearByTheDistanceOfTheirCells) {
+  Level coarse = square(0, 16, {});
+  coarse.periodic = {true, false, false};
+  for (int j = 0; j < 4; ++j)
+    for (int i = 0; i < 4; ++i) {
+      const int id = i + 4 * j;
+      coarse.boxes.push_back({{{4 * i, 4 * j, 0}, {4 * i + 4, 4 * j + 4, 1}}, id % 7, id});
+    }
+  Level fine = square(1, 32, {});
+  fine.periodic = coarse.periodic;
+  fine.ratio = {2, 2, 1};
+  fine.boxes = {{{{2, 2, 0}, {10, 6, 1}}, 8, 0}, {{{10, 2, 0}, {12, 6, 1}}, 9, 1}};
+  const ParticleMap map({coarse, fine});
+  const auto distance = [&](int a, int b) {  // of boxes of two ranks, cells of the fine level
+    int least = 1000;
+    for (const Level& one : map.levels())
+      for (const GridBox& p : one.boxes)
+        for (const Level& other : map.levels())
+          for (const GridBox& q : other.boxes) {
+            if (p.owner != a || q.owner != b) continue;
+            const int f = one.index == 0 ? 2 : 1, g = other.index == 0 ? 2 : 1;
+            for (int turn = -32; turn <= 32; turn += 32) {
+              const int x = std::max(f * p.cells.lower.x + turn - g * q.cells.upper.x,
+                                     g * q.cells.lower.x - f * p.cells.upper.x - turn);
+              const int y = std::max(f * p.cells.lower.y - g * q.cells.upper.y,
+                                     g * q.cells.lower.y - f * p.cells.upper.y);
+              least = std::min(least, std::max(x, y));
+            }
+          }
+    return least;
+  };
+  for (const int reach : {1, 2, 3})
+    for (int a = 0; a < 10; ++a) {
+      std::vector<int> expected;
+      for (int b = 0; b < 10; ++b)
+        if (b != a && distance(a, b) < 2 * reach) expected.push_back(b);
+      EXPECT_EQ(map.ranks_near(a, reach), expected) << a << " within " << reach;
+    }
 }
 
 TEST(DomainEnds, WrapMirrorOrLetOut) {

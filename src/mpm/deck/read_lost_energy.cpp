@@ -26,7 +26,7 @@ void read_lost_energy(const DeckNode& root, MpmScene& s, std::vector<Fault>& fau
   }
   for (SolidMaterial& m : s.materials) {
     if (m.rigid || m.law == nullptr || !(m.constants.specific_heat > 0)) continue;
-    const bool shocks = m.law->has_shock_equation() || s.artificial_viscosity;
+    const bool shocks = m.law->has_shock_equation() || s.viscous();
     m.lost_energy_heats = everywhere || shocks;
   }
 }

@@ -174,6 +174,9 @@ void SolidStep::move_particles(const BlockWork& w, const StageScope& scope, std:
   const double dt = scope.step.dt;
   if (body.material->rigid)
     read_rigid(w, at, n, true, report);
+  else if (solids_->maps_back())
+    read_motion(solids_->basis, body.grid, places_of(*w.set, c), shape_of(*w.set, c),
+                static_cast<int>(at), n, report.window, report.read);
   else
     read_window(solids_->basis, body.grid, places_of(*w.set, c), shape_of(*w.set, c),
                 static_cast<int>(at), n, solids_->transfer == Transfer::apic, report.window,

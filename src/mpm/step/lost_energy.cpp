@@ -36,7 +36,7 @@ namespace {
 void to_work(const Window& nodes, const Window* mapped, const double (&shift)[3], bool before,
              Window& to) {
   const IntVec3 size{nodes.size(0), nodes.size(1), nodes.size(2)};
-  to.begin(nodes.lower(), nodes.lower() + size - IntVec3{1, 1, 1});
+  to.move_to(nodes.lower(), nodes.lower() + size - IntVec3{1, 1, 1});
   const auto count = static_cast<std::ptrdiff_t>(size.x) * size.y * size.z;
   for (std::ptrdiff_t n = 0; n < count; ++n) {
     const std::int64_t* from = nodes.at(0, 0, 0) + n * lanes;

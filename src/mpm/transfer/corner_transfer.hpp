@@ -8,15 +8,18 @@
 
 namespace sluice::mpm {
 
-// As add_to_window, add_values_to_window, read_window (without moments; without dv where no changes
-// are asked for) and interpolate_impulses. The window must reach the corners' nodes.
+// What goes to particles: as read_window() without moments, read_motion(), read_velocities().
+enum class Reading { all, motion, velocities };
+
+// As add_to_window, add_values_to_window, those three, and interpolate_impulses. The window must
+// reach the corners' nodes.
 void add_corners(Basis basis, const TransferGrid& grid, const ParticlesToGrid& p, int begin,
                  int end, const SumUnits& units, Window& window);
 void add_values_of_corners(Basis basis, const TransferGrid& grid,
                            const std::array<const double*, 3>& x, const ParticleShape& shape,
                            std::span<const ValueLane> lanes_of, int begin, int end, Window& window);
 void read_corners(Basis basis, const TransferGrid& grid, const std::array<const double*, 3>& x,
-                  const ParticleShape& shape, int at, int n, bool changes, const Window& window,
+                  const ParticleShape& shape, int at, int n, Reading reading, const Window& window,
                   GridAtParticles& to);
 void read_impulses_of_corners(Basis basis, const TransferGrid& grid,
                               const std::array<const double*, 3>& x, const ParticleShape& shape,

@@ -33,13 +33,15 @@ inline Values at_corner(const std::int64_t* node, const std::ptrdiff_t (&stride)
   return v[0];
 }
 
-template <int D, bool Tetrahedron, bool Changes>
+template <int D, bool Tetrahedron, Reading reading>
 void read_block(const TransferGrid& grid, const std::array<const double*, 3>& x,
                 const ParticleShape& shape, int at, int n, const Window& window,
                 GridAtParticles& to) {
+  constexpr bool Changes = reading != Reading::velocities;
+  constexpr bool gradients = reading != Reading::motion;
   using Corner = Corners<D, Tetrahedron>;
   static thread_local Corner corners;
-  find_corners(grid, x, shape, at, n, Slopes::wanted, corners);
+  find_corners(grid, x, shape, at, n, gradients ? Slopes::wanted : Slopes::unused, corners);
   const WindowAxes<D> axes(grid, window);
   const std::int64_t* nodes = window.at(0, 0, 0);
   const bool carried = shape.corners[0] != nullptr;
@@ -64,7 +66,7 @@ void read_block(const TransferGrid& grid, const std::array<const double*, 3>& x,
       const Four dv = corner_sum(change) * Corner::share;
       for (int e = 0; e < 3; ++e) to.dv[e][q] = dv[e];
     }
-    for (int a = 0; a < D; ++a) {
+    for (int a = 0; a < D && gradients; ++a) {
       Four part[Corner::count];
       for (int c = 0; c < Corner::count; ++c) part[c] = corners.slope[c][a][q] * velocity[c];
       const Four slope = corner_sum(part);
@@ -72,17 +74,21 @@ void read_block(const TransferGrid& grid, const std::array<const double*, 3>& x,
       for (int e = 0; e < 3; ++e) to.L[3 * e + d][q] = slope[e];
     }
   }
-  clear_inactive(grid, n, false, to);
+  if constexpr (gradients) clear_inactive(grid, n, false, to);
 }
 
 }  // namespace
 
 void read_corners(Basis basis, const TransferGrid& grid, const std::array<const double*, 3>& x,
-                  const ParticleShape& shape, int at, int n, bool changes, const Window& window,
+                  const ParticleShape& shape, int at, int n, Reading reading, const Window& window,
                   GridAtParticles& to) {
   const auto go = [&]<int D, bool Tetrahedron>() {
-    changes ? read_block<D, Tetrahedron, true>(grid, x, shape, at, n, window, to)
-            : read_block<D, Tetrahedron, false>(grid, x, shape, at, n, window, to);
+    if (reading == Reading::all)
+      read_block<D, Tetrahedron, Reading::all>(grid, x, shape, at, n, window, to);
+    else if (reading == Reading::motion)
+      read_block<D, Tetrahedron, Reading::motion>(grid, x, shape, at, n, window, to);
+    else
+      read_block<D, Tetrahedron, Reading::velocities>(grid, x, shape, at, n, window, to);
   };
   if (basis == Basis::cpti) return go.template operator()<3, true>();
   if (grid.count == 3) return go.template operator()<3, false>();

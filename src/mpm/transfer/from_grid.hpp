@@ -27,6 +27,11 @@ void read_window(Basis basis, const TransferGrid& grid, const std::array<const d
                  const ParticleShape& shape, int at, int n, bool moments, const Window& window,
                  GridAtParticles& to);
 
+// u and dv alone; for transfers that find gradients of other velocities.
+void read_motion(Basis basis, const TransferGrid& grid, const std::array<const double*, 3>& x,
+                 const ParticleShape& shape, int at, int n, const Window& window,
+                 GridAtParticles& to);
+
 // Without dv, which is not touched, and with what stands beside the velocities in lane 3 of nodes,
 // of any unit.
 void read_velocities(Basis basis, const TransferGrid& grid, const std::array<const double*, 3>& x,

@@ -120,6 +120,13 @@ TEST_P(EveryShape, LinearFieldsAreExact) {
     EXPECT_EQ(beside.u[2][p], read.u[2][p]);
     EXPECT_EQ(beside.fourth[p], read.u[2][p]);
   }
+  read_motion(kind.basis, scene.grid, scene.x(), scene.shape(kind.widths), 0, scene.count, window,
+              beside);
+  for (int p = 0; p < scene.count; ++p)
+    for (int e = 0; e < 3; ++e) {
+      EXPECT_EQ(beside.u[e][p], read.u[e][p]);
+      EXPECT_EQ(beside.dv[e][p], read.dv[e][p]);
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -18,6 +18,8 @@ class Window {
   // Moves to a block, or to the nodes between two corners (inclusive); all lanes zero.
   void begin(IntVec3 block);
   void begin(IntVec3 lowest, IntVec3 highest);
+  // Moves there, where all lanes that are read will be written.
+  void move_to(IntVec3 lowest, IntVec3 highest);
   // Moves there and takes lanes from the table.
   void load(IntVec3 block, const BlockTable& table, const NodeLanes& from);
   void load(IntVec3 lowest, IntVec3 highest, const BlockTable& table, const NodeLanes& from);
@@ -43,7 +45,6 @@ class Window {
   }
 
  private:
-  void move_to(IntVec3 lowest, IntVec3 highest);  // lanes may be any
   void take(const BlockTable& table, const NodeLanes& from);
   template <class Act>
   void for_each_part(const BlockTable& table, Act&& act) const;

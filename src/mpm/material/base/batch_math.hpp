@@ -14,20 +14,32 @@
 
 namespace sluice::mpm {
 
+// Bits of a number, or of eight, and back.
+inline std::uint64_t as_whole(double x) {
+  return std::bit_cast<std::uint64_t>(x);
+}
+inline EightBits as_whole(const Eight& x) {
+  return reinterpret_cast<EightBits>(x);
+}
+inline double from_whole(std::uint64_t x) {
+  return std::bit_cast<double>(x);
+}
+inline Eight from_whole(const EightBits& x) {
+  return reinterpret_cast<Eight>(x);
+}
+
 // x^(-1/3) for x > 0, within 2 units in the last place; some number for other x.
-inline double inverse_cube_root(double x) {
+template <class T>
+inline T inverse_cube_root(const T& x) {
   // A third of the logarithm, read off the bits; the shift by 12 makes them exact as a number.
   constexpr double two_52 = 4503599627370496.0;
-  const auto bits = std::bit_cast<std::uint64_t>(x);
-  const double scaled =
-      std::bit_cast<double>((bits >> 12) | 0x4330000000000000ull) - two_52;  // bits / 2^12
-  constexpr double middle = 4.0 / 3 * 1099511627776.0 * (1023 - 0.045);      // .045: mean error
-  const double third = (middle - scaled * (1.0 / 3.0)) + two_52;
-  double y =
-      std::bit_cast<double>((std::bit_cast<std::uint64_t>(third) & 0xfffffffffffffull) << 12);
+  const T scaled = from_whole((as_whole(x) >> 12) | 0x4330000000000000ull) - two_52;  // bits / 2^12
+  constexpr double middle = 4.0 / 3 * 1099511627776.0 * (1023 - 0.045);  // .045: mean error
+  const T third = (middle - scaled * (1.0 / 3.0)) + two_52;
+  T y = from_whole((as_whole(third) & 0xfffffffffffffull) << 12);
   // Two steps of order four: the error .05 becomes 1e-6, then none.
   for (int k = 0; k < 2; ++k) {
-    const double r = 1 - x * y * y * y;
+    const T r = 1.0 - x * y * y * y;
     y += y * r * (1.0 / 3 + r * (2.0 / 9 + r * (14.0 / 81)));
   }
   return y;
@@ -95,7 +107,8 @@ inline void put(const Six<double>& s, int i, const std::array<double, 6>& values
 }
 
 // F F^T as xx, yy, zz, yz, xz, xy.
-inline std::array<double, 6> left_cauchy_green(const std::array<double, 9>& F) {
+template <class T>
+inline std::array<T, 6> left_cauchy_green(const std::array<T, 9>& F) {
   return {F[0] * F[0] + F[1] * F[1] + F[2] * F[2], F[3] * F[3] + F[4] * F[4] + F[5] * F[5],
           F[6] * F[6] + F[7] * F[7] + F[8] * F[8], F[3] * F[6] + F[4] * F[7] + F[5] * F[8],
           F[0] * F[6] + F[1] * F[7] + F[2] * F[8], F[0] * F[3] + F[1] * F[4] + F[2] * F[5]};
@@ -120,10 +133,11 @@ inline std::array<T, 6> pushed(const std::array<T, 6>& S, const std::array<T, 9>
 
 // No eigenvalue of a symmetric matrix is further from their mean than this: 2 sqrt(J2 / 3), exact
 // where two of them are equal; without the cosine of its angle.
-inline double eigenvalue_reach(const std::array<double, 6>& s, double mean) {
-  const double a = s[0] - mean, b = s[1] - mean, c = s[2] - mean;
-  const double J2 = 0.5 * (a * a + b * b + c * c) + s[3] * s[3] + s[4] * s[4] + s[5] * s[5];
-  return 2 * std::sqrt(J2 * (1.0 / 3));
+template <class T>
+inline T eigenvalue_reach(const std::array<T, 6>& s, const T& mean) {
+  const T a = s[0] - mean, b = s[1] - mean, c = s[2] - mean;
+  const T J2 = 0.5 * (a * a + b * b + c * c) + s[3] * s[3] + s[4] * s[4] + s[5] * s[5];
+  return 2.0 * square_root(J2 * (1.0 / 3));
 }
 
 // (1 + alpha (T - T_room))^3: volume of the free body at T over that at T_room; 1/K and K.

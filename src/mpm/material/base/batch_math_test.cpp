@@ -68,5 +68,27 @@ TEST(ObjectiveStep, StretchGivesItsLogarithm) {
   for (std::size_t k = 0; k < 9; ++k) EXPECT_EQ(move.half_turn[k], identity[k]);
 }
 
+// F = R U with R a rotation and U symmetric, eight together as each alone.
+TEST(Polar, OfEightHasTheBitsOfEachAndTurnsAsItShould) {
+  std::array<Eight, 9> all{};
+  std::array<Matrix, 8> F, Q;
+  for (std::size_t l = 0; l < 8; ++l) {
+    const double s = 0.3 * static_cast<double>(l);
+    Q[l] = rotation({1, s, -0.5}, 0.7 * s);
+    const Matrix U = full(Symmetric{1.2 + s, 0.9, 1.1, 0.1, -0.05 * s, 0.2});
+    F[l] = product(Q[l], U);
+    for (std::size_t m = 0; m < 9; ++m) all[m][l] = F[l][m];
+  }
+  const PolarOf<Eight> together = polar(all);
+  for (std::size_t l = 0; l < 8; ++l) {
+    const Polar alone = polar(F[l]);
+    for (std::size_t m = 0; m < 9; ++m) {
+      EXPECT_EQ(together.R[m][l], alone.R[m]);
+      EXPECT_NEAR(alone.R[m], Q[l][m], 1e-14);
+    }
+    for (std::size_t m = 0; m < 6; ++m) EXPECT_EQ(together.U[m][l], alone.U[m]);
+  }
+}
+
 }  // namespace
 }  // namespace sluice::mpm::batch_math

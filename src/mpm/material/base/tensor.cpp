@@ -10,60 +10,36 @@ namespace {
 
 // R <- (R + R^-T)/2 in every lane until it has stopped there, so that a lane knows nothing of the
 // others. R: F without its change of volume, which takes fewer steps.
-template <int width>
-void turn(double (&R)[9][width]) {
+template <class T>
+PolarOf<T> turned(const std::array<T, 9>& F) {
   constexpr int max_steps = 40;
-  double goes[width];
-  for (double& x : goes) x = 1;
-  for (int step = 0; step < max_steps; ++step) {
-    for (int l = 0; l < width; ++l) {
-      Matrix old;
-      for (std::size_t m = 0; m < 9; ++m) old[m] = R[m][l];
-      const Matrix inverted = inverse(old);
-      double change = 0;
-      for (std::size_t i = 0; i < 3; ++i)
-        for (std::size_t j = 0; j < 3; ++j) {
-          const double x = old[3 * i + j], next = 0.5 * (x + inverted[3 * j + i]);
-          change = std::max(change, std::abs(next - x));
-          R[3 * i + j][l] = goes[l] != 0 ? next : x;
-        }
-      // After 3e-8 the step has taken its square of that: round-off.
-      goes[l] = change < 3e-8 ? 0 : goes[l];
-    }
-    if (std::all_of(goes, goes + width, [](double x) { return x == 0; })) return;
+  const T scale = inverse_cube_root(determinant(F));
+  std::array<T, 9> R;
+  for (std::size_t m = 0; m < 9; ++m) R[m] = F[m] * scale;
+  T goes = T{} + 1.0;
+  for (int step = 0; step < max_steps && sum_of_lanes(goes) != 0; ++step) {
+    const std::array<T, 9> old = R, inverted = inverse(old);
+    T change{};
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) {
+        const T x = old[3 * i + j], next = 0.5 * (x + inverted[3 * j + i]);
+        change = larger(change, magnitude(next - x));
+        R[3 * i + j] = goes != 0.0 ? next : x;
+      }
+    // After 3e-8 the step has taken its square of that: round-off.
+    goes = change < 3e-8 ? T{} : goes;
   }
+  return {R, symmetric(product(transposed(R), F))};
 }
 
 }  // namespace
 
 Polar polar(const Matrix& F) {
-  const double scale = inverse_cube_root(determinant(F));
-  double R[9][1];
-  for (std::size_t m = 0; m < 9; ++m) R[m][0] = F[m] * scale;
-  turn(R);
-  Matrix turned;
-  for (std::size_t m = 0; m < 9; ++m) turned[m] = R[m][0];
-  return {turned, symmetric(product(transposed(turned), F))};
+  return turned(F);
 }
 
-void polar(const Nine<const double>& F, int from, int count, std::span<Polar> found) {
-  double R[9][polar_lanes];
-  for (int l = 0; l < polar_lanes; ++l) {
-    const Matrix here = l < count ? at(F, from + l) : identity;
-    const double scale = inverse_cube_root(determinant(here));
-    for (std::size_t m = 0; m < 9; ++m) R[m][l] = here[m] * scale;
-  }
-  turn(R);
-  for (int l = 0; l < count; ++l) {
-    Polar& here = found[l];
-    for (std::size_t m = 0; m < 9; ++m) here.R[m] = R[m][l];
-    here.U = symmetric(product(transposed(here.R), at(F, from + l)));
-  }
-}
-
-Symmetric strain_between(const Symmetric& U_0, const Symmetric& U_1) {
-  return symmetric(
-      product(full(combined(1, U_1, -1, U_0)), inverse(full(combined(.5, U_0, .5, U_1)))));
+PolarOf<Eight> polar(const std::array<Eight, 9>& F) {
+  return turned(F);
 }
 
 Principal principal(const Symmetric& S) {

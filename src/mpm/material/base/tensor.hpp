@@ -13,33 +13,38 @@ using Matrix = std::array<double, 9>;
 using Symmetric = std::array<double, 6>;
 inline constexpr Matrix identity = {1, 0, 0, 0, 1, 0, 0, 0, 1};
 
-inline Matrix product(const Matrix& a, const Matrix& b) {
-  Matrix c{};
+// Of one particle (T: double) or of eight (T: Eight).
+template <class T>
+inline std::array<T, 9> product(const std::array<T, 9>& a, const std::array<T, 9>& b) {
+  std::array<T, 9> c{};
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j)
       c[3 * i + j] = a[3 * i] * b[j] + a[3 * i + 1] * b[3 + j] + a[3 * i + 2] * b[6 + j];
   return c;
 }
-inline Matrix transposed(const Matrix& a) {
+template <class T>
+inline std::array<T, 9> transposed(const std::array<T, 9>& a) {
   return {a[0], a[3], a[6], a[1], a[4], a[7], a[2], a[5], a[8]};
 }
 // Of a with det a != 0.
-inline Matrix inverse(const Matrix& a) {
-  const double A = a[4] * a[8] - a[5] * a[7], B = a[5] * a[6] - a[3] * a[8],
-               C = a[3] * a[7] - a[4] * a[6];
-  const double per = 1 / (a[0] * A + a[1] * B + a[2] * C);
+template <class T>
+inline std::array<T, 9> inverse(const std::array<T, 9>& a) {
+  const T A = a[4] * a[8] - a[5] * a[7], B = a[5] * a[6] - a[3] * a[8],
+          C = a[3] * a[7] - a[4] * a[6];
+  const T per = 1.0 / (a[0] * A + a[1] * B + a[2] * C);
   return {A * per, (a[2] * a[7] - a[1] * a[8]) * per, (a[1] * a[5] - a[2] * a[4]) * per,
           B * per, (a[0] * a[8] - a[2] * a[6]) * per, (a[2] * a[3] - a[0] * a[5]) * per,
           C * per, (a[1] * a[6] - a[0] * a[7]) * per, (a[0] * a[4] - a[1] * a[3]) * per};
 }
-inline Matrix full(const Symmetric& S) {
+template <class T>
+inline std::array<T, 9> full(const std::array<T, 6>& S) {
   return {S[0], S[5], S[4], S[5], S[1], S[3], S[4], S[3], S[2]};
 }
-inline Symmetric symmetric(const Matrix& a) {
+template <class T>
+inline std::array<T, 6> symmetric(const std::array<T, 9>& a) {
   return {a[0], a[4], a[8], 0.5 * (a[5] + a[7]), 0.5 * (a[2] + a[6]), 0.5 * (a[1] + a[3])};
 }
 
-// Of one particle (T: double) or of eight (T: Eight).
 template <class T>
 inline T trace(const std::array<T, 6>& S) {
   return S[0] + S[1] + S[2];
@@ -67,18 +72,23 @@ inline std::array<T, 6> combined(const S& a, const std::array<T, 6>& A, const U&
 }
 
 // F = R U.
-struct Polar {
-  Matrix R;
-  Symmetric U;
+template <class T>
+struct PolarOf {
+  std::array<T, 9> R;
+  std::array<T, 6> U;
 };
-// By Newton's method R <- (R + R^-T)/2 (Higham 1986), quadratic, to round-off. det F > 0.
+using Polar = PolarOf<double>;
+// By Newton's method R <- (R + R^-T)/2 (Higham 1986), quadratic, to round-off. det F > 0. The same
+// bits alone and among eight.
 Polar polar(const Matrix& F);
-// Of particles from, ..., from + count - 1 of a batch, count <= polar_lanes, the same bits.
-inline constexpr int polar_lanes = 8;
-void polar(const Nine<const double>& F, int from, int count, std::span<Polar> found);
+PolarOf<Eight> polar(const std::array<Eight, 9>& F);
 // What the body was strained from U_0 to U_1, whatever it turned: sym[(U_1 - U_0) U_m^-1],
 // U_m = (U_0 + U_1)/2; of third order from the integral of D dt in the body's own axes.
-Symmetric strain_between(const Symmetric& U_0, const Symmetric& U_1);
+template <class T>
+inline std::array<T, 6> strain_between(const std::array<T, 6>& U_0, const std::array<T, 6>& U_1) {
+  return symmetric(
+      product(full(combined(1.0, U_1, -1.0, U_0)), inverse(full(combined(.5, U_0, .5, U_1)))));
+}
 
 // Eigenvalues, least first, and unit eigenvectors: vectors[3 k ...] belongs to values[k].
 struct Principal {

@@ -15,19 +15,6 @@ double almansi(const Matrix& F) {
   return 0.5 * (1 - 1 / b);
 }
 
-// No eigenvalue is greater than the mean and its reach, nor than this with what rounding adds: most
-// particles are far from failing, and their eigenvalues are not asked for.
-double no_less(double mean, double reach) {
-  return mean + reach + 1e-12 * (std::abs(mean) + reach);
-}
-
-// Is the strain of Almansi surely at most a limit.
-bool almansi_within(const Matrix& F, double limit) {
-  const Symmetric b = left_cauchy_green(F);
-  const double mean = trace(b) / 3;
-  return 0.5 * (1 - 1 / no_less(mean, eigenvalue_reach(b, mean))) <= limit;
-}
-
 }  // namespace
 
 double triaxiality(const Symmetric& stress) {
@@ -74,23 +61,18 @@ double drawn_threshold(const DamageConstants& c, std::int64_t id, double volume)
 
 int failed_by_threshold(const DamageConstants& c, double threshold, const Symmetric& stress,
                         const Matrix& F) {
-  if (c.criterion == Criterion::principal_strain)
-    return !almansi_within(F, threshold) && almansi(F) > threshold ? 1 : 0;
-  const double mean = trace(stress) / 3, reach = eigenvalue_reach(stress, mean);
+  if (far_from_failing(c, threshold, stress, F)) return 0;
+  if (c.criterion == Criterion::principal_strain) return almansi(F) > threshold ? 1 : 0;
   if (c.criterion == Criterion::principal_stress) {
-    if (mean + reach <= threshold) return 0;
-    return principal(stress).values[2] > threshold ? 1 : 0;
+    const double mean = trace(stress) / 3;
+    if (mean + eigenvalue_reach(stress, mean) <= threshold) return 0;
   }
-  // (high - low)/2 + (high + low)/2 sin phi <= reach + mean sin phi, 0 <= sin phi.
-  const double sine = std::sin(c.friction), strength = threshold * std::cos(c.friction);
-  if (sine >= 0 && no_less(mean, reach) <= c.cutoff * threshold &&
-      no_less(mean * sine, reach) <= strength)
-    return 0;
   const Principal p = principal(stress);
   const double low = p.values[0], high = p.values[2];
+  if (c.criterion == Criterion::principal_stress) return high > threshold ? 1 : 0;
   if (high > c.cutoff * threshold) return 1;
   const double shear = 0.5 * (high - low);
-  return shear > strength - 0.5 * (high + low) * sine ? 2 : 0;
+  return shear > threshold * c.cosine - 0.5 * (high + low) * c.sine ? 2 : 0;
 }
 
 BrittleState brittle(const DamageConstants& c, const BrittleState& old, const Symmetric& stress,

@@ -73,13 +73,11 @@ class MaterialWithFailure final : public Material {
       std::copy_n(b.old_history[k], b.count, b.history[k]);
     const Six<const double> new_stress = {b.stress[0], b.stress[1], b.stress[2],
                                           b.stress[3], b.stress[4], b.stress[5]};
-    for (int i = 0; i < b.count; ++i) {
-      const Symmetric stress = at(new_stress, i);
-      const double share = damaged(b, i, stress);
-      Symmetric left = combined(share, stress, 0, stress);
-      const bool gone = failed_at_ >= 0 && eroded(b, i, left);
-      if (share != 1 || gone) keep(b, i, left);
-    }
+    for_eights(0, static_cast<std::size_t>(b.count), [&](auto p) {
+      if (stays_whole(b, new_stress, p)) return;
+      for (std::size_t i = p.i; i < p.i + p.count; ++i)
+        take_damage(b, new_stress, static_cast<int>(i));
+    });
     return std::nullopt;
   }
 
@@ -96,6 +94,23 @@ class MaterialWithFailure final : public Material {
     part.history = b.history.first(n);
     if (!b.old_history.empty()) part.old_history = b.old_history.first(n);
     return part;
+  }
+
+  // Has none of one or eight particles failed, and will none now: there is nothing to do.
+  template <class P>
+  bool stays_whole(const Batch& b, const Six<const double>& stress, const P& p) const {
+    if (c_.damage.form != DamageForm::threshold) return false;
+    if (failed_at_ >= 0 && sum_of_lanes(magnitude(p(b.history[failed_at_]))) != 0) return false;
+    return !c_.localize ||
+           far_from_failing(c_.damage, p(b.old_history[threshold_at_]), at(stress, p), at(b.F, p));
+  }
+
+  void take_damage(const Batch& b, const Six<const double>& new_stress, int i) const {
+    const Symmetric stress = at(new_stress, i);
+    const double share = damaged(b, i, stress);
+    Symmetric left = combined(share, stress, 0, stress);
+    const bool gone = failed_at_ >= 0 && eroded(b, i, left);
+    if (share != 1 || gone) keep(b, i, left);
   }
 
   // What damage leaves of the stress of particle i, having looked at it.
@@ -262,7 +277,9 @@ void read_threshold(const Parameters& p, FailureConstants& c) {
   d.seed = static_cast<std::uint64_t>(static_cast<std::int64_t>(p.real("failure_seed")));
   if (d.distribution == Distribution::weibull && !(d.deviation > 0))
     p.error("failure_std", "weibull needs <failure_std>, its modulus, above 0");
-  d.friction = p.real("friction_angle") * 3.14159265358979323846 / 180;
+  const double friction = p.real("friction_angle") * 3.14159265358979323846 / 180;
+  d.sine = std::sin(friction);
+  d.cosine = std::cos(friction);
   d.cutoff = p.real("tensile_cutoff_fraction_of_cohesion");
   d.exponent = p.real("exponent") > 0 ? p.real("exponent") : d.deviation;
   if (p.word("scaling") == "kayenta") {

@@ -22,6 +22,61 @@ Matrix stretched(double l) {
   return {l, 0, 0, 0, 1, 0, 0, 0, 1};
 }
 
+// Bounds against the eigenvalues themselves: what is told to be far fails by no criterion, and most
+// of what is sound is far.
+TEST(Damage, ParticlesFarFromAThresholdDoNotFail) {
+  std::uint64_t state = 5;
+  const auto random = [&] {
+    state = state * 6364136223846793005u + 1442695040888963407u;
+    return static_cast<double>(state >> 11) * 0x1p-52 - 1;  // -1 to 1
+  };
+  DamageConstants c;
+  c.form = DamageForm::threshold;
+  const double friction = 0.5;
+  c.sine = std::sin(friction);
+  c.cosine = std::cos(friction);
+  c.cutoff = 0.8;
+  for (const Criterion criterion :
+       {Criterion::principal_stress, Criterion::principal_strain, Criterion::mohr_coulomb}) {
+    c.criterion = criterion;
+    int sound = 0, far = 0;
+    for (int n = 0; n < 50; ++n) {
+      const double size = std::exp(2 * random());
+      std::array<Eight, 6> stresses{};
+      std::array<Eight, 9> deformations{};
+      bool all_far = true;
+      for (std::size_t l = 0; l < 8; ++l) {
+        Symmetric stress;
+        Matrix F = identity;
+        for (double& x : stress) x = 0.6 * size * random();
+        for (double& x : F) x += 0.3 * size * random();
+        for (std::size_t m = 0; m < 6; ++m) stresses[m][l] = stress[m];
+        for (std::size_t m = 0; m < 9; ++m) deformations[m][l] = F[m];
+        const std::array<double, 3> s = principal(stress).values;
+        const double b = principal(symmetric(product(F, transposed(F)))).values[2];
+        const double limit = criterion == Criterion::principal_strain ? 0.3 : 1.0;
+        const bool fails = criterion == Criterion::principal_stress ? s[2] > limit
+                           : criterion == Criterion::principal_strain
+                               ? 0.5 * (1 - 1 / b) > limit
+                               : s[2] > c.cutoff || 0.5 * (s[2] - s[0]) >
+                                                        std::cos(friction) - 0.5 * (s[2] + s[0]) *
+                                                                                 std::sin(friction);
+        const bool is_far = far_from_failing(c, limit, stress, F);
+        EXPECT_FALSE(is_far && fails);
+        EXPECT_EQ(failed_by_threshold(c, limit, stress, F) != 0, fails);
+        sound += fails ? 0 : 1;
+        far += is_far ? 1 : 0;
+        all_far = all_far && is_far;
+      }
+      const double limit = criterion == Criterion::principal_strain ? 0.3 : 1.0;
+      EXPECT_EQ(far_from_failing(c, Eight{} + limit, stresses, deformations), all_far);
+    }
+    EXPECT_GT(sound, 100);
+    EXPECT_LT(sound, 400);
+    EXPECT_GT(far, sound / 2);
+  }
+}
+
 // OFHC copper, strain at failure 2.6203 at mean/equivalent = 1/3, 1e4/s, T* = 0.
 TEST(Damage, JohnsonCookAndHancockMackenzie) {
   DamageConstants c;

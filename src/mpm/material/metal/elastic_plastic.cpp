@@ -113,38 +113,51 @@ class Metal final : public Material {
     return state;
   }
 
+  // What turned and strained one particle (T: double) or eight (T: Eight).
+  template <class T>
+  struct MotionOf {
+    std::array<T, 9> R_0, R_1;
+    std::array<T, 6> strain;
+  };
+  using Motion = MotionOf<double>;
+
   template <class F>
   std::optional<BatchFault> steps(const F& flow, const Batch& b) const {
-    for (int from = 0; from < b.count; from += polar_lanes) {
-      const int count = std::min(b.count - from, polar_lanes);
-      std::array<Motion, polar_lanes> moves;
-      find_motions(b, from, count, moves);
-      for (int i = from; i < from + count; ++i)
-        if (!step(flow, b, i, moves[i - from]))
-          return BatchFault{i, "past the pole of Mie-Grueneisen", volume(b, i)};
+    std::optional<BatchFault> fault;
+    const auto go = [&](std::size_t i, const Motion& move) {
+      const int p = static_cast<int>(i);
+      if (!fault && !step(flow, b, p, move))
+        fault = BatchFault{p, "past the pole of Mie-Grueneisen", volume(b, p)};
+    };
+    for_eights(0, static_cast<std::size_t>(b.count), [&](auto p) {
+      const auto moves = motion_of(b, p);
+      for (std::size_t l = 0; l < p.count; ++l) go(p.i + l, lane_of(moves, l));
+    });
+    return fault;
+  }
+  static const Motion& lane_of(const Motion& one, std::size_t) { return one; }
+  static Motion lane_of(const MotionOf<Eight>& all, std::size_t l) {
+    Motion one;
+    for (std::size_t m = 0; m < 9; ++m) {
+      one.R_0[m] = all.R_0[m][l];
+      one.R_1[m] = all.R_1[m][l];
     }
-    return std::nullopt;
+    for (std::size_t m = 0; m < 6; ++m) one.strain[m] = all.strain[m][l];
+    return one;
   }
   static double volume(const Batch& b, int i) { return determinant(at(b.F, i)); }
 
-  struct Motion {
-    Matrix R_0 = identity, R_1 = identity;
-    Symmetric strain;
-  };
-  void find_motions(const Batch& b, int from, int count, std::span<Motion> moves) const {
+  template <class P>
+  MotionOf<typename P::Number> motion_of(const Batch& b, const P& p) const {
+    using T = typename P::Number;
     if (!c_.objective) {
-      for (int k = 0; k < count; ++k) {
-        Matrix L = at(b.L, from + k);
-        for (double& x : L) x *= b.dt;
-        moves[k] = {identity, identity, symmetric(L)};
-      }
-      return;
+      std::array<T, 9> L = at(b.L, p), still;
+      for (T& x : L) x *= b.dt;
+      for (std::size_t m = 0; m < 9; ++m) still[m] = T{} + identity[m];
+      return {still, still, symmetric(L)};
     }
-    std::array<Polar, polar_lanes> old, now;
-    polar(b.old_F, from, count, old);
-    polar(b.F, from, count, now);
-    for (int k = 0; k < count; ++k)
-      moves[k] = {old[k].R, now[k].R, strain_between(old[k].U, now[k].U)};
+    const PolarOf<T> old = polar(at(b.old_F, p)), now = polar(at(b.F, p));
+    return {old.R, now.R, strain_between(old.U, now.U)};
   }
 
   template <class F>
