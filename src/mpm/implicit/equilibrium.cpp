@@ -8,9 +8,10 @@
 namespace sluice::mpm {
 namespace {
 
-constexpr double round_off = 1e-13;  // of the forces in a residual
-constexpr double strained = 0.1;     // of stiffness, beside these: a strain of 1e-14
-constexpr double still = 1e-14;      // of a cell: no displacement at all
+constexpr double round_off = 1e-13;     // of the forces in a residual
+constexpr double strained = 0.1;        // of stiffness, beside these: a strain of 1e-14
+constexpr double still = 1e-14;         // of a cell: no displacement at all
+constexpr double no_stiffness = 1e-16;  // of the largest: unknowns that are not moved
 constexpr int most_halvings = 8;
 // Of inexact solutions: the residual of a linear system over its right-hand side, of Newton's
 // method over its first; and by how much an iteration reduces it with a matrix that serves on.
@@ -58,7 +59,7 @@ void Equilibrium::prepare(const NodesOfStep& nodes, SparseSolver& direct) {
     second_ = SecondDifferences(parts_, nodes, particles_, *pairs_);
   stiffness_ = std::make_unique<Stiffness>(parts_, *pairs_, workers_);
   NodeSolver::System system{
-      &stiffness_->rows(), {}, stiffness_->width(), parts_.solids->implicit->direct};
+      &stiffness_->rows(), {}, stiffness_->width(), parts_.solids->implicit->direct, true};
   for (std::size_t n = 0; n < nodes.count(); ++n)
     for (int c = 0; c < stiffness_->width(); ++c)
       system.free.push_back(nodes.is_free(n, stiffness_->axis(c)) ? 1 : 0);
@@ -109,9 +110,9 @@ void Equilibrium::iterate(NodesOfStep& nodes, double share, NewtonReport& report
     now.size = find_forces(nodes);
     now.most = find_residual(nodes, share);
     now.before = now.norm;
-    now.norm = std::sqrt(solve::dot(workers_, right_, right_));
+    if (now.solves > 0) now.norm = solver_->norm(right_);
     report.residuals.push_back(now.most);
-    if (!std::isfinite(now.norm)) {
+    if (!std::isfinite(now.most)) {
       report.reason = "Newton's method: a force is not a number";
       return;
     }
@@ -233,7 +234,8 @@ bool Equilibrium::renew(const NodesOfStep& nodes, bool positive, Progress& now,
   stiffness_->add_inertia(nodes);
   const double all = stiffness_->diagonal_sum();
   if (now.gap) find_given_forces(nodes);
-  stiffness_->leave_out_given(nodes);
+  // A direct solution deals with unknowns without stiffness itself.
+  stiffness_->leave_out(nodes, solver_->solves_directly() ? 0 : no_stiffness);
   solver_->set_up(particles_.asymmetry(), all > 0 ? 1 - of_bodies / all : 0);
   return true;
 }
@@ -292,7 +294,7 @@ bool Equilibrium::solve(const NodesOfStep& nodes, Progress& now, NewtonReport& r
     now.fresh = true;
     if (!attempt(true)) return false;
   }
-  if (now.gap) now.norm = std::sqrt(solve::dot(workers_, right_, right_));
+  now.norm = solver_->norm(right_);  // with the matrix of this iteration
   if (now.first == 0) now.first = now.norm;
   if (now.solution.solved) return true;
   now.fresh = true;

@@ -1,5 +1,7 @@
 #include "mpm/implicit/node_solver.hpp"
 
+#include <cmath>
+
 namespace sluice::mpm {
 namespace {
 
@@ -29,9 +31,14 @@ bool NodeSolver::takes_symmetric(double asymmetry) const {
   return !system_.direct && asymmetry <= nearly_symmetric;
 }
 
+double NodeSolver::norm(const std::vector<double>& r) const {
+  return system_.direct ? std::sqrt(solve::dot({}, r, r)) : blocks_.norm(r);
+}
+
 void NodeSolver::set_up(double asymmetry, double share_of_storage) {
   if (system_.direct) return;
-  blocks_.set_up({system_.rows, takes_symmetric(asymmetry), share_of_storage > well_conditioned});
+  blocks_.set_up({system_.rows, takes_symmetric(asymmetry), share_of_storage > well_conditioned,
+                  system_.inexact});
 }
 
 NodeSolver::Solution NodeSolver::solve(const std::vector<double>& b, std::vector<double>& x,

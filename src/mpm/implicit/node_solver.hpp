@@ -15,12 +15,16 @@ class NodeSolver {
     std::vector<std::uint8_t> free;  // by unknown
     int dimensions = 3;              // directions with cells
     bool direct = false;             // directly, whatever the size
+    bool inexact = false;            // errors of 6e-8 of the matrix do no harm
   };
   // `direct` keeps the order of its factors from system to system.
   NodeSolver(System system, const solve::Workers& workers, SparseSolver& direct);
 
   bool solves_directly() const { return system_.direct; }
   int unknowns() const { return unknowns_; }
+  // Of a residual, after set_up(): sqrt(r . D^-1 r) with the diagonal blocks D where conjugate
+  // gradients solve, so that nodes of little mass count; else sqrt(r . r).
+  double norm(const std::vector<double>& r) const;
   // Whether the symmetric part of tangents serves whose asymmetry is this, |A - A^T|/|A|.
   bool takes_symmetric(double asymmetry) const;
 
@@ -35,7 +39,7 @@ class NodeSolver {
     int iterations = 0;
     double residual = 0;  // over the right-hand side
   };
-  // From 0 on; what x holds of unknowns that are not free has no meaning. A direct solution is to
+  // From 0 on; x is 0 for unknowns that are not free. A direct solution is to
   // 1e-12 if it can be, at least to 1e-5.
   Solution solve(const std::vector<double>& b, std::vector<double>& x, double tolerance);
 

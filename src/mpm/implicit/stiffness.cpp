@@ -1,6 +1,7 @@
 #include "mpm/implicit/stiffness.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace sluice::mpm {
 namespace {
@@ -167,11 +168,21 @@ void Stiffness::add_inertia(const NodesOfStep& nodes) {
     add(static_cast<std::int32_t>(n), static_cast<std::int32_t>(n), nodes.inertia(n));
 }
 
-void Stiffness::leave_out_given(const NodesOfStep& nodes) {
+void Stiffness::leave_out(const NodesOfStep& nodes, double least_part) {
   const auto w = static_cast<std::size_t>(width());
   std::vector<std::uint8_t> free(rows_.unknowns());
+  std::vector<double> diagonal(rows_.unknowns());
+  double most = 0;
+  for (std::size_t n = 0; n < rows_.count(); ++n) {
+    const double* block = diagonal_block(n);
+    for (std::size_t a = 0; a < w; ++a) {
+      diagonal[w * n + a] = std::fabs(block[(w + 1) * a]);
+      if (nodes.is_free(n, axes_[a])) most = std::max(most, diagonal[w * n + a]);
+    }
+  }
   for (std::size_t n = 0; n < rows_.count(); ++n)
-    for (std::size_t a = 0; a < w; ++a) free[w * n + a] = nodes.is_free(n, axes_[a]) ? 1 : 0;
+    for (std::size_t a = 0; a < w; ++a)
+      free[w * n + a] = nodes.is_free(n, axes_[a]) && diagonal[w * n + a] > least_part * most;
   for (std::size_t i = 0; i < rows_.count(); ++i)
     for (std::size_t e = rows_.begin[i]; e < rows_.begin[i + 1]; ++e) {
       const auto j = static_cast<std::size_t>(rows_.column[e]);
@@ -182,15 +193,17 @@ void Stiffness::leave_out_given(const NodesOfStep& nodes) {
     }
 }
 
+const double* Stiffness::diagonal_block(std::size_t n) const {
+  const auto i = static_cast<std::int32_t>(n);
+  return rows_.value.data() +
+         static_cast<std::size_t>(width() * width()) * pairs_->block(rows_, i, i);
+}
+
 double Stiffness::diagonal_sum() const {
   const auto w = static_cast<std::size_t>(width());
   double sum = 0;
-  for (std::size_t i = 0; i < rows_.count(); ++i) {
-    const double* block =
-        rows_.value.data() +
-        w * w * pairs_->block(rows_, static_cast<std::int32_t>(i), static_cast<std::int32_t>(i));
-    for (std::size_t a = 0; a < w; ++a) sum += block[(w + 1) * a];
-  }
+  for (std::size_t i = 0; i < rows_.count(); ++i)
+    for (std::size_t a = 0; a < w; ++a) sum += diagonal_block(i)[(w + 1) * a];
   return sum;
 }
 

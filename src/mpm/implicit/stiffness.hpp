@@ -19,8 +19,9 @@ class Stiffness {
   void add(std::int32_t i, std::int32_t j, double c);
   // Adds 4 M/dt^2 on the diagonal.
   void add_inertia(const NodesOfStep& nodes);
-  // Zeros in rows and columns of what is not free.
-  void leave_out_given(const NodesOfStep& nodes);
+  // Zeros in rows and columns of what is not free, and of unknowns whose diagonal is at most this
+  // part of the largest: nodes that a body reaches by almost nothing, or failed particles alone.
+  void leave_out(const NodesOfStep& nodes, double least_part);
 
   const solve::BlockRows& rows() const { return rows_; }
   int width() const { return rows_.width; }
@@ -34,6 +35,7 @@ class Stiffness {
   void add_particles(const ParticleStresses& particles, bool symmetric, std::size_t first,
                      std::size_t end);
   void copy_upper_half();
+  const double* diagonal_block(std::size_t node) const;
 
   NodesOfStep::Parts parts_;
   const NodePairs* pairs_;

@@ -76,4 +76,11 @@ void BlockDiagonal::apply(const Workers& workers, std::span<const double> x,
   });
 }
 
+void BlockDiagonal::clear_unmoved(std::span<double> x) const {
+  const auto w = static_cast<std::size_t>(width_);
+  // D^-1 is positive semi-definite: a row is 0 if its diagonal is.
+  for (std::size_t i = 0; i < x.size(); ++i)
+    if (inverse_[w * w * (i / w) + (w + 1) * (i % w)] == 0) x[i] = 0;
+}
+
 }  // namespace sluice::solve

@@ -12,6 +12,8 @@ class BlockDiagonal {
   void invert(const BlockRows& rows);
   // y = D^-1 x.
   void apply(const Workers& workers, std::span<const double> x, std::span<double> y) const;
+  // Makes x 0 where D^-1 has a row of zeros: of unknowns without stiffness.
+  void clear_unmoved(std::span<double> x) const;
 
  private:
   int width_ = 3;

@@ -8,10 +8,6 @@ namespace {
 
 using Vector = std::vector<double>;
 
-double norm(const Workers& workers, const Vector& x) {
-  return std::sqrt(dot(workers, x, x));
-}
-
 // r = b - A x.
 void residual_of(const LinearMap& A, std::span<const double> b, std::span<const double> x,
                  Vector& r) {
@@ -22,14 +18,23 @@ void residual_of(const LinearMap& A, std::span<const double> b, std::span<const 
 
 }  // namespace
 
+double weighted_norm(const LinearMap& weight, const Workers& workers, std::span<const double> r) {
+  Vector weighted(r.size());
+  weight(r, weighted);
+  return std::sqrt(std::max(0.0, dot(workers, r, weighted)));
+}
+
 BlockReport conjugate_gradients(const LinearMap& A, const LinearMap& preconditioner,
                                 const Workers& workers, std::span<const double> b,
                                 std::span<double> x, const BlockGoal& goal) {
   BlockReport report;
-  report.right_side = std::sqrt(dot(workers, b, b));
+  const auto norm = [&](std::span<const double> v) {
+    return weighted_norm(goal.weight, workers, v);
+  };
+  report.right_side = norm(b);
   Vector r, z(b.size()), q(b.size());
   residual_of(A, b, x, r);
-  report.residual = norm(workers, r);
+  report.residual = norm(r);
   preconditioner(r, z);
   Vector p = z;
   double rz = dot(workers, r, z);
@@ -46,7 +51,7 @@ BlockReport conjugate_gradients(const LinearMap& A, const LinearMap& preconditio
       x[i] += alpha * p[i];
       r[i] -= alpha * q[i];
     }
-    report.residual = norm(workers, r);
+    report.residual = norm(r);
     if (report.residual <= goal.residual) break;
     preconditioner(r, z);
     const double next = dot(workers, r, z), beta = next / rz;
@@ -60,14 +65,17 @@ BlockReport conjugate_gradients(const LinearMap& A, const LinearMap& preconditio
 BlockReport bicgstab(const LinearMap& A, const LinearMap& preconditioner, const Workers& workers,
                      std::span<const double> b, std::span<double> x, const BlockGoal& goal) {
   BlockReport report;
-  report.right_side = std::sqrt(dot(workers, b, b));
+  const auto norm = [&](std::span<const double> v) {
+    return weighted_norm(goal.weight, workers, v);
+  };
+  report.right_side = norm(b);
   const std::size_t n = b.size();
   Vector r, v(n), s(n), t(n), p_hat(n), s_hat(n), now(x.begin(), x.end());
   residual_of(A, b, now, r);
   const Vector shadow = r;
   Vector p = r;
   double rho = dot(workers, shadow, r);
-  report.residual = norm(workers, r);
+  report.residual = norm(r);
   while (report.residual > goal.residual && report.iterations < goal.max_iterations) {
     ++report.iterations;
     preconditioner(p, p_hat);
@@ -81,7 +89,7 @@ BlockReport bicgstab(const LinearMap& A, const LinearMap& preconditioner, const 
       now[i] += alpha * p_hat[i] + omega * s_hat[i];
       r[i] = s[i] - omega * t[i];
     }
-    const double size = norm(workers, r);
+    const double size = norm(r);
     if (!std::isfinite(size)) break;
     if (size < report.residual) {
       report.residual = size;

@@ -10,9 +10,15 @@
 
 namespace sluice::solve {
 
+// y = f(x), of as many numbers.
+using LinearMap = std::function<void(std::span<const double> x, std::span<double> y)>;
+
 struct BlockGoal {
-  double residual = 0;       // norm, at most; in the unit of the right-hand side
+  double residual = 0;       // norm, at most
   int max_iterations = 100;  // products with the preconditioner may be twice as many
+  // W of the norm sqrt(r . W r): with the inverse of the diagonal blocks, rows of little stiffness
+  // count as much as others.
+  LinearMap weight = {};
 };
 
 struct BlockReport {
@@ -26,8 +32,8 @@ struct BlockReport {
   bool negative_preconditioner = false;
 };
 
-// y = f(x), of as many numbers.
-using LinearMap = std::function<void(std::span<const double> x, std::span<double> y)>;
+// sqrt(r . W r).
+double weighted_norm(const LinearMap& weight, const Workers& workers, std::span<const double> r);
 
 // A and the preconditioner are symmetric. From the x given, to a residual as the recursion has it.
 BlockReport conjugate_gradients(const LinearMap& A, const LinearMap& preconditioner,

@@ -8,22 +8,32 @@ namespace {
 constexpr std::size_t rows_at_once = 512;
 constexpr std::size_t numbers_at_once = 4096;
 
-template <int B>
-void multiply_rows(const BlockRows& rows, std::size_t first, std::size_t end, const double* x,
-                   double* y) {
+template <int B, class Number>
+void multiply_rows(const BlockRows& rows, const Number* value, std::size_t first, std::size_t end,
+                   const double* x, double* y) {
   for (std::size_t i = first; i < end; ++i) {
     double sum[B] = {};
-    const double* v = rows.value.data() + static_cast<std::size_t>(B * B) * rows.begin[i];
+    const Number* v = value + static_cast<std::size_t>(B * B) * rows.begin[i];
     for (std::size_t e = rows.begin[i]; e < rows.begin[i + 1]; ++e, v += B * B) {
       const double* q = x + static_cast<std::ptrdiff_t>(B) * rows.column[e];
       for (int a = 0; a < B; ++a) {
-        double product = v[B * a] * q[0];
-        for (int b = 1; b < B; ++b) product += v[B * a + b] * q[b];
+        double product = static_cast<double>(v[B * a]) * q[0];
+        for (int b = 1; b < B; ++b) product += static_cast<double>(v[B * a + b]) * q[b];
         sum[a] += product;
       }
     }
     for (int a = 0; a < B; ++a) y[B * i + static_cast<std::size_t>(a)] = sum[a];
   }
+}
+
+template <class Number>
+void multiply_all(const BlockRows& rows, const Number* value, const Workers& workers,
+                  std::span<const double> x, std::span<double> y) {
+  for_pieces(workers, rows.count(), rows_at_once, [&](std::size_t first, std::size_t end, int) {
+    if (rows.width == 1) multiply_rows<1>(rows, value, first, end, x.data(), y.data());
+    if (rows.width == 2) multiply_rows<2>(rows, value, first, end, x.data(), y.data());
+    if (rows.width == 3) multiply_rows<3>(rows, value, first, end, x.data(), y.data());
+  });
 }
 
 // Eight partial sums, which a compiler may hold in one vector.
@@ -48,11 +58,20 @@ const double* BlockRows::find(std::size_t i, std::int32_t j) const {
 
 void multiply(const BlockRows& rows, const Workers& workers, std::span<const double> x,
               std::span<double> y) {
-  for_pieces(workers, rows.count(), rows_at_once, [&](std::size_t first, std::size_t end, int) {
-    if (rows.width == 1) multiply_rows<1>(rows, first, end, x.data(), y.data());
-    if (rows.width == 2) multiply_rows<2>(rows, first, end, x.data(), y.data());
-    if (rows.width == 3) multiply_rows<3>(rows, first, end, x.data(), y.data());
+  multiply_all(rows, rows.value.data(), workers, x, y);
+}
+
+void RoundedRows::round(const BlockRows& rows, const Workers& workers) {
+  rows_ = &rows;
+  value_.resize(rows.value.size());
+  for_pieces(workers, value_.size(), numbers_at_once, [&](std::size_t first, std::size_t end, int) {
+    for (std::size_t n = first; n < end; ++n) value_[n] = static_cast<float>(rows.value[n]);
   });
+}
+
+void RoundedRows::multiply(const Workers& workers, std::span<const double> x,
+                           std::span<double> y) const {
+  multiply_all(*rows_, value_.data(), workers, x, y);
 }
 
 BlockRows symmetric_part(const BlockRows& rows) {

@@ -25,6 +25,21 @@ TEST_P(Dimensions, ProductsAreThoseOfTheDenseMatrix) {
   EXPECT_LT(distance(y, product(dense(rows), x)), round_off * size_of(y));
 }
 
+TEST_P(Dimensions, RoundedProductsAreThoseOfRoundedNumbers) {
+  BlockRows rows = elastic_rows({.cells = GetParam(), .bulk = 1.0 / 3, .shear = 0.3});
+  const std::vector<double> x = right_side(rows);
+  std::vector<double> y(x.size()), exact(x.size());
+  RoundedRows rounded;
+  rounded.round(rows, {});
+  rounded.multiply({}, x, y);
+  multiply(rows, {}, x, exact);
+  EXPECT_GT(distance(y, exact), 0);
+  EXPECT_LT(distance(y, exact), 1e-7 * size_of(exact));
+  for (double& v : rows.value) v = static_cast<float>(v);
+  multiply(rows, {}, x, exact);
+  EXPECT_EQ(y, exact);
+}
+
 TEST_P(Dimensions, DiagonalBlocksAreInverted) {
   const BlockRows rows = elastic_rows({.cells = GetParam(), .held = false});
   BlockDiagonal diagonal;

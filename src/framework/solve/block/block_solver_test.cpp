@@ -117,6 +117,29 @@ TEST(BlockSolver, ASingularSystemIsNotSolved) {
   EXPECT_FALSE(solver.solve(b, x, 1e-8).converged);
 }
 
+// Rows of very little stiffness are solved as well as others, and rows without stay 0.
+TEST(BlockSolver, SmallRowsAreSolvedToo) {
+  for (const bool blocks : {false, true}) {
+    BlockRows rows = elastic_rows({.cells = {7, 6, 5}, .inertia = 1});
+    std::vector<double> scale(rows.count(), 1.0);
+    for (std::size_t i = 0; i < scale.size(); i += 5) scale[i] = 1e-5;
+    scale[17] = 0;
+    for (std::size_t i = 0; i < rows.count(); ++i)
+      for (std::size_t e = rows.begin[i]; e < rows.begin[i + 1]; ++e)
+        for (std::size_t n = 9 * e; n < 9 * e + 9; ++n)
+          rows.value[n] *= scale[i] * scale[static_cast<std::size_t>(rows.column[e])];
+    std::vector<double> b = right_side(rows), x(b.size());
+    for (std::size_t i = 0; i < b.size(); ++i) b[i] *= scale[i / 3];
+    const std::vector<double> exact = solved(dense(rows), b);
+    BlockSolver solver({});
+    solver.set_up({&rows, true, blocks});
+    EXPECT_TRUE(solver.solve(b, x, 1e-10).converged);
+    for (std::size_t i = 0; i < x.size(); ++i)
+      EXPECT_NEAR(x[i] * scale[i / 3], exact[i] * scale[i / 3], 1e-7);
+    for (std::size_t i = 51; i < 54; ++i) EXPECT_EQ(x[i], 0);
+  }
+}
+
 // The second of two matrices of the same nodes uses the grids of the first.
 TEST(BlockSolver, LaterMatricesAreSolvedToo) {
   const BlockRows first = elastic_rows({.cells = {9, 8, 7}}),

@@ -13,7 +13,7 @@ constexpr int first_products = 12, later_products = 3, careful_products = 60;
 }  // namespace
 
 void Chebyshev::set_up(const BlockRows& rows, const Workers& workers, Estimate estimate) {
-  rows_ = &rows;
+  rows_.round(rows, workers);
   workers_ = &workers;
   diagonal_.invert(rows);
   const std::size_t n = rows.unknowns();
@@ -39,7 +39,7 @@ void Chebyshev::estimate_largest(int products) {
     const double length = std::sqrt(dot(*workers_, vector_, vector_));
     if (!(length > 0)) break;
     for (double& x : vector_) x /= length;
-    multiply(*rows_, *workers_, vector_, product_);
+    rows_.multiply(*workers_, vector_, product_);
     diagonal_.apply(*workers_, product_, vector_);
     size = std::sqrt(dot(*workers_, vector_, vector_));
   }
@@ -58,7 +58,7 @@ void Chebyshev::run(std::span<double> x, std::span<double> residual, bool last_r
     for (std::size_t i = 0; i < x.size(); ++i) x[i] += change_[i];
     const bool last = k + 1 == degree;
     if (last && !last_residual) return;
-    multiply(*rows_, *workers_, change_, product_);
+    rows_.multiply(*workers_, change_, product_);
     for (std::size_t i = 0; i < x.size(); ++i) residual[i] -= product_[i];
     if (last) return;
     diagonal_.apply(*workers_, residual, product_);
@@ -79,7 +79,7 @@ void Chebyshev::smooth_from_zero(std::span<const double> b, std::span<double> x,
 
 void Chebyshev::smooth(std::span<const double> b, std::span<double> x,
                        std::span<double> scratch) const {
-  multiply(*rows_, *workers_, x, scratch);
+  rows_.multiply(*workers_, x, scratch);
   for (std::size_t i = 0; i < b.size(); ++i) scratch[i] = b[i] - scratch[i];
   run(x, scratch, false);
 }

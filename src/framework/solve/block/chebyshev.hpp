@@ -1,5 +1,6 @@
 // Smoothing by Chebyshev polynomials of D^-1 A, with D the diagonal blocks.
 //
+// Its products are those of the matrix in single precision: it is a preconditioner.
 // It damps errors of eigenvalues in [lmax/8, lmax]; products and no sweeps, so that its bits depend
 // on the matrix alone.
 // Y. Saad, Iterative Methods for Sparse Linear Systems (2003), algorithm 12.1; M. Adams, M.
@@ -30,7 +31,7 @@ class Chebyshev {
   void estimate_largest(int products);
   void run(std::span<double> x, std::span<double> residual, bool last_residual) const;
 
-  const BlockRows* rows_ = nullptr;
+  RoundedRows rows_;
   const Workers* workers_ = nullptr;
   BlockDiagonal diagonal_;
   double largest_ = 1;
