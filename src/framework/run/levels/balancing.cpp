@@ -9,12 +9,10 @@
 namespace sluice {
 
 bool Balancing::balance(int step) {
-  // Coarse steps: enough to measure, rare enough to cost nothing. The first look is early, for
-  // solids that lie in a few boxes.
-  constexpr int first = 3, interval = 50;
-  if (communicator_->size() == 1) return false;
-  if (!next_) next_ = step - 1 + first;
-  if (step < *next_) return false;
+  // Coarse steps: enough to measure, rare enough to cost nothing. The first look (next_) is early,
+  // for solids that lie in a few boxes.
+  constexpr int interval = 50;
+  if (communicator_->size() == 1 || step < next_) return false;
   next_ = step + interval;
   const auto start = std::chrono::steady_clock::now();
   int moved = levels_->count();  // the first level with boxes that moved

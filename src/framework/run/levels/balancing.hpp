@@ -1,7 +1,5 @@
 // Moves boxes to other ranks where that makes the busiest rank faster.
 #pragma once
-#include <optional>
-
 #include "framework/run/levels/levels.hpp"
 #include "framework/run/levels/particle_cloud.hpp"
 
@@ -28,7 +26,7 @@ class Balancing {
   Communicator* communicator_;
   Levels* levels_;
   ParticleCloud* particles_;
-  std::optional<int> next_;  // step of the next look; none before the first step
+  int next_ = 3;  // step of the next look
   int count_ = 0;
   double seconds_ = 0;
 };
