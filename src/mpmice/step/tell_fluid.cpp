@@ -5,8 +5,9 @@
 
 namespace sluice::mpmice {
 
-// 1 for each block with solids or faces that they cover, or below one that has: elsewhere there is
-// nothing to tell.
+// Not 0 for each block with solids or faces that they cover, or beside one that has: a cell beside
+// one without fluid is told the pressure on the wall even where bodies that overlap cover nothing
+// between them. Elsewhere there is nothing to tell.
 template <int D>
 KeptArray<std::uint8_t> LevelCoupling<D>::blocks_to_tell() const {
   constexpr std::size_t n = CellBlocks<D>::block_cells;
@@ -22,9 +23,14 @@ KeptArray<std::uint8_t> LevelCoupling<D>::blocks_to_tell() const {
       for (std::size_t i = b * n; i < (b + 1) * n; ++i) any |= (*field)[i] != 0;
       if (any) told[b] = 2;
     }
-    for (int d = 0; d < D; ++d)
-      if (told[frame_.cells.above(b, d)] == 2) told[b] = std::max<std::uint8_t>(told[b], 1);
   }
+  for (std::size_t b = 1; b < told.size(); ++b)
+    for (int d = 0; d < D; ++d) {
+      const std::size_t above = frame_.cells.above(b, d);
+      if (above == 0) continue;
+      if (told[above] >= 2) told[b] |= 1;
+      if (told[b] >= 2) told[above] |= 1;
+    }
   return told;
 }
 
@@ -76,19 +82,17 @@ SeenPlaces LevelCoupling<D>::places_seen(const IndexBox& box, int along,
 }
 
 // The velocity of the solid at the low faces of the cells along the n-th direction: the mean of
-// both cells by mass.
+// both cells by mass. Faces between cells with fluid have its velocity.
 template <int D>
 Column LevelCoupling<D>::velocity_at_faces(std::size_t n) const {
   Column to(frame_.cells.size(), 0.0);
   const Column &mass = fields_.mass, &v = fields_.velocity[n];
   frame_.cells.for_each_cell(frame_.held(), [&](const Cell<D>& face, std::size_t at) {
-    if (!(fields_.mean_covered[n][at] > 0) && fields_.swept[n][at] == 0 &&
-        !(fields_.covered[n][at] > 0) && !(fields_.covered_next[n][at] > 0))
-      return;
     Cell<D> below = face;
     --below[n];
     const std::size_t i = frame_.cells.index(frame_.inside(below)),
                       j = frame_.cells.index(frame_.inside(face));
+    if (fields_.theta[i] < 1 && fields_.theta[j] < 1) return;
     const double M = mass[i] + mass[j];
     if (M > 0) to[at] = (mass[i] * v[i] + mass[j] * v[j]) / M;
   });
