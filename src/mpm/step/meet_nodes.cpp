@@ -38,7 +38,8 @@ bool SolidStep::meets(std::span<const BlockMember> members) const {
   return contact_ != nullptr &&
          std::any_of(members.begin(), members.end(), [&](const BlockMember& b) {
            const std::vector<char>& of_body = bodies_[static_cast<std::size_t>(b.body)].meets;
-           return contact_->takes(b.body) && of_body[static_cast<std::size_t>(b.block)] != 0;
+           const auto block = static_cast<std::size_t>(b.block);  // others came later, without mass
+           return contact_->takes(b.body) && block < of_body.size() && of_body[block] != 0;
          });
 }
 
