@@ -69,7 +69,7 @@ std::optional<double> given_temperature(const NodesOfStep::Parts& p, IntVec3 nod
 
 // K_ij = sum k V G_i.G_j.
 solve::BlockRows conductances(const NodesOfStep::Parts& p, const solve::Workers& workers) {
-  NodePairs pairs(p, true, workers);
+  NodePairs pairs(p, {true, false}, workers);
   solve::BlockRows rows = pairs.number(1);
   for (std::size_t k = 0; k < p.particles->count(); ++k) {
     const ParticleSet& set = p.particles->kind(k).now;

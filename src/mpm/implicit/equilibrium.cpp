@@ -54,9 +54,9 @@ Equilibrium::Equilibrium(const NodesOfStep::Parts& parts, const ThreadTeam& team
 Equilibrium::~Equilibrium() = default;
 
 void Equilibrium::prepare(const NodesOfStep& nodes, SparseSolver& direct) {
-  pairs_ = std::make_unique<NodePairs>(parts_, false, workers_);
-  if (SecondDifferences::needed(parts_, nodes, particles_))
-    second_ = SecondDifferences(parts_, nodes, particles_, *pairs_);
+  const bool smooths = SecondDifferences::needed(parts_, nodes, particles_);
+  pairs_ = std::make_unique<NodePairs>(parts_, NodePairs::Which{false, smooths}, workers_);
+  if (smooths) second_ = SecondDifferences(parts_, nodes, particles_, *pairs_);
   stiffness_ = std::make_unique<Stiffness>(parts_, *pairs_, workers_);
   NodeSolver::System system{
       &stiffness_->rows(), {}, stiffness_->width(), parts_.solids->implicit->direct, true};

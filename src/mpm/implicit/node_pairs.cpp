@@ -7,8 +7,8 @@ namespace sluice::mpm {
 namespace {
 
 // Nodes of a particle along one direction, less one.
-int reach_of(const NodesOfStep::Parts& parts) {
-  int dimensions = 0, reach = 2;
+int reach_of(const NodesOfStep::Parts& parts, bool triples) {
+  int dimensions = 0, reach = triples ? 2 : 1;
   for (const bool active : parts.level->active) dimensions += active ? 1 : 0;
   for (std::size_t k = 0; k < parts.reached->kinds(); ++k) {
     const int per = parts.reached->of(k).per;
@@ -26,9 +26,8 @@ solve::Workers workers_of(const ThreadTeam& team) {
           }};
 }
 
-NodePairs::NodePairs(const NodesOfStep::Parts& parts, bool with_rigid,
-                     const solve::Workers& workers)
-    : reached_(parts.reached), reach_(reach_of(parts)) {
+NodePairs::NodePairs(const NodesOfStep::Parts& parts, Which which, const solve::Workers& workers)
+    : reached_(parts.reached), reach_(reach_of(parts, which.triples)) {
   const std::size_t n = parts.reached->count();
   IntVec3 low = IntVec3::all(0);
   if (n > 0) low = parts.reached->index(0);
@@ -53,7 +52,7 @@ NodePairs::NodePairs(const NodesOfStep::Parts& parts, bool with_rigid,
   slot_.assign(n * offsets_, -1);
   const std::size_t pieces = workers.count == 1 ? 1 : 4 * static_cast<std::size_t>(workers.count);
   workers.run(pieces, [&](std::size_t piece, int) {
-    mark_pairs(parts, with_rigid, piece * n / pieces, (piece + 1) * n / pieces);
+    mark_pairs(parts, which.with_rigid, piece * n / pieces, (piece + 1) * n / pieces);
   });
 }
 

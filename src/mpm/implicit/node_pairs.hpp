@@ -16,8 +16,12 @@ using NodeTriple = std::array<std::int32_t, 3>;
 
 class NodePairs {
  public:
-  // Pairs of nodes that one particle reaches, of all kinds or of those that deform.
-  NodePairs(const NodesOfStep::Parts& parts, bool with_rigid, const solve::Workers& workers);
+  struct Which {
+    bool with_rigid = false;  // particles of all kinds, not only of those that deform
+    bool triples = false;     // triples may be added
+  };
+  // Pairs of nodes that one particle reaches.
+  NodePairs(const NodesOfStep::Parts& parts, Which which, const solve::Workers& workers);
 
   std::size_t count() const { return at_.size(); }
   // Does a particle reach both. Valid before number().

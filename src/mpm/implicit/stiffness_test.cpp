@@ -55,7 +55,7 @@ TEST_P(Matrix, IsTheDerivativeOfTheForces) {
   }
   look_at_start(deck, "matrix", [&](const StartOfStep& start) {
     const solve::Workers workers = workers_of(start.team);
-    NodePairs pairs(start.parts, false, workers);
+    NodePairs pairs(start.parts, {false, true}, workers);
     Stiffness stiffness(start.parts, pairs, workers);
     ParticleStresses particles(start.parts, start.team, 0);
     const auto w = static_cast<std::size_t>(stiffness.width());
@@ -102,7 +102,7 @@ TEST(SecondDifferences, ActOnWhatIsNotLinear) {
     look_at_start(
         block_of(dimensions, "<dynamic>false</dynamic>"), "second", [&](const StartOfStep& start) {
           const solve::Workers workers = workers_of(start.team);
-          NodePairs pairs(start.parts, false, workers);
+          NodePairs pairs(start.parts, {false, true}, workers);
           ParticleStresses particles(start.parts, start.team, 0);
           std::string reason;
           for (Vec3& u : start.nodes.u) u = {};
