@@ -181,10 +181,11 @@ void LevelCoupling<D>::close_cells_at_sides() {
 }
 
 // Cells in which the middles of particles lie whose parts cells with fluid may ask for, or their
-// neighbours. What a solve covers is asked for everywhere.
+// neighbours. Solves and tracers, which move with solids that overtake them, ask everywhere.
 template <int D>
 CellMask LevelCoupling<D>::cells_beside_fluid() const {
-  if (fluid_->options().scheme.implicit) return CellMask(frame_.cells.size(), 1);
+  if (fluid_->options().scheme.implicit || fluid_->tracers() != nullptr)
+    return CellMask(frame_.cells.size(), 1);
   CellMask mask(frame_.cells.size(), 0);
   for_each_cell_near([&](const Cell<D>&, std::size_t i) { mask[i] = has_solid(i) ? 1 : 0; });
   dilate(frame_, 1, mask);

@@ -82,7 +82,7 @@ SeenPlaces LevelCoupling<D>::places_seen(const IndexBox& box, int along,
 }
 
 // The velocity of the solid at the low faces of the cells along the n-th direction: the mean of
-// both cells by mass. Faces between cells with fluid have its velocity.
+// both cells by mass. Between cells that keep fluid faces have its velocity.
 template <int D>
 Column LevelCoupling<D>::velocity_at_faces(std::size_t n) const {
   Column to(frame_.cells.size(), 0.0);
@@ -92,7 +92,10 @@ Column LevelCoupling<D>::velocity_at_faces(std::size_t n) const {
     --below[n];
     const std::size_t i = frame_.cells.index(frame_.inside(below)),
                       j = frame_.cells.index(frame_.inside(face));
-    if (fields_.theta[i] < 1 && fields_.theta[j] < 1) return;
+    const auto fluid = [&](std::size_t c) {
+      return fields_.theta[c] < 1 && fields_.theta_next[c] < 1;
+    };
+    if (fluid(i) && fluid(j)) return;
     const double M = mass[i] + mass[j];
     if (M > 0) to[at] = (mass[i] * v[i] + mass[j] * v[j]) / M;
   });
