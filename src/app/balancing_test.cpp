@@ -10,12 +10,12 @@
 namespace sluice::balancing_test {
 namespace {
 
-struct Run {
+struct Finished {
   nlohmann::json record;
   std::string archive;
 };
 
-Run run_on(int ranks, const TemporaryFolder& folder) {
+Finished run_on(int ranks, const TemporaryFolder& folder) {
   const std::string report = (folder / "run.json").string();
   const Outcome outcome = run_in_shell(
       on_ranks(ranks) +
@@ -23,7 +23,7 @@ Run run_on(int ranks, const TemporaryFolder& folder) {
                      "/inputs/bench/block_in_corner.ups --max-steps 6 --progress none -o " +
       folder.string() + " --json " + report);
   EXPECT_EQ(outcome.status, 0) << outcome.text;
-  Run run;
+  Finished run;
   run.record = nlohmann::json::parse(text_of(report));
   run.archive = run.record.at("archive");
   return run;
@@ -32,7 +32,7 @@ Run run_on(int ranks, const TemporaryFolder& folder) {
 // All particles of this deck lie in a few of 64 boxes, which one of two ranks has at the start.
 TEST(Balancing, ABodyInACornerIsSharedSoonAndKeepsItsBits) {
   const TemporaryFolder of_one, of_two;
-  const Run one = run_on(1, of_one), two = run_on(2, of_two);
+  const Finished one = run_on(1, of_one), two = run_on(2, of_two);
   EXPECT_EQ(one.record.at("balances"), 0);
   EXPECT_EQ(two.record.at("balances"), 1);
   const Outcome same = run_sluice({"compare", one.archive, two.archive});
