@@ -50,6 +50,19 @@ TEST(BurningRuns, NeitherBoxesNorThreadsShow) {
   }
 }
 
+// A bar that moves with the gas burns alike where it crosses a periodic side. Measured: 2e-12.
+TEST(BurningRuns, ABarAcrossAPeriodicSideBurnsAsElsewhere) {
+  const std::string box = "MaterialProperties/MPM/material/geom_object/box/";
+  const CoupledRun across("burning_bar_across_side"),
+      inside("burning_bar_across_side", {box + "min=[0.3,-1,-1]", box + "max=[0.5,1,1]"});
+  ASSERT_EQ(across.report().status, RunStatus::done) << across.report().message;
+  EXPECT_LT(across.worst_drift_but_energy(), 1e-13);
+  EXPECT_LT(std::fabs(across.drift("total energy")), 5e-4);
+  const double p = mean(across.field("press_CC", 0).components[0]);
+  EXPECT_NEAR(p / mean(inside.field("press_CC", 0).components[0]), 1, 1e-10);
+  EXPECT_EQ(across.particles("p.mass")[0].size(), inside.particles("p.mass")[0].size());
+}
+
 // The burned mass of a strand at nearly constant pressure, MPa. Measured: .8, .03, -.3, -.6, -.8 %.
 class StrandAtPressure : public testing::TestWithParam<double> {};
 

@@ -8,12 +8,21 @@
 namespace sluice::mpmice {
 namespace {
 
-// What chooses the cells of pieces in grid planes: above, for inner faces.
-template <int D>
-std::array<double, D> choice(std::array<double, D> normal, bool outer) {
-  if (!outer)
-    for (double& n : normal) n = std::fabs(n);
-  return normal;
+// act(look, share): what chooses the cells of pieces in grid planes, outer faces theirs. Inner ones
+// lie above, where both sides of one count alike; of particles that are solid in part by halves on
+// both sides, as in the sums of cells (pieces.hpp).
+template <int D, class Act>
+void for_each_look(const OuterFaces<D>& faces, const FacetNodes<D>& nodes,
+                   const std::array<double, D>& normal, bool outer, Act&& act) {
+  if (outer) return act(normal, 1.0);
+  std::array<double, D> look = normal;
+  if (faces.weight.empty() || !in_grid_plane<D>(nodes)) {
+    for (double& n : look) n = std::fabs(n);
+    return act(look, 1.0);
+  }
+  act(look, 0.5);
+  for (double& n : look) n = -n;
+  act(look, 0.5);
 }
 
 }  // namespace
@@ -44,16 +53,19 @@ void CoveredSides<D>::add(const OuterFaces<D>& faces, bool outer, When when) {
     for (int t = 0; t < facets_of_face<D>; ++t) {
       const FacetNodes<D> nodes = facet_nodes<D>(x, i, t);
       const std::array<double, D> n = area_vector<D>(nodes, faces.face[i]);
-      const std::array<double, D> chosen = choice<D>(n, outer);
-      std::array<CellSpan, D> spans;
-      for (int d = 0; d < D; ++d)
-        spans[static_cast<std::size_t>(d)] =
-            span_along<D>(nodes, d, chosen[static_cast<std::size_t>(d)]);
-      cut_facet<D>(nodes, spans, chosen, [&](const Cell<D>& cell, const Moments<D>& piece) {
-        std::array<double, D> area = n;
-        for (double& a : area) a *= faces.weight_of(i) * piece.s;
-        add_piece(cell, area);
-      });
+      const auto cut = [&](const std::array<double, D>& look, double share) {
+        std::array<CellSpan, D> spans;
+        for (int d = 0; d < D; ++d) {
+          const auto a = static_cast<std::size_t>(d);
+          spans[a] = span_along<D>(nodes, d, look[a]);
+        }
+        cut_facet<D>(nodes, spans, look, [&](const Cell<D>& cell, const Moments<D>& piece) {
+          std::array<double, D> area = n;
+          for (double& a : area) a *= share * faces.weight_of(i) * piece.s;
+          add_piece(cell, area);
+        });
+      };
+      for_each_look<D>(faces, nodes, n, outer, cut);
     }
 }
 
@@ -65,12 +77,14 @@ void CoveredSides<D>::add_mean(const OuterFaces<D>& faces, bool outer) {
                             faces.face[i]);
       for_each_cut<D>(f, [&](const std::array<Slots, D>& slots, const FacetNodes<D>& nodes) {
         const std::array<double, D> N = f.mean_area(slots);
-        cut_facet<D>(nodes, f.spans, choice<D>(N, outer),
-                     [&](const Cell<D>& cell, const Moments<D>& piece) {
-                       std::array<double, D> area = N;
-                       for (double& a : area) a *= faces.weight_of(i) * piece.s;
-                       add_piece(cell, area);
-                     });
+        for_each_look<D>(
+            faces, nodes, N, outer, [&](const std::array<double, D>& look, double share) {
+              cut_facet<D>(nodes, f.spans, look, [&](const Cell<D>& cell, const Moments<D>& piece) {
+                std::array<double, D> area = N;
+                for (double& a : area) a *= share * faces.weight_of(i) * piece.s;
+                add_piece(cell, area);
+              });
+            });
       });
     }
 }

@@ -10,7 +10,8 @@
 // and the sum over the particles, each by what is left of it, is the covered part of the side, as
 // faces that particles share cancel but for that. In the side itself outer faces count as
 // everywhere: they belong to the cell that the normal points to. Inner ones there belong to the
-// cell above, or a body that two particles continue through the side would count twice.
+// cell above, or a body that two particles continue through the side would count twice; those of
+// burned particles, whose two sides differ, by halves to both cells.
 #pragma once
 #include "mpmice/geometry/cell_sums.hpp"
 #include "mpmice/geometry/outer_faces.hpp"
