@@ -228,7 +228,7 @@ TEST_F(PlanCommand, PredictsTheMemoryOfFluidAndSolids) {
        "MaterialProperties/MPM/material/geom_object[2]/sphere/origin=[0.875,0.875,0.875]"});
   const json memory = plan({words.begin() + 1, words.end()}).at("memory");
   EXPECT_GT(memory.at("step_arrays").get<double>(), 1e6);
-  // Of small balls beside each other many blocks are the same: 1.66, and 6 in a box around both.
+  // Of small balls beside each other many blocks are the same: 1.66.
   EXPECT_LT(memory.at("step_arrays").get<double>(), 2 * near.at("step_arrays").get<double>());
   words.insert(words.end(), {"--max-steps", "3", "--json", report, "-o", folder_.string()});
   ASSERT_EQ(sluice(words), 0) << said_;
