@@ -142,19 +142,10 @@ class CellBlocks {
   // Is act(n) true for any of the blocks that meet a box; the first ends the search.
   template <class Act>
   bool any_block(const CellBox<D>& box, Act&& act) const {
-    const CellBox<D> blocks = Directory::blocks_of(box);
-    if (blocks.empty()) return false;
-    Cell<D> b = blocks.lower;
-    for (;;) {
+    return any_cell_of<D>(Directory::blocks_of(box), [&](const Cell<D>& b) {
       const std::int32_t n = directory_.find(b);
-      if (n != 0 && act(static_cast<std::size_t>(n))) return true;
-      std::size_t d = 0;
-      for (; d < D; ++d) {
-        if (++b[d] < blocks.upper[d]) break;
-        b[d] = blocks.lower[d];
-      }
-      if (d == D) return false;
-    }
+      return n != 0 && act(static_cast<std::size_t>(n));
+    });
   }
 
  private:
@@ -199,10 +190,9 @@ void CellBlocks<D>::for_each_row(Act&& act) const {
 template <int D>
 template <class Act>
 void CellBlocks<D>::for_each_part(const CellBox<D>& box, Act&& act) const {
-  for_each_cell_of<D>(Directory::blocks_of(box), [&](const Cell<D>& b) {
-    const std::int32_t n = directory_.find(b);
-    if (n == 0) return;
-    act(common<D>(cells(static_cast<std::size_t>(n)), box));
+  any_block(box, [&](std::size_t n) {
+    act(common<D>(cells(n), box));
+    return false;
   });
 }
 

@@ -86,20 +86,29 @@ CellBox<D> cell_box(const IndexBox& box, const std::array<int, 3>& active) {
   return to;
 }
 
-// act(cell) for the cells of a box, x fastest.
+// Is act(cell) true for any of the cells of a box, x fastest; the first ends the search.
 template <int D, class Act>
-void for_each_cell_of(const CellBox<D>& box, Act&& act) {
-  if (box.empty()) return;
+bool any_cell_of(const CellBox<D>& box, Act&& act) {
+  if (box.empty()) return false;
   Cell<D> c = box.lower;
   for (;;) {
-    act(static_cast<const Cell<D>&>(c));
+    if (act(static_cast<const Cell<D>&>(c))) return true;
     std::size_t d = 0;
     for (; d < D; ++d) {
       if (++c[d] < box.upper[d]) break;
       c[d] = box.lower[d];
     }
-    if (d == D) return;
+    if (d == D) return false;
   }
+}
+
+// act(cell) for all of them.
+template <int D, class Act>
+void for_each_cell_of(const CellBox<D>& box, Act&& act) {
+  any_cell_of<D>(box, [&](const Cell<D>& c) {
+    act(c);
+    return false;
+  });
 }
 
 }  // namespace sluice::mpmice

@@ -54,16 +54,12 @@ void CoveredSides<D>::add(const OuterFaces<D>& faces, bool outer, When when) {
       const FacetNodes<D> nodes = facet_nodes<D>(x, i, t);
       const std::array<double, D> n = area_vector<D>(nodes, faces.face[i]);
       const auto cut = [&](const std::array<double, D>& look, double share) {
-        std::array<CellSpan, D> spans;
-        for (int d = 0; d < D; ++d) {
-          const auto a = static_cast<std::size_t>(d);
-          spans[a] = span_along<D>(nodes, d, look[a]);
-        }
-        cut_facet<D>(nodes, spans, look, [&](const Cell<D>& cell, const Moments<D>& piece) {
-          std::array<double, D> area = n;
-          for (double& a : area) a *= share * faces.weight_of(i) * piece.s;
-          add_piece(cell, area);
-        });
+        cut_facet<D>(nodes, spans_towards<D>(nodes, look), look,
+                     [&](const Cell<D>& cell, const Moments<D>& piece) {
+                       std::array<double, D> area = n;
+                       for (double& a : area) a *= share * faces.weight_of(i) * piece.s;
+                       add_piece(cell, area);
+                     });
       };
       for_each_look<D>(faces, nodes, n, outer, cut);
     }

@@ -77,6 +77,18 @@ inline CellSpan span_along(const FacetNodes<D>& p, int d, double normal) {
   return span;
 }
 
+// Along all directions, for an area vector or one like it.
+template <int D>
+inline std::array<CellSpan, D> spans_towards(const FacetNodes<D>& p,
+                                             const std::array<double, D>& look) {
+  std::array<CellSpan, D> spans;
+  for (int d = 0; d < D; ++d) {
+    const auto a = static_cast<std::size_t>(d);
+    spans[a] = span_along<D>(p, d, look[a]);
+  }
+  return spans;
+}
+
 // Adds moments of a facet's nodes to those of the corners of its face: a quarter of what the
 // centre has goes to each corner.
 template <int D>

@@ -37,17 +37,13 @@ void for_each_piece_of(const OuterFaces<D>& faces, When when, std::size_t i, int
   const FacetNodes<D> nodes = facet_nodes<D>(when == When::start ? faces.start : faces.end, i, t);
   const std::array<double, D> n = area_vector<D>(nodes, faces.face[i]);
   const auto cut = [&](const std::array<double, D>& look, double share) {
-    std::array<CellSpan, D> spans;
-    for (int d = 0; d < D; ++d) {
-      const auto a = static_cast<std::size_t>(d);
-      spans[a] = span_along<D>(nodes, d, look[a]);
-    }
-    cut_facet<D>(nodes, spans, look, [&](const Cell<D>& cell, const Moments<D>& moments) {
-      Piece<D> piece{cell, {}, share * moments.s, moments.m, n};
-      for (double& m : piece.m) m *= share;
-      for (std::size_t d = 0; d < D; ++d) piece.area[d] = n[d] * piece.s;
-      act(i, t, nodes, piece);
-    });
+    cut_facet<D>(nodes, spans_towards<D>(nodes, look), look,
+                 [&](const Cell<D>& cell, const Moments<D>& moments) {
+                   Piece<D> piece{cell, {}, share * moments.s, moments.m, n};
+                   for (double& m : piece.m) m *= share;
+                   for (std::size_t d = 0; d < D; ++d) piece.area[d] = n[d] * piece.s;
+                   act(i, t, nodes, piece);
+                 });
   };
   if (!faces.is_inner(i) || !in_grid_plane<D>(nodes)) return cut(n, 1);
   std::array<double, D> back = n;
@@ -64,15 +60,14 @@ void for_each_piece(const OuterFaces<D>& faces, When when, std::size_t begin, st
     for (int t = 0; t < facets_of_face<D>; ++t) for_each_piece_of<D>(faces, when, i, t, act);
 }
 
-// The pieces at one end of a step, cut once for all who ask for them.
+// The pieces at the start of a step, cut once for all who ask for them.
 template <int D>
 class CutSurface {
  public:
-  void cut(const OuterFaces<D>& faces, When when) {
-    when_ = when;
+  void cut(const OuterFaces<D>& faces) {
     pieces_.clear();
     for_each_piece<D>(
-        faces, when, 0, faces.size(),
+        faces, When::start, 0, faces.size(),
         [&](std::size_t i, int t, const FacetNodes<D>&, const Piece<D>& piece) {
           pieces_.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(t),
                              piece.cell, piece.s, piece.m});
@@ -81,13 +76,12 @@ class CutSurface {
   // act(i, t, nodes, piece) as for_each_piece of these faces, to the bit.
   template <class Act>
   void for_each(const OuterFaces<D>& faces, Act&& act) const {
-    const auto& x = when_ == When::start ? faces.start : faces.end;
     FacetNodes<D> nodes{};
     Piece<D> piece{};
     const Kept* last = nullptr;
     for (const Kept& kept : pieces_) {
       if (last == nullptr || kept.face != last->face || kept.facet != last->facet) {
-        nodes = facet_nodes<D>(x, kept.face, static_cast<int>(kept.facet));
+        nodes = facet_nodes<D>(faces.start, kept.face, static_cast<int>(kept.facet));
         piece.n = area_vector<D>(nodes, faces.face[kept.face]);
       }
       last = &kept;
@@ -98,7 +92,6 @@ class CutSurface {
       act(static_cast<std::size_t>(kept.face), static_cast<int>(kept.facet), nodes, piece);
     }
   }
-  std::size_t size() const { return pieces_.size(); }
 
  private:
   struct Kept {
@@ -107,7 +100,6 @@ class CutSurface {
     double s;
     std::array<double, D> m;
   };
-  When when_ = When::start;
   std::vector<Kept> pieces_;
 };
 

@@ -97,7 +97,7 @@ void LevelCoupling<D>::exchange_with(const StageScope& scope, int kind, double K
   sums.begin(frame_.cells, 2 + D);
   const CellMask meets = cells_that_exchange();
   const auto is_apart = [&](const SolidSet<D>& s, std::size_t p) {
-    return meets[frame_.cells.index(middle_of(s, p))] == 0;
+    return meets[frame_.cells.index(middle_of(*s.next, p))] == 0;
   };
   for (const SolidSet<D>& s : sets_) {
     if (s.kind != kind) continue;

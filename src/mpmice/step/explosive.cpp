@@ -12,10 +12,10 @@ namespace sluice::mpmice {
 
 // The cell of a particle's middle.
 template <int D>
-Cell<D> LevelCoupling<D>::middle_of(const SolidSet<D>& s, std::size_t p) const {
+Cell<D> LevelCoupling<D>::middle_of(const ParticleSet& set, std::size_t p) const {
   Cell<D> c;
   for (std::size_t a = 0; a < D; ++a)
-    c[a] = frame_.cell_at(s.next->coordinate(frame_.direction[a])[p], a);
+    c[a] = frame_.cell_at(set.coordinate(frame_.direction[a])[p], a);
   return frame_.inside(c);
 }
 
@@ -65,7 +65,7 @@ void LevelCoupling<D>::find_hot_cells(const StageScope& scope, const models::Sol
     const double* T = s.next->column(static_cast<std::size_t>(s.columns->temperature));
     for (std::size_t p = 0; p < s.set->size(); ++p) {
       if (!(s.stays[p] > 0)) continue;
-      const std::size_t i = frame_.cells.index(middle_of(s, p));
+      const std::size_t i = frame_.cells.index(middle_of(*s.next, p));
       if (T[p] > ignition) ++counts.lane(hot)[i];
       if (law.spread && s.flame[p].burns())
         ++counts.lane(s.flame[p].kind == models::Ignition::surface ? surfaces : cracks)[i];
@@ -131,7 +131,7 @@ void LevelCoupling<D>::mark_burning_surfaces(const StageScope& scope,
   counts.begin(frame_.cells, 1);
   for (std::size_t n = 0; n < sets_.size(); ++n)
     for (std::size_t p = 0; p < shares[n].size(); ++p)
-      if (shares[n][p] > 0) ++counts.lane(0)[frame_.cells.index(middle_of(sets_[n], p))];
+      if (shares[n][p] > 0) ++counts.lane(0)[frame_.cells.index(middle_of(*sets_[n].next, p))];
   counts.sum_over_ranks(*scope.ranks);
   for (std::size_t i = 0; i < cells.surface_burns.size(); ++i)
     cells.surface_burns[i] = counts.lane(0)[i] > 0 ? 1 : 0;
@@ -148,7 +148,7 @@ void LevelCoupling<D>::burn_cracks(const models::Ddt1& law, const ExplosiveCells
   const double* T = s.next->column(static_cast<std::size_t>(s.columns->temperature));
   for (std::size_t p = 0; p < shares.size(); ++p) {
     if (!(s.stays[p] > 0)) continue;
-    const std::size_t i = frame_.cells.index(middle_of(s, p));
+    const std::size_t i = frame_.cells.index(middle_of(*s.next, p));
     const double pressure = cells.pressure[i], density = mass[p] / volume[p];
     if (!law.deflagrates(pressure) || cells.beside_detonation[i] != 0) continue;
     const bool burns = law.spread
@@ -226,7 +226,7 @@ void LevelCoupling<D>::store_explosive(const StageScope& scope, const models::So
   for (std::size_t n = 0; n < sets_.size(); ++n) {
     const SolidSet<D>& s = sets_[n];
     for (std::size_t p = 0; p < of_surfaces[n].size(); ++p) {
-      const std::size_t i = frame_.cells.index(middle_of(s, p));
+      const std::size_t i = frame_.cells.index(middle_of(*s.next, p));
       if (of_surfaces[n][p] > 0) surfaces.push_back({n, p, i});
       if (of_cracks[n][p] > 0) cracks.push_back({n, p, i});
       if (!law.spread || !s.flame[p].lit()) continue;
@@ -271,9 +271,9 @@ void LevelCoupling<D>::store_explosive(const StageScope& scope, const models::So
 template const double* LevelCoupling<1>::crack_radii(const SolidSet<1>&) const;
 template const double* LevelCoupling<2>::crack_radii(const SolidSet<2>&) const;
 template const double* LevelCoupling<3>::crack_radii(const SolidSet<3>&) const;
-template Cell<1> LevelCoupling<1>::middle_of(const SolidSet<1>&, std::size_t) const;
-template Cell<2> LevelCoupling<2>::middle_of(const SolidSet<2>&, std::size_t) const;
-template Cell<3> LevelCoupling<3>::middle_of(const SolidSet<3>&, std::size_t) const;
+template Cell<1> LevelCoupling<1>::middle_of(const ParticleSet&, std::size_t) const;
+template Cell<2> LevelCoupling<2>::middle_of(const ParticleSet&, std::size_t) const;
+template Cell<3> LevelCoupling<3>::middle_of(const ParticleSet&, std::size_t) const;
 template bool LevelCoupling<1>::burn_ddt(const StageScope&, const models::SolidBurn&,
                                          const models::Ddt1&);
 template bool LevelCoupling<2>::burn_ddt(const StageScope&, const models::SolidBurn&,

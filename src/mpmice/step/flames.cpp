@@ -75,7 +75,7 @@ void LevelCoupling<D>::spread_flames(const models::Ddt1& law, const ExplosiveCel
   for (std::size_t p = 0; p < s.flame.size(); ++p) {
     models::Ignition& flame = s.flame[p];
     if (!(s.stays[p] > 0) || flame.burns()) continue;
-    const Cell<D> c = middle_of(s, p);
+    const Cell<D> c = middle_of(*s.next, p);
     const std::size_t i = frame_.cells.index(c);
     const double pressure = cells.pressure[i];
     if (!law.deflagrates(pressure) || cells.beside_detonation[i] != 0) continue;

@@ -163,7 +163,7 @@ class LevelCoupling final : public Coupling {
   FlameWay way_to(const models::Ddt1& law, const ExplosiveCells& cells, const Cell<D>& c,
                   const std::array<double, D>& normal, bool open, bool hot, bool cracked) const;
   void note_flames(const StageScope& scope);
-  Cell<D> middle_of(const SolidSet<D>& s, std::size_t p) const;
+  Cell<D> middle_of(const ParticleSet& set, std::size_t p) const;
   const double* crack_radii(const SolidSet<D>& s) const;
   // Given to cells (burn_products.cpp).
   // What a particle gives; energy (internal) and kinetic energy per mass.

@@ -50,28 +50,15 @@ struct Frame {
     cell_volume = level.cell_volume();
   }
   // Cells in which solids may lie: layers beyond the sides too.
-  CellBox<D> room() const {
-    CellBox<D> all = domain;
-    for (std::size_t a = 0; a < D; ++a) {
-      const int beyond = repeats_[a] ? periodic_layers : layers;
-      all.lower[a] -= beyond;
-      all.upper[a] += beyond;
-    }
-    return all;
-  }
+  CellBox<D> room() const { return with_layers(repeats_); }
   // To solids that lie in these cells in the step: the arrays are over all that it may touch.
   void look_at(const OccupiedCells<D>& solids) {
     const CellBox<D> hull = touched_around(solids.hull());
-    CellBox<D> all = domain;
-    for (std::size_t a = 0; a < D; ++a) {
+    for (std::size_t a = 0; a < D; ++a)
       periodic[a] = repeats_[a] && !hull.empty() &&
                     (hull.lower[a] <= domain.lower[a] || hull.upper[a] >= domain.upper[a]);
-      const int beyond = periodic[a] ? periodic_layers : layers;
-      all.lower[a] -= beyond;
-      all.upper[a] += beyond;
-    }
-    held_ = all;
-    cells.begin(all);
+    held_ = with_layers(periodic);
+    cells.begin(held_);
     for (const CellBox<D>& box : solids.boxes()) add_images(touched_around(box), 0);
     cells.finish();
   }
@@ -177,6 +164,16 @@ struct Frame {
   bool holds_any(const IndexBox& part) const { return cells.holds_any(box(part)); }
 
  private:
+  // The domain with layers beyond its sides, more of them where it repeats.
+  CellBox<D> with_layers(const std::array<bool, D>& repeats) const {
+    CellBox<D> all = domain;
+    for (std::size_t a = 0; a < D; ++a) {
+      const int beyond = repeats[a] ? periodic_layers : layers;
+      all.lower[a] -= beyond;
+      all.upper[a] += beyond;
+    }
+    return all;
+  }
   // Cells that solids in these may touch.
   static CellBox<D> touched_around(CellBox<D> solids) {
     if (solids.empty()) return {};

@@ -131,7 +131,7 @@ void LevelCoupling<D>::find_all_faces(const StageScope& scope, bool moved) {
   if (burns_.empty()) {
     for (SolidSet<D>& s : sets_) {
       find_faces<D>(frame_, s, moved, outer_faces_of<D>(s));
-      if (!moved) s.pieces.cut(s.faces, When::start);  // they stay the same until the end
+      if (!moved) s.pieces.cut(s.faces);  // they stay the same until the end
     }
     return;
   }
@@ -139,7 +139,7 @@ void LevelCoupling<D>::find_all_faces(const StageScope& scope, bool moved) {
   burned.find(frame_, sets_, moved, *scope.ranks);
   for (SolidSet<D>& s : sets_) {
     find_faces<D>(frame_, s, moved, burned.faces_in_sums(frame_, s));
-    s.pieces.cut(s.faces, When::start);
+    s.pieces.cut(s.faces);
   }
 }
 

@@ -223,10 +223,7 @@ void LevelCoupling<D>::mean_over_cells(const StageScope& scope) {
     const CornerColumns<D> x = corner_columns<D>(frame_, *s.columns, *s.set);
     const double* m = s.set->column(static_cast<std::size_t>(s.columns->mass));
     for (std::size_t p = 0; p < s.set->size(); ++p) {
-      Cell<D> middle;
-      for (std::size_t a = 0; a < D; ++a)
-        middle[a] = frame_.cell_at(s.set->coordinate(frame_.direction[a])[p], a);
-      if (beside[frame_.cells.index(frame_.inside(middle))] == 0) continue;
+      if (beside[frame_.cells.index(middle_of(*s.set, p))] == 0) continue;
       const std::uint64_t share = to_sum(m[p] / most_mass / most_parts<D>);
       std::array<std::uint64_t, D> moving;
       for (std::size_t a = 0; a < D; ++a)
