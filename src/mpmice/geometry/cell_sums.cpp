@@ -48,24 +48,6 @@ void CellSums<D>::fold(const PeriodicSides<D>& sides, int lane_of) {
 }
 
 template <int D>
-void CellSums<D>::add_from_above(int lane_of, int d) {
-  constexpr std::size_t cells = CellBlocks<D>::block_cells, edge = CellBlocks<D>::edge;
-  std::uint64_t* sums = lane(lane_of);
-  const std::size_t step = CellBlocks<D>::stride(d), layer = cells / edge;
-  // The n-th cell of a layer across d: below step lie those along the directions before d.
-  const auto place = [&](std::size_t n) { return n % step + n / step * step * edge; };
-  for (std::size_t b = cells_->block_count(); b > 0; --b) {
-    std::uint64_t* block = sums + b * cells;
-    const std::size_t above = cells_->above(b, d);
-    for (std::size_t n = 0; n < layer; ++n) {
-      std::uint64_t* row = block + place(n);
-      if (above != 0) row[(edge - 1) * step] += sums[above * cells + place(n)];
-      for (std::size_t k = edge - 1; k-- > 0;) row[k * step] += row[(k + 1) * step];
-    }
-  }
-}
-
-template <int D>
 void CellSums<D>::values(int lane_of, KeptArray<double>& to) const {
   to.resize(count_);
   const std::uint64_t* sums = lane(lane_of);

@@ -4,8 +4,8 @@
 // A contribution c enters as round(c 2^56), finer than its own round-off, and sums are taken
 // modulo 2^64. That is exact as long as the final sums are below 2^7, whatever passes between: a
 // sum of N_d is a difference of the covered parts of two faces, one of T_d of theta and such a
-// part, one of q or C a volume that solid sweeps, and all count no more than the bodies that
-// overlap in a cell (times the cells that they move). A contribution is itself below 2^7: areas and
+// part, one of C a volume that solid sweeps, and all count no more than the bodies that overlap in
+// a cell (times the cells that they move). A contribution is itself below 2^7: areas and
 // moments of a piece in a cell are at most 1, and what corners may move in a step is limited
 // (most_move).
 #pragma once
@@ -41,9 +41,6 @@ class CellSums {
   void sum_over_ranks(Communicator& ranks);
   // The sums of cells beyond periodic sides join those of their images, and end as 0. Of one lane.
   void fold(const PeriodicSides<D>& sides, int lane);
-  // Each cell gets the sum of itself and all cells above it along d, as far as there are blocks:
-  // what is 0 where these end follows from its differences.
-  void add_from_above(int lane, int d);
   // Values of a lane into an array over the cells.
   void values(int lane, KeptArray<double>& to) const;
 

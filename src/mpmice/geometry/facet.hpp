@@ -28,6 +28,22 @@ inline FacetNodes<D> facet_nodes(const typename OuterFaces<D>::Places& x, std::s
   return to;
 }
 
+// The cell in which the nodes begin along every direction; they are counted from it then. That is
+// exact, so that a body moved by whole cells keeps its bits, and identities hold as well far from
+// the origin: a facet nearly in a plane of the grid is cut at a vertex of full precision.
+template <int D>
+inline Cell<D> count_from_own_cell(FacetNodes<D>& x) {
+  Cell<D> base;
+  for (std::size_t d = 0; d < D; ++d) {
+    double low = x[0][d];
+    for (std::size_t k = 1; k < D; ++k) low = std::min(low, x[k][d]);
+    low = std::floor(low);
+    base[d] = static_cast<int>(low);
+    for (std::size_t k = 0; k < D; ++k) x[k][d] -= low;
+  }
+  return base;
+}
+
 // The area vector, outward, in faces of a cell. In 1-D it knows the side alone.
 template <int D>
 inline std::array<double, D> area_vector(const FacetNodes<D>& p, int face) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mpmice/geometry/cell_sums.hpp"
+#include "mpmice/geometry/mixed_facet.hpp"
 
 namespace sluice::mpmice {
 namespace {
@@ -159,17 +160,20 @@ class Moving {
     };
     return 0.5 * (edge(1, j, u) * edge(2, k, v) - edge(1, k, v) * edge(2, j, u));
   }
-  // N_d: (w/2) n_d of the shapes that share a cut (MixedFacet::mean_area).
-  Lanes mean_area(int d, unsigned slots) const {
+  // sum of W n_d over the shapes that share a cut and have these places along d; P_d where `both`
+  // (MeanArea).
+  Lanes mean_area(int d, unsigned slots, int own, bool both) const {
     const int j = (d + 1) % 3, k = (d + 2) % 3;
     Lanes sum{};
     for (int u = 0; u < 2; ++u)
       for (int v = 0; v < 2; ++v) {
         const bool there = (!is_split(j) || u == static_cast<int>(slots >> j & 1)) &&
                            (!is_split(k) || v == static_cast<int>(slots >> k & 1));
-        if (there) sum += (u == v ? 1.0 / 3 : 1.0 / 6) * normal_[d][u][v];
+        const double weight = both ? weight_of_shape<3>(u + v) + weight_of_shape<3>(u + v + 1)
+                                   : weight_of_shape<3>(u + v + own);
+        if (there) sum += weight * normal_[d][u][v];
       }
-    return is_split(d) ? 0.5 * sum : sum;
+    return sum;
   }
   Triangle triangle(unsigned slots) const {
     Triangle t;
@@ -191,23 +195,35 @@ class Moving {
   }
 
   void add_cut(unsigned slots, std::uint64_t* sums) {
-    Lanes N[3];
-    for (int d = 0; d < 3; ++d) N[d] = mean_area(d, slots);
+    Lanes at[3][2], N[3], P[3];  // MeanArea
+    for (int d = 0; d < 3; ++d) {
+      for (int own = 0; own < 2; ++own)
+        if (!is_split(d) || own == static_cast<int>(slots >> d & 1))
+          at[d][own] = mean_area(d, slots, own, false);
+        else
+          at[d][own] = Lanes{};
+      N[d] = at[d][0] + at[d][1];
+      if (is_split(d)) P[d] = mean_area(d, slots, 0, true);
+    }
     const Triangle t = triangle(slots);
     Part found[parts];
     part<0, Cuts>(t, found);
     for (int p = 0; p < parts; ++p) {
       Whole swept[width] = {};
-      Lanes q{};
       for (int d = 0; d < 3; ++d) {
-        const Lanes moved = dot(found[p].m, move_[d]);
-        swept[lane(number_of_cell::A, d)] = in_units(N[d] * found[p].s);
-        q += N[d] * moved;
-        if (!is_split(d)) continue;
-        const double twice = (slots >> d & 1) != 0 ? 2 : -2;
-        T_[d][p] += twice * N[d] * arm(found[p], t.x, d, p >> d & 1) - N[d] * moved;
+        const int above = d < Cuts ? p >> d & 1 : 0;
+        swept[lane(number_of_cell::mean_N, d)] = in_units(N[d] * found[p].s);
+        Lanes T{};
+        if (is_split(d)) {
+          const bool is_new = (slots >> d & 1) != 0;
+          const Lanes to_part = arm(found[p], t.x, d, above);
+          T = N[d] * to_part;
+          T_[d][p] += (is_new ? 1.0 : -1.0) * P[d] * to_part - N[d] * dot(found[p].m, move_[d]);
+        } else {
+          T = at[d][0] * arm(found[p], x_[0], d, above) + at[d][1] * arm(found[p], x_[1], d, above);
+        }
+        swept[lane(number_of_cell::mean_T, d)] = in_units(T);
       }
-      swept[number_of_cell::q] = in_units(q);
       if (slots == Split) add_end(p, found[p], swept, sums);
       transpose(swept);
       for (std::size_t i = 0; i < group_.count; ++i) add_to(sums + at_[p][i], swept[i]);
@@ -219,13 +235,15 @@ class Moving {
     for (int d = 0; d < 3; ++d) {
       const int above = d < Cuts ? p >> d & 1 : 0;
       const Lanes N = normal_[d][1][1];
-      end[lane(0, d)] = in_units(N * found.s);
-      end[lane(4, d)] = in_units(N * arm(found, x_[1], d, above));
-      if (is_split(d) && above != 0) swept[lane(number_of_cell::C, d)] = in_units(T_[d][p]);
+      end[lane(number_of_cell::end_N - 8, d)] = in_units(N * found.s);
+      end[lane(number_of_cell::end_T - 8, d)] = in_units(N * arm(found, x_[1], d, above));
+      if (!is_split(d) || above == 0) continue;
+      const std::size_t C = number_of_cell::C[lane(0, d)];
+      (C < 8 ? swept[C] : end[C - 8]) = in_units(T_[d][p]);
     }
+    end[number_of_cell::mark - 8] = Whole{1, 1, 1, 1, 1, 1, 1, 1};
     transpose(end);
-    for (std::size_t i = 0; i < group_.count; ++i)
-      add_to(sums + at_[p][i] + number_of_cell::N, end[i]);
+    for (std::size_t i = 0; i < group_.count; ++i) add_to(sums + at_[p][i] + 8, end[i]);
   }
   std::size_t lane(std::size_t first, int d) const {
     return first + static_cast<std::size_t>((d + group_.turn) % 3);

@@ -7,17 +7,6 @@
 namespace sluice::mpmice {
 namespace {
 
-// What is meant to lie in a grid plane lies in it, whatever rounding has made of it: a face of a
-// solid a hair inside of its cell would leave that cell's face open.
-double on_planes(double x) {
-  constexpr double round_off = 1e-12;  // cells
-  const double plane = std::nearbyint(x);
-  return std::fabs(x - plane) < round_off ? plane : x;
-}
-
-}  // namespace
-namespace {
-
 // The corners of faces begin to end - 1, one column after the other.
 template <int D>
 void put(typename OuterFaces<D>::Places& to, const OuterFaces<D>& faces, std::size_t begin,

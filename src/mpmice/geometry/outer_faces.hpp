@@ -4,6 +4,7 @@
 // Places are counted in cells of the level: cell i is [i, i + 1).
 #pragma once
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -14,6 +15,14 @@
 namespace sluice::mpmice {
 
 enum class When { start, end };
+
+// A place in cells. What is meant to lie in a grid plane lies in it, whatever rounding has made of
+// it: a face of a solid a hair inside of its cell would leave that cell's face open.
+inline double on_planes(double x) {
+  constexpr double round_off = 1e-12;  // cells
+  const double plane = std::nearbyint(x);
+  return std::fabs(x - plane) < round_off ? plane : x;
+}
 
 // Columns of corners of particles, [corner][direction].
 template <int D>

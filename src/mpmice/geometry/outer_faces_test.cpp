@@ -79,7 +79,8 @@ TEST(OuterFaces, PiecesAddUp) {
   std::size_t pieces = 0;
   double worst = 0;
   for_each_piece<3>(faces, When::end, 0, faces.size(),
-                    [&](std::size_t i, int t, const FacetNodes<3>& x, const Piece<3>& piece) {
+                    [&](std::size_t i, int t, const Piece<3>& piece) {
+                      const FacetNodes<3> x = facet_nodes<3>(faces.end, i, t);
                       auto& sum = sums[4 * i + static_cast<std::size_t>(t)];
                       sum[3] += piece.s;
                       for (std::size_t k = 0; k < 3; ++k) sum[k] += piece.m[k];
@@ -114,7 +115,7 @@ TEST(OuterFaces, BothSidesOfAnInnerOneCancelInOneCell) {
   const auto in_cells = [&] {
     std::array<double, 2> sums{};  // of the cells below and above the plane
     for_each_piece<2>(faces, When::start, 0, 2,
-                      [&](std::size_t i, int, const FacetNodes<2>&, const Piece<2>& piece) {
+                      [&](std::size_t i, int, const Piece<2>& piece) {
                         sums[piece.cell[0] < 3 ? 0 : 1] += faces.weight_of(i) * piece.area[0];
                       });
     return sums;

@@ -5,9 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mpmice/geometry/bodies_test_support.hpp"
-#include "mpmice/geometry/solid_in_cells.hpp"
-#include "mpmice/geometry/swept_volumes.hpp"
+#include "mpmice/geometry/found_geometry_test_support.hpp"
 
 namespace sluice::mpmice::partial_particles {
 namespace {
@@ -30,20 +28,21 @@ OuterFaces<D> all_faces(const Body<D>& body, std::size_t first, std::size_t end,
 }
 
 template <int D>
-SolidInCells<D> geometry(const OuterFaces<D>& faces, When when) {
-  SolidSums<D> sums;
-  sums.begin(test_cells<D>().blocks);
-  sums.add(faces, when, 0, faces.size());
-  SolidInCells<D> to;
-  sums.finish(to);
-  return to;
-}
-
-template <int D>
 KeptArray<double> parts_of(std::size_t n) {
   KeptArray<double> part(n);
   for (std::size_t p = 0; p < n; ++p) part[p] = 0.5 + 0.5 * hashed(p, D);
   return part;
+}
+
+// Particle p of a body as a body of its own.
+template <int D>
+Body<D> single(const Body<D>& body, std::size_t p) {
+  Body<D> one;
+  for (std::size_t k = 0; k < Body<D>::corners; ++k)
+    for (std::size_t d = 0; d < D; ++d) one.start[k][d] = {body.start[k][d][p]};
+  one.end = one.start;
+  one.outer = {(1 << faces_of_particle<D>)-1};
+  return one;
 }
 
 template <int D>
@@ -52,17 +51,19 @@ void check_theta() {
   const KeptArray<double> part = parts_of<D>(body.size()), whole(body.size(), 1.0);
   KeptArray<double> sum(test_cells<D>().size(), 0.0);
   for (std::size_t p = 0; p < body.size(); ++p) {
-    const auto one = geometry<D>(all_faces(body, p, p + 1, whole), When::start);
+    const auto one = GeometryOf<D>{}.at(When::start, single(body, p));
     for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += part[p] * one.theta[i];
   }
-  const auto all = geometry<D>(all_faces(body, 0, body.size(), part), When::start);
+  GeometryOf<D> of_parts;
+  of_parts.parts = &part;
+  const auto all = of_parts.at(When::start, body, all_faces(body, 0, body.size(), part));
   double worst = 0;
   for (std::size_t i = 0; i < sum.size(); ++i)
     worst = std::max(worst, std::fabs(sum[i] - all.theta[i]));
   EXPECT_LT(worst, of_single_particles) << D;
   // Whole particles: what their outer faces alone say.
-  const auto outer = geometry<D>(body.faces(), When::start),
-             full = geometry<D>(all_faces(body, 0, body.size(), whole), When::start);
+  const auto outer = GeometryOf<D>{}.at(When::start, body),
+             full = GeometryOf<D>{}.at(When::start, body, all_faces(body, 0, body.size(), whole));
   for (std::size_t i = 0; i < sum.size(); ++i)
     EXPECT_NEAR(outer.theta[i], full.theta[i], of_single_particles);
 }
@@ -81,21 +82,22 @@ void check_identity() {
     for (std::size_t d = 0; d < D; ++d) to[d] += 0.3 + 0.1 * std::sin(x[(d + 1) % D]);
     return to;
   });
-  const OuterFaces<D> faces = all_faces(body, 0, body.size(), parts_of<D>(body.size()));
-  const auto before = geometry<D>(faces, When::start), after = geometry<D>(faces, When::end);
-  SweptSums<D> sums;
-  sums.begin(test_cells<D>().blocks);
-  sums.add(faces, 0, faces.size());
-  SweptVolumes<D> s;
-  sums.finish(s);
+  const KeptArray<double> parts = parts_of<D>(body.size());
+  const OuterFaces<D> faces = all_faces(body, 0, body.size(), parts);
+  GeometryOf<D> of_parts;
+  of_parts.parts = &parts;
+  const auto before = of_parts.at(When::start, body, faces),
+             after = of_parts.at(When::end, body, faces);
+  const SweptVolumes<D> s = of_parts.swept(body, faces);
+  const KeptArray<double> gain = added_by_surface<D>(faces);
   for_cells<D>(cells_of(s), [&](const Cell<D>& c, std::size_t at) {
-    double gain = s.q[at];
+    double sum = gain[at];
     for (std::size_t d = 0; d < D; ++d) {
       Cell<D> above = c;
       if (++above[d] == cells_of(s).upper[d]) return;
-      gain += s.C[d][at] - s.C[d][cells_of(s).index(above)];
+      sum += s.C[d][at] - s.C[d][cells_of(s).index(above)];
     }
-    EXPECT_NEAR(after.theta[at] - before.theta[at], gain, of_identity) << D;
+    EXPECT_NEAR(after.theta[at] - before.theta[at], sum, of_identity) << D;
   });
 }
 
@@ -111,15 +113,14 @@ void check_rest() {
   Point<D> on;
   on.fill(2);
   const Body<D> body = block<D>("on grid planes", 4, on);
-  OuterFaces<D> faces = all_faces(body, 0, body.size(), parts_of<D>(body.size()));
+  const KeptArray<double> parts = parts_of<D>(body.size());
+  OuterFaces<D> faces = all_faces(body, 0, body.size(), parts);
   for (std::size_t i = 0; i < faces.size(); ++i)
     faces.inner.push_back((body.outer[faces.particle[i]] >> faces.face[i] & 1) == 0 ? 1 : 0);
-  const auto covered = geometry<D>(faces, When::start);
-  SweptSums<D> sums;
-  sums.begin(test_cells<D>().blocks);
-  sums.add(faces, 0, faces.size());
-  SweptVolumes<D> s;
-  sums.finish(s);
+  GeometryOf<D> of_parts;
+  of_parts.parts = &parts;
+  const auto covered = of_parts.at(When::start, body, faces);
+  const SweptVolumes<D> s = of_parts.swept(body, faces);
   for (std::size_t d = 0; d < D; ++d)
     for (std::size_t i = 0; i < s.A[d].size(); ++i) {
       EXPECT_NEAR(s.A[d][i], covered.a[d][i], of_identity) << D;

@@ -14,6 +14,22 @@ struct PeriodicSides {
       if (p) return true;
     return false;
   }
+  // The cell of the domain that one beyond such a side stands for.
+  Cell<D> image(Cell<D> c) const {
+    for (std::size_t d = 0; d < D; ++d) {
+      if (!periodic[d]) continue;
+      const int low = domain.lower[d], n = domain.upper[d] - low;
+      c[d] = low + ((c[d] - low) % n + n) % n;
+    }
+    return c;
+  }
+  // Do cells of a box lie beyond such sides.
+  bool any_beyond(const CellBox<D>& box) const {
+    for (std::size_t d = 0; d < D; ++d)
+      if (periodic[d] && (box.lower[d] < domain.lower[d] || box.upper[d] > domain.upper[d]))
+        return true;
+    return false;
+  }
 };
 
 }  // namespace sluice::mpmice

@@ -15,7 +15,8 @@ struct Piece {
   // integral |n| sum_k m_k f_k. A pressure p on the piece puts -p n m_k on node k, and
   // add_to_corners carries that on to the corners of the face.
   std::array<double, D> m;
-  std::array<double, D> n;  // area vector of the whole facet: area = n s
+  std::array<double, D> n;    // area vector of the whole facet: area = n s
+  std::array<double, D> arm;  // sum_k m_k (P_k - X), from the lower corner X of the cell
 };
 
 // Does the facet lie in a grid plane.
@@ -29,20 +30,26 @@ bool in_grid_plane(const FacetNodes<D>& nodes) {
   return false;
 }
 
-// act(i, t, nodes, piece) for the pieces of facet t of face i. In a grid plane outer faces lie in
+// act(i, t, piece) for the pieces of facet t of face i. In a grid plane outer faces lie in
 // the cell that they look into, inner ones half in each: both sides of one alike, so that they
 // cancel in both cells.
 template <int D, class Act>
 void for_each_piece_of(const OuterFaces<D>& faces, When when, std::size_t i, int t, Act&& act) {
-  const FacetNodes<D> nodes = facet_nodes<D>(when == When::start ? faces.start : faces.end, i, t);
+  FacetNodes<D> nodes = facet_nodes<D>(when == When::start ? faces.start : faces.end, i, t);
+  const Cell<D> base = count_from_own_cell<D>(nodes);
   const std::array<double, D> n = area_vector<D>(nodes, faces.face[i]);
   const auto cut = [&](const std::array<double, D>& look, double share) {
     cut_facet<D>(nodes, spans_towards<D>(nodes, look), look,
                  [&](const Cell<D>& cell, const Moments<D>& moments) {
-                   Piece<D> piece{cell, {}, share * moments.s, moments.m, n};
+                   Piece<D> piece{base, {}, share * moments.s, moments.m, n, {}};
                    for (double& m : piece.m) m *= share;
-                   for (std::size_t d = 0; d < D; ++d) piece.area[d] = n[d] * piece.s;
-                   act(i, t, nodes, piece);
+                   for (std::size_t d = 0; d < D; ++d) {
+                     piece.cell[d] += cell[d];
+                     piece.area[d] = n[d] * piece.s;
+                     for (std::size_t k = 0; k < D; ++k)
+                       piece.arm[d] += piece.m[k] * (nodes[k][d] - cell[d]);
+                   }
+                   act(i, t, piece);
                  });
   };
   if (!faces.is_inner(i) || !in_grid_plane<D>(nodes)) return cut(n, 1);
@@ -68,28 +75,30 @@ class CutSurface {
     pieces_.clear();
     for_each_piece<D>(
         faces, When::start, 0, faces.size(),
-        [&](std::size_t i, int t, const FacetNodes<D>&, const Piece<D>& piece) {
+        [&](std::size_t i, int t, const Piece<D>& piece) {
           pieces_.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(t),
-                             piece.cell, piece.s, piece.m});
+                             piece.cell, piece.s, piece.m, piece.arm});
         });
   }
-  // act(i, t, nodes, piece) as for_each_piece of these faces, to the bit.
+  // act(i, t, piece) as for_each_piece of these faces, to the bit.
   template <class Act>
   void for_each(const OuterFaces<D>& faces, Act&& act) const {
-    FacetNodes<D> nodes{};
     Piece<D> piece{};
     const Kept* last = nullptr;
     for (const Kept& kept : pieces_) {
       if (last == nullptr || kept.face != last->face || kept.facet != last->facet) {
-        nodes = facet_nodes<D>(faces.start, kept.face, static_cast<int>(kept.facet));
+        FacetNodes<D> nodes =
+            facet_nodes<D>(faces.start, kept.face, static_cast<int>(kept.facet));
+        count_from_own_cell<D>(nodes);
         piece.n = area_vector<D>(nodes, faces.face[kept.face]);
       }
       last = &kept;
       piece.cell = kept.cell;
       piece.s = kept.s;
       piece.m = kept.m;
+      piece.arm = kept.arm;
       for (std::size_t d = 0; d < D; ++d) piece.area[d] = piece.n[d] * piece.s;
-      act(static_cast<std::size_t>(kept.face), static_cast<int>(kept.facet), nodes, piece);
+      act(static_cast<std::size_t>(kept.face), static_cast<int>(kept.facet), piece);
     }
   }
 
@@ -98,7 +107,7 @@ class CutSurface {
     std::uint32_t face, facet;
     Cell<D> cell;
     double s;
-    std::array<double, D> m;
+    std::array<double, D> m, arm;
   };
   std::vector<Kept> pieces_;
 };

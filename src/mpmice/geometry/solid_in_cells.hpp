@@ -4,25 +4,22 @@
 // s and moments m of the pieces in a cell whose lower corner is X,
 //
 //   N_d = sum n_d s,   T_d = sum n_d (sum_k m_k (P_k - X)_d),
-//   a_d(lower face) = a_d(upper face) + N_d,   theta = a_d(upper face) + T_d  for every d
+//   theta = a_d(upper face) + T_d,   a_d(lower face) = theta - T_d + N_d   for every d
 //
-// (divergence theorem, for fields 1 and x_d in the part of the cell that is solid). Bodies are
-// closed, and blocks of cells hold all of them: a = 0 where no block is above, and rows are summed
-// from there. A body that ends on a side of the domain has faces there too, whose pieces belong to
-// the cell that the normal points to: a layer beyond the domain must have blocks. theta is taken
-// with d = x.
-// Across periodic sides sums join those of the image cells, and rows begin with what covers the
-// side (covered_sides.hpp).
+// (divergence theorem, for fields 1 and x_d in the part of the cell that is solid), so that a and
+// theta of all cells of a block follow from theta of one (free_cells.hpp). A body that ends on a
+// side of the domain has faces there too, whose pieces belong to the cell that the normal points
+// to: a layer beyond the domain must have blocks. Across periodic sides sums join those of the
+// image cells.
 #pragma once
 #include <span>
 
-#include "mpmice/geometry/cell_sums.hpp"
-#include "mpmice/geometry/covered_sides.hpp"
+#include "mpmice/geometry/free_cells.hpp"
 #include "mpmice/geometry/pieces.hpp"
 
 namespace sluice::mpmice {
 
-// Arrays over the cells of blocks, zero where no surface is near. As summed: clean_... below.
+// Arrays over the cells of blocks. As summed: clean_... below.
 template <int D>
 struct SolidInCells {
   KeptArray<double> theta;             // volume fraction of solid
@@ -34,24 +31,34 @@ template <int D>
 class SolidSums {
  public:
   // Keeps a reference to the blocks.
-  void begin(const CellBlocks<D>& cells) { sums_.begin(cells, D + 1); }
-  // Faces begin to end - 1. Throws std::out_of_range where a piece lies in no block.
-  void add(const OuterFaces<D>& faces, When when, std::size_t begin, std::size_t end);
+  void begin(const CellBlocks<D>& cells) { sums_.begin(cells, 2 * D); }
+  // Faces begin to end - 1, which mark the cells of their pieces where these are not marked by
+  // others (`free` null). Throws std::out_of_range where a piece lies in no block.
+  void add(const OuterFaces<D>& faces, When when, std::size_t begin, std::size_t end,
+           FreeCells<D>* free);
   // All faces, of which these are the pieces.
-  void add(const OuterFaces<D>& faces, const CutSurface<D>& pieces);
+  void add(const OuterFaces<D>& faces, const CutSurface<D>& pieces, FreeCells<D>& free);
   // Facet t of face i.
-  void add_facet(const OuterFaces<D>& faces, When when, std::size_t i, int t);
-  CellSums<D>& sums() { return sums_; }  // lanes N_d, T_x
+  void add_facet(const OuterFaces<D>& faces, When when, std::size_t i, int t, FreeCells<D>* free);
+  CellSums<D>& sums() { return sums_; }  // lanes N_d, T_d
   void merge(const SolidSums& other) { sums_.merge(other.sums_); }
   void sum_over_ranks(Communicator& ranks) { sums_.sum_over_ranks(ranks); }
-  // Uses up the sums: begin() is next. `sides`: where bodies may cross periodic ones.
-  void finish(SolidInCells<D>& to, const CoveredSides<D>* sides = nullptr);
+  // Uses up the sums: begin() is next. `references`: theta of the lowest cells of blocks that begin
+  // there.
+  void finish(const FreeCells<D>& free, const std::uint64_t* references, SolidInCells<D>& to);
 
  private:
-  void add_piece(const Piece<D>& piece, const FacetNodes<D>& nodes, double weight);
+  void add_piece(const Piece<D>& piece, double weight, FreeCells<D>* free);
 
-  CellSums<D> sums_;  // lanes N_d, T_x
+  CellSums<D> sums_;
+  KeptArray<std::uint64_t> theta_;
 };
+
+// theta and a_d from sums of which lanes 0 to D - 1 are N_d, the next D are T_d.
+template <int D>
+void find_covered_parts(const FreeCells<D>& free, const CellSums<D>& sums,
+                        const std::uint64_t* references, KeptArray<std::uint64_t>& theta,
+                        std::array<KeptArray<double>, D>& a);
 
 // Parts of faces as the fluid wants them: |a| < 1e-14 -> 0, a within 1e-14 of 1 or above -> 1,
 // none below 0 (bodies that overlap count twice in sums).

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "mpmice/geometry/bodies_test_support.hpp"
+#include "mpmice/geometry/found_geometry_test_support.hpp"
 #include "mpmice/geometry/particle_volume.hpp"
 #include "mpmice/geometry/pieces.hpp"
 
@@ -24,14 +24,9 @@ constexpr double of_mirrors = 2e-14;           // 4.8e-15
 constexpr double of_forces = 8e-15;            // 2e-15
 
 template <int D>
-SolidInCells<D> geometry(const OuterFaces<D>& faces,
+SolidInCells<D> geometry(const Body<D>& body,
                          const CellBlocks<D>& blocks = test_cells<D>().blocks) {
-  SolidSums<D> sums;
-  sums.begin(blocks);
-  sums.add(faces, When::start, 0, faces.size());
-  SolidInCells<D> to;
-  sums.finish(to);
-  return to;
+  return GeometryOf<D>{blocks}.at(When::start, body);
 }
 
 // How much of [i, i + 1] lies in [low, high].
@@ -43,7 +38,7 @@ double overlap(int i, double low, double high) {
 template <int D>
 double error_of_box(Point<D> low, int n) {
   const Body<D> body = block<D>("", n, low);
-  const SolidInCells<D> g = geometry<D>(body.faces());
+  const SolidInCells<D> g = geometry<D>(body);
   double worst = 0;
   for_cells<D>(cells_of(g), [&](const Cell<D>& c, std::size_t at) {
     std::array<double, D> part;
@@ -74,7 +69,7 @@ TEST(SolidInCells, ABlockIsTheProductOfItsOverlaps) {
 
 // A surface in a grid plane belongs to the cell outside, on both sides alike.
 TEST(SolidInCells, SurfacesInGridPlanesLieInTheCellsTheyTouch) {
-  const SolidInCells<3> g = geometry<3>(block<3>("", 4, {0, 0, 0}).faces());  // [0, 2]^3
+  const SolidInCells<3> g = geometry<3>(block<3>("", 4, {0, 0, 0}));  // [0, 2]^3
   EXPECT_EQ(g.n[0][cells_of(g).index({-1, 0, 1})], -1);
   EXPECT_EQ(g.n[0][cells_of(g).index({2, 1, 0})], 1);
   EXPECT_EQ(g.n[2][cells_of(g).index({1, 0, -1})], -1);
@@ -91,9 +86,9 @@ TEST(SolidInCells, FacesBeyondTheBlocksAreRefused) {
   const auto small = CellBlocks<2>::around({{0, 0}, {3, 3}}),
              large = CellBlocks<2>::around({{-1, -1}, {3, 3}});
   sums.begin(small);
-  EXPECT_THROW(sums.add(faces, When::start, 0, faces.size()), std::out_of_range);
+  EXPECT_THROW(sums.add(faces, When::start, 0, faces.size(), nullptr), std::out_of_range);
   sums.begin(large);
-  EXPECT_NO_THROW(sums.add(faces, When::start, 0, faces.size()));
+  EXPECT_NO_THROW(sums.add(faces, When::start, 0, faces.size(), nullptr));
 }
 
 // Half planes of a cell clip a convex polygon: area, and length on the lower face along x.
@@ -139,7 +134,7 @@ TEST(SolidInCells, ATurnedSquareIsWhatClippingGives) {
       const std::size_t p = (corner & 1 ? 6 : 0) + 7 * (corner & 2 ? 6 : 0);
       outline.push_back({body.start[corner][0][p], body.start[corner][1][p]});
     }
-    const SolidInCells<2> g = geometry<2>(body.faces());
+    const SolidInCells<2> g = geometry<2>(body);
     for_cells<2>(cells_of(g), [&](const Cell<2>& c, std::size_t at) {
       const Clipped exact = clipped(outline, c);
       worst = std::max(worst, std::abs(g.theta[at] - exact.area));
@@ -150,14 +145,16 @@ TEST(SolidInCells, ATurnedSquareIsWhatClippingGives) {
   EXPECT_LT(worst, of_polygons);
 }
 
-// theta from rows along every direction, in real numbers.
+// theta along every direction, in real numbers.
 template <int D>
-double error_of_directions(const OuterFaces<D>& faces) {
-  const SolidInCells<D> g = geometry<D>(faces);
+double error_of_directions(const Body<D>& body) {
+  const OuterFaces<D> faces = body.faces();
+  const SolidInCells<D> g = geometry<D>(body);
   std::array<KeptArray<double>, D> T;
   for (auto& t : T) t.assign(cells_of(g).size(), 0.0);
   for_each_piece<D>(faces, When::start, 0, faces.size(),
-                    [&](std::size_t, int, const FacetNodes<D>& x, const Piece<D>& piece) {
+                    [&](std::size_t i, int t, const Piece<D>& piece) {
+                      const FacetNodes<D> x = facet_nodes<D>(faces.start, i, t);
                       for (std::size_t d = 0; d < D; ++d)
                         for (std::size_t k = 0; k < D; ++k)
                           T[d][cells_of(g).index(piece.cell)] +=
@@ -169,8 +166,8 @@ double error_of_directions(const OuterFaces<D>& faces) {
       Cell<D> above = c;
       const double a = ++above[d] < cells_of(g).upper[d] ? g.a[d][cells_of(g).index(above)] : 0;
       worst = std::max(worst, std::abs(g.theta[at] - (a + T[d][at])));
-      if (c[d] == cells_of(g).lower[d])
-        worst = std::max(worst, std::abs(g.a[d][at]));  // rows close
+      // Nothing is left far from the body.
+      if (c[d] == cells_of(g).lower[d]) worst = std::max(worst, std::abs(g.a[d][at]));
     }
   });
   return worst;
@@ -181,7 +178,7 @@ template <int D>
 double error_of_single_particles(const Body<D>& body) {
   Body<D> apart = body;
   std::fill(apart.outer.begin(), apart.outer.end(), static_cast<std::uint8_t>((1 << 2 * D) - 1));
-  const SolidInCells<D> whole = geometry<D>(body.faces()), sum = geometry<D>(apart.faces());
+  const SolidInCells<D> whole = geometry<D>(body), sum = geometry<D>(apart);
   double worst = 0;
   for (std::size_t c = 0; c < whole.theta.size(); ++c)
     worst = std::max(worst, std::abs(whole.theta[c] - sum.theta[c]));
@@ -190,7 +187,7 @@ double error_of_single_particles(const Body<D>& body) {
 
 template <int D>
 double error_of_volume(const Body<D>& body) {
-  const SolidInCells<D> g = geometry<D>(body.faces());
+  const SolidInCells<D> g = geometry<D>(body);
   double sum = 0;
   const auto x = Body<D>::columns(body.start);
   VolumeGradients<D> chunk;
@@ -210,7 +207,7 @@ void check_identities() {
     for (const NamedMotion<D>& motion : motions<D>()) {
       Body<D> moving = body;
       for (int step = 0; step < 2; ++step) {
-        const double of_d = error_of_directions<D>(moving.faces());
+        const double of_d = error_of_directions<D>(moving);
         const double of_one = error_of_single_particles<D>(moving);
         const double of_v = error_of_volume<D>(moving);
         EXPECT_LT(of_d, of_directions);
@@ -234,7 +231,7 @@ TEST(SolidInCells, DirectionsParticlesAndVolumesAgree) {
 }
 
 TEST(SolidInCells, CellsThatAreFullOrEmptyAreSo) {
-  const SolidInCells<3> g = geometry<3>(ball<3>().faces());
+  const SolidInCells<3> g = geometry<3>(ball<3>());
   int full = 0, empty = 0;
   double worst = 0;
   for_cells<3>(cells_of(g), [&](const Cell<3>& c, std::size_t at) {
@@ -256,7 +253,7 @@ TEST(SolidInCells, CellsThatAreFullOrEmptyAreSo) {
 // Mirrored in the box along one direction.
 template <int D>
 double error_of_mirror(const Body<D>& body, std::size_t along) {
-  const SolidInCells<D> g = geometry<D>(body.faces());
+  const SolidInCells<D> g = geometry<D>(body);
   const double sum = cells_of(g).lower[along] + cells_of(g).upper[along];
   Body<D> twin = body;
   for (std::size_t k = 0; k < Body<D>::corners; ++k)
@@ -271,7 +268,7 @@ double error_of_mirror(const Body<D>& body, std::size_t along) {
                                               (bits & high ? low : 0));
   }
   twin.end = twin.start;
-  const SolidInCells<D> m = geometry<D>(twin.faces());
+  const SolidInCells<D> m = geometry<D>(twin);
   double worst = 0;
   for_cells<D>(cells_of(g), [&](const Cell<D>& c, std::size_t at) {
     Cell<D> image = c;
@@ -315,7 +312,7 @@ double hat(const Cell<D>& node, const Point<D>& x) {
 template <int D>
 double error_of_forces(const Body<D>& body) {
   const OuterFaces<D> faces = body.faces();
-  const SolidInCells<D> g = geometry<D>(faces);
+  const SolidInCells<D> g = geometry<D>(body);
   std::array<KeptArray<double>, D> on_nodes, in_cells;
   for (auto* to : {&on_nodes, &in_cells})
     for (auto& column : *to) column.assign(cells_of(g).size(), 0.0);
@@ -329,7 +326,7 @@ double error_of_forces(const Body<D>& body) {
     }
   };
   for_each_piece<D>(faces, When::start, 0, faces.size(),
-                    [&](std::size_t i, int t, const FacetNodes<D>&, const Piece<D>& piece) {
+                    [&](std::size_t i, int t, const Piece<D>& piece) {
                       std::array<double, corners_of_face<D>> share{};
                       add_to_corners<D>(t, piece.m, share);
                       for (std::size_t k = 0; k < share.size(); ++k) {
@@ -376,30 +373,27 @@ TEST(SolidInCells, ForcesOfPressureAreThoseOfStress) {
   RecordProperty("worst", std::to_string(worst * 1e16) + "e-16");
 }
 
-TEST(SolidInCells, NoBitDependsOnTheOrderOfFaces) {
+TEST(SolidInCells, NoBitDependsOnTheOrderOfFacesOrOnBlocks) {
   const Body<3> body = block<3>("", 7, {2.6, 2.7, 2.8}, 0.3);
   const OuterFaces<3> faces = body.faces();
-  const SolidInCells<3> whole = geometry<3>(faces);
-  SolidSums<3> first, second;  // another order, in two parts
-  first.begin(test_cells<3>().blocks);
-  second.begin(test_cells<3>().blocks);
+  SolidSums<3> whole, first, second;  // another order, in two parts
+  for (SolidSums<3>* sums : {&whole, &first, &second}) sums->begin(test_cells<3>().blocks);
+  whole.add(faces, When::start, 0, faces.size(), nullptr);
   for (std::size_t i = faces.size(); i-- > 0;)
-    (i % 3 == 0 ? first : second).add(faces, When::start, i, i + 1);
+    (i % 3 == 0 ? first : second).add(faces, When::start, i, i + 1, nullptr);
   second.merge(first);
-  SolidInCells<3> parts;
-  second.finish(parts);
-  EXPECT_EQ(whole.theta, parts.theta);
-  EXPECT_EQ(whole.a, parts.a);
-  EXPECT_EQ(whole.n, parts.n);
-  // Nor on the blocks: no more than needed.
+  for (int lane = 0; lane < whole.sums().lanes(); ++lane)
+    for (std::size_t i = 0; i < test_cells<3>().size(); ++i)
+      ASSERT_EQ(whole.sums().lane(lane)[i], second.sums().lane(lane)[i]);
+  // No more blocks than needed.
   const CellBox<3> near{{1, 1, 1}, {8, 8, 8}};
   const auto blocks = CellBlocks<3>::around(near);
   ASSERT_LT(blocks.size(), test_cells<3>().size());
-  const SolidInCells<3> tight = geometry<3>(faces, blocks);
+  const SolidInCells<3> wide = geometry<3>(body), tight = geometry<3>(body, blocks);
   for_each_cell_of<3>(near, [&](const Cell<3>& c) {
-    const std::size_t i = blocks.index(c), j = cells_of(whole).index(c);
-    EXPECT_EQ(tight.theta[i], whole.theta[j]);
-    EXPECT_EQ(tight.a[1][i], whole.a[1][j]);
+    const std::size_t i = blocks.index(c), j = cells_of(wide).index(c);
+    EXPECT_EQ(tight.theta[i], wide.theta[j]);
+    EXPECT_EQ(tight.a[1][i], wide.a[1][j]);
   });
 }
 

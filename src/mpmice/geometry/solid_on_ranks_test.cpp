@@ -3,62 +3,93 @@
 #include <gtest/gtest.h>
 
 #include "framework/base/close_ranks_test_support.hpp"
-#include "mpmice/geometry/bodies_test_support.hpp"
+#include "mpmice/geometry/found_geometry_test_support.hpp"
 #include "mpmice/geometry/occupied_cells.hpp"
-#include "mpmice/geometry/solid_in_cells.hpp"
-#include "mpmice/geometry/swept_volumes.hpp"
 
 namespace sluice::mpmice::solid_on_ranks {
 namespace {
 
-OuterFaces<3> moving_faces() {
+// Two ranks have all particles, others none.
+bool is_mine(std::size_t p, std::size_t n) {
+  if (world().size() == 1) return true;
+  return p < n / 3 ? world().rank() == 0 : world().rank() == 1;
+}
+
+// The particles of a body that this rank has, or all of them.
+Body<3> part_of(const Body<3>& body, bool all) {
+  Body<3> to;
+  for (std::size_t p = 0; p < body.size(); ++p) {
+    if (!all && !is_mine(p, body.size())) continue;
+    to.outer.push_back(body.outer[p]);
+    for (std::size_t k = 0; k < Body<3>::corners; ++k)
+      for (std::size_t d = 0; d < 3; ++d) {
+        to.start[k][d].push_back(body.start[k][d][p]);
+        to.end[k][d].push_back(body.end[k][d][p]);
+      }
+  }
+  return to;
+}
+
+struct Found {
+  SolidInCells<3> end;
+  SweptVolumes<3> swept;
+};
+
+Found find(const Body<3>& whole, bool all) {
+  const Body<3> body = part_of(whole, all);
+  const OuterFaces<3> faces = body.faces();
+  const SolidParticles<3> particles = particles_of(body);
+  FreeCells<3> free;
+  SolidSums<3> end;
+  SweptSums<3> swept;
+  free.begin(test_cells<3>().blocks, {});
+  end.begin(test_cells<3>().blocks);
+  swept.begin(test_cells<3>().blocks);
+  free.add(particles, When::end);
+  end.add(faces, When::end, 0, faces.size(), nullptr);
+  swept.add(faces, 0, faces.size(), free);
+  if (!all) {
+    free.sums().sum_over_ranks(world());
+    end.sum_over_ranks(world());
+    swept.sum_over_ranks(world());
+  }
+  free.finish();
+  ReferenceCells<3> at_end, mean;
+  at_end.begin(free);
+  at_end.add(particles, When::end);
+  mean.begin(free);
+  mean.add_mean(particles);
+  if (!all) {
+    at_end.sum_over_ranks(world());
+    mean.sum_over_ranks(world());
+  }
+  Found to;
+  end.finish(free, at_end.values(), to.end);
+  swept.finish(free, mean.values(), to.swept);
+  return to;
+}
+
+void check_bits(const Body<3>& body) {
+  const Found whole = find(body, true), parts = find(body, false);
+  EXPECT_EQ(parts.end.theta, whole.end.theta);
+  EXPECT_EQ(parts.end.a, whole.end.a);
+  EXPECT_EQ(parts.end.n, whole.end.n);
+  EXPECT_EQ(parts.swept.A, whole.swept.A);
+  EXPECT_EQ(parts.swept.C, whole.swept.C);
+}
+
+TEST(SolidOnRanks, GeometryHasTheBitsOfOne) {
   Body<3> body = ball<3>();
   body.move(deformation<3>());
-  return body.faces();
+  check_bits(body);
 }
 
-// Two ranks have all faces, others none.
-std::pair<std::size_t, std::size_t> mine(std::size_t n) {
-  if (world().size() == 1) return {0, n};
-  if (world().rank() > 1) return {n, n};
-  return world().rank() == 0 ? std::pair{std::size_t{0}, n / 3} : std::pair{n / 3, n};
-}
-
-TEST(SolidOnRanks, ThetaAndFacesHaveTheBitsOfOne) {
-  const OuterFaces<3> faces = moving_faces();
-  const auto find = [&](std::size_t begin, std::size_t end, bool sum) {
-    SolidSums<3> sums;
-    sums.begin(test_cells<3>().blocks);
-    sums.add(faces, When::start, begin, end);
-    if (sum) sums.sum_over_ranks(world());
-    SolidInCells<3> g;
-    sums.finish(g);
-    return g;
-  };
-  const auto [begin, end] = mine(faces.size());
-  const SolidInCells<3> whole = find(0, faces.size(), false), g = find(begin, end, true);
-  EXPECT_EQ(g.theta, whole.theta);
-  EXPECT_EQ(g.a, whole.a);
-  EXPECT_EQ(g.n, whole.n);
-}
-
-TEST(SolidOnRanks, SweptVolumesHaveTheBitsOfOne) {
-  const OuterFaces<3> faces = moving_faces();
-  const auto find = [&](std::size_t begin, std::size_t end, bool sum) {
-    SweptSums<3> sums;
-    sums.begin(test_cells<3>().blocks, true);
-    sums.add(faces, begin, end);
-    if (sum) sums.sum_over_ranks(world());
-    SweptVolumes<3> s;
-    sums.finish(s);
-    return s;
-  };
-  const auto [begin, end] = mine(faces.size());
-  const SweptVolumes<3> whole = find(0, faces.size(), false), s = find(begin, end, true);
-  EXPECT_EQ(s.q, whole.q);
-  EXPECT_EQ(s.A, whole.A);
-  EXPECT_EQ(s.C, whole.C);
-  EXPECT_EQ(s.M, whole.M);
+// All faces of all particles: blocks without a free cell to begin at.
+TEST(SolidOnRanks, DebrisHasTheBitsOfOne) {
+  Body<3> body = block<3>("", 9, {1.1, 1.2, 1.3}, 0.2);
+  std::fill(body.outer.begin(), body.outer.end(), static_cast<std::uint8_t>(0x3f));
+  body.move(deformation<3>());
+  check_bits(body);
 }
 
 TEST(SolidOnRanks, KnowTheCellsThatAnyOneOccupies) {
@@ -76,12 +107,16 @@ TEST(SolidOnRanks, KnowTheCellsThatAnyOneOccupies) {
 }
 
 TEST(SolidOnRanks, NoFacesAtAll) {
+  FreeCells<2> free;
   SolidSums<2> sums;
+  free.begin(test_cells<2>().blocks, {});
   sums.begin(test_cells<2>().blocks);
-  sums.add(OuterFaces<2>(), When::start, 0, 0);
+  sums.add(OuterFaces<2>(), When::start, 0, 0, &free);
+  free.sums().sum_over_ranks(world());
   sums.sum_over_ranks(world());
+  free.finish();
   SolidInCells<2> g;
-  sums.finish(g);
+  sums.finish(free, nullptr, g);
   EXPECT_EQ(g.theta, KeptArray<double>(test_cells<2>().size(), 0.0));
 }
 

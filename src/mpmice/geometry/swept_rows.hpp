@@ -1,6 +1,6 @@
 // C of one facet: rows along each split direction in the box of its own cells.
 //
-//   Nl = sum sigma w n_d s,  Tl = sum sigma w n_d (m.(P - X))_d - (w/2) n_d (m.xi)_d;
+//   Nl = sum sigma P_d s,  Tl = sum sigma P_d (m.(P - X))_d - N_d (m.xi)_d;
 //   down each row from the top:  W += B + Tl;  B += Nl;  C(lower face) += W
 //
 // (swept_volumes.hpp). At the end of a row W = B = 0: nothing is left for the cells beyond, and no
@@ -40,16 +40,17 @@ struct SweptRows {
       }
   }
 
-  // A piece of a cut at the old (sign -1) or new places along d: N_d of the cut is half of
-  // sum w n_d, `arm` = (m.(P - X))_d, `moved` = (m.xi)_d.
-  void add(std::size_t d, std::size_t at, double sign, double N, double s, double arm,
-           double moved) {
-    Nl[d][at] += sign * (2 * N) * s;
-    Tl[d][at] += sign * (2 * N) * arm - N * moved;
+  // A piece of a cut at the old (sign -1) or new places along d (mixed_facet.hpp); `arm` =
+  // (m.(P - X))_d, `moved` = (m.xi)_d.
+  void add(std::size_t d, std::size_t at, double sign, const MeanArea<D>& area, double s,
+           double arm, double moved) {
+    Nl[d][at] += sign * area.P[d] * s;
+    Tl[d][at] += sign * area.P[d] * arm - area.N[d] * moved;
   }
 
-  // C along d of the lower faces of all but the lowest cells, into an array over blocks.
-  void add_to(int d, const CellBlocks<D>& blocks, std::uint64_t* C) const {
+  // C along d of the lower faces of all but the lowest cells, into an array over blocks; cells are
+  // counted from `base`.
+  void add_to(int d, const Cell<D>& base, const CellBlocks<D>& blocks, std::uint64_t* C) const {
     const auto a = static_cast<std::size_t>(d);
     CellBox<D> tops = cells;
     tops.lower[a] = tops.upper[a] - 1;
@@ -58,6 +59,7 @@ struct SweptRows {
     for (std::size_t row = tops.cells(); row-- > 0;) {
       auto from = static_cast<std::ptrdiff_t>(cells.index(cell));
       Cell<D> face = cell;
+      for (std::size_t k = 0; k < D; ++k) face[k] += base[k];
       double W = 0, B = 0;
       for (int i = cells.size(d); i-- > 1; from -= step, --face[a]) {
         W += B + Tl[a][from];

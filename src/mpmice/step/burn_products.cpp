@@ -100,7 +100,9 @@ void LevelCoupling<D>::add_product(std::size_t i, int product, double mass, doub
 template <int D>
 Verdict LevelCoupling<D>::open_burned_volume(const StageScope& scope) {
   find_all_faces(scope, true);
-  add_geometry(scope, When::end, fields_.theta_next, fields_.covered_next);
+  SolidInCells<D> found;
+  geometry_.find_at_end(frame_, sets_, *scope.ranks, found);
+  take_geometry(found, fields_.theta_next, fields_.covered_next);
   for_each_cell_near([&](const Cell<D>&, std::size_t i) {
     const double volume = 1 - fields_.theta_next[i], opened = volume - amounts_.volume[i];
     if (opened == 0) return;

@@ -2,6 +2,7 @@
 
 #include "ice/fluid/labels.hpp"
 #include "mpmice/step/level_coupling.hpp"
+#include "mpmice/step/surface_geometry.hpp"
 
 namespace sluice::mpmice {
 namespace {
@@ -33,24 +34,19 @@ void start_fractions_of(Warehouse& state, const ice::FluidPart& fluid, const mpm
     add_cells_of<D>(frame, corners, set.size(), {}, occupied);
   }
   frame.look_at(occupied);
-  SolidSums<D> sums;
-  sums.begin(frame.cells);
-  CoveredSides<D> at_sides;
-  at_sides.begin(frame.cells, frame.sides());
+  std::vector<SolidSet<D>> of_kinds(sets.size());
   for (std::size_t k = 0; k < sets.size(); ++k) {
-    SolidSet<D> s;
+    SolidSet<D>& s = of_kinds[k];
     s.columns = &solids.carried()[k].columns;
     s.part = solids.carried()[k].filled;
     s.set = &sets[k];
     read_filled<D>(s);
     find_faces<D>(frame, s, false, outer_faces_of<D>(s));
-    if (s.faces.size() > 0) sums.add(s.faces, When::start, 0, s.faces.size());
-    at_sides.add(s.outer_at_sides, true, When::start);
-    at_sides.add(s.inner_at_sides, false, When::start);
+    s.pieces.cut(s.faces);
   }
-  at_sides.finish();
+  SurfaceGeometry<D> geometry;
   SolidInCells<D> found;
-  sums.finish(found, frame.sides().any() ? &at_sides : nullptr);
+  geometry.find_at_start(frame, of_kinds, nullptr, found);
   clean_volume_fractions(found.theta);
   const int slot = state.find(ice::labels().solid_fraction, fluid.options().place(0));
   for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {

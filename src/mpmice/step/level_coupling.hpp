@@ -9,14 +9,11 @@
 #include "mpmice/burn/explosive_cells.hpp"
 #include "mpmice/burn/exposed_area.hpp"
 #include "mpmice/burn/vanished_faces.hpp"
-#include "mpmice/geometry/moving_surface.hpp"
-#include "mpmice/geometry/pieces.hpp"
-#include "mpmice/geometry/solid_in_cells.hpp"
-#include "mpmice/geometry/swept_volumes.hpp"
 #include "mpmice/step/cell_masks.hpp"
 #include "mpmice/step/coupling.hpp"
 #include "mpmice/step/exact_lanes.hpp"
 #include "mpmice/step/solid_sets.hpp"
+#include "mpmice/step/surface_geometry.hpp"
 
 namespace sluice::mpmice {
 
@@ -42,13 +39,9 @@ class LevelCoupling final : public Coupling {
   void find_all_faces(const StageScope& scope, bool moved);
   void add_cells_of_solids(double dt);
   void add_cells_kept_closed(const StageScope& scope);
-  void add_geometry(const StageScope& scope, When when, Column& theta,
-                    std::array<Column, D>& covered);
-  void finish_geometry(const StageScope& scope, When when, Column& theta,
-                       std::array<Column, D>& covered);
+  static void take_geometry(SolidInCells<D>& found, Column& theta, std::array<Column, D>& covered);
   void take_kept_fractions(const StageScope& scope);
   void mean_over_surfaces(const StageScope& scope);
-  void open_faces_of_fluid();
   void keep_pockets();
   void close_cells_at_sides();
   bool stays_near() const;
@@ -80,8 +73,7 @@ class LevelCoupling final : public Coupling {
   double pressure_beside_wall(const Cell<D>& c, std::size_t i, double size) const;
   KeptArray<std::uint8_t> fill_dry(Column& values) const;
   double area_of(const Piece<D>& piece) const;
-  Vec3 velocity_of(const SolidSet<D>& s, std::size_t face, const FacetNodes<D>& nodes,
-                   const Piece<D>& piece) const;
+  Vec3 velocity_of(const SolidSet<D>& s, std::size_t face, const Piece<D>& piece) const;
   bool all_rigid() const;
   double force_of_walls(std::size_t d) const;
   void find_overlaps();
@@ -236,10 +228,7 @@ class LevelCoupling final : public Coupling {
   std::vector<std::vector<std::vector<mpm::CornerForce>>> corner_forces_;
   bool overlap_ = false;   // do bodies overlap somewhere
   bool vanished_ = false;  // has a particle burned to its end in this step
-  SolidSums<D> geometry_;
-  SweptSums<D> swept_;
-  MovingSurface<D> moving_;
-  CoveredSides<D> at_sides_;  // of periodic sides
+  SurfaceGeometry<D> geometry_;
   KnownByOne<D> known_;
   KeptArray<std::uint8_t> swept_with_solid_;  // 1: cells of which the sweep has left amounts
   CellAmounts<D> amounts_;
@@ -293,7 +282,7 @@ void LevelCoupling<D>::for_each_offset(const Cell<D>& c, int reach, F&& act) con
 template <int D>
 template <class F>
 void LevelCoupling<D>::for_each_open_piece(const SolidSet<D>& s, F&& act) const {
-  s.pieces.for_each(s.faces, [&](std::size_t i, int, const FacetNodes<D>&, const Piece<D>& piece) {
+  s.pieces.for_each(s.faces, [&](std::size_t i, int, const Piece<D>& piece) {
     const std::size_t p = s.faces.particle[i];
     if ((s.outer[p] >> s.faces.face[i] & 1) == 0 || !(s.filled[p] > 0)) return;
     Cell<D> c = piece.cell;

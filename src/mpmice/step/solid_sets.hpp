@@ -6,8 +6,8 @@
 #include "models/burn/burn_law.hpp"
 #include "models/burn/ddt1.hpp"
 #include "mpm/mpm.hpp"
-#include "mpmice/geometry/covered_sides.hpp"
 #include "mpmice/geometry/pieces.hpp"
+#include "mpmice/geometry/solid_particles.hpp"
 #include "mpmice/step/solid_fields.hpp"
 
 namespace sluice::mpmice {
@@ -34,8 +34,6 @@ struct SolidSet {
   KeptArray<std::uint8_t> parted;
   KeptArray<std::uint8_t> moves;    // cells by which particles may move in the step
   KeptArray<std::uint8_t> dropped;  // 1: leaves the domain in this step; empty: none does
-  // All faces of particles at periodic sides: outer, inner.
-  OuterFaces<D> outer_at_sides, inner_at_sides;
 };
 
 // Corners of a set in the columns that the geometry takes.
@@ -127,27 +125,28 @@ void weigh_faces(SolidSet<D>& s) {
   }
 }
 
-// Particles that reach a periodic side at either end of the step.
+// From lengths to cells of the level.
 template <int D>
-KeptArray<std::uint8_t> at_sides(const Frame<D>& frame, const CornerColumns<D>& from,
-                                 const CornerColumns<D>& to, const CellUnits<D>& units,
-                                 std::size_t count) {
-  KeptArray<std::uint8_t> found(count);
-  constexpr double hair = 1e-9;  // corners a rounding beside a side are in it
-  for (std::size_t p = 0; p < count; ++p) {
-    std::array<double, D> low, high;
-    low.fill(1e300);
-    high.fill(-1e300);
-    for (const CornerColumns<D>* places : {&from, &to})
-      for (const auto& corner : *places)
-        for (std::size_t a = 0; a < D; ++a) {
-          const double x = (corner[a][p] - units.origin[a]) * units.inverse[a];
-          low[a] = std::min(low[a], x - hair);
-          high[a] = std::max(high[a], x + hair);
-        }
-    found[p] = crosses<D>(frame.sides(), low, high) ? 1 : 0;
+CellUnits<D> cell_units(const Frame<D>& frame) {
+  CellUnits<D> units;
+  for (std::size_t a = 0; a < D; ++a) {
+    units.origin[a] = frame.anchor[frame.direction[a]];
+    units.inverse[a] = 1 / frame.spacing[frame.direction[a]];
   }
-  return found;
+  return units;
+}
+
+// Its particles as bodies of their own, at both ends of the step where they have `moved`.
+template <int D>
+SolidParticles<D> particles_of(const Frame<D>& frame, const SolidSet<D>& s, bool moved) {
+  SolidParticles<D> to;
+  to.start = corner_columns<D>(frame, *s.columns, *s.set);
+  to.end = moved ? corner_columns<D>(frame, *s.columns, *s.next) : to.start;
+  to.units = cell_units(frame);
+  to.count = s.set->size();
+  if (s.part >= 0) to.filled = s.filled.data();
+  if (!s.dropped.empty()) to.dropped = s.dropped.data();
+  return to;
 }
 
 // What is left of particles that burn, as the step begins.
@@ -184,32 +183,11 @@ void read_flames(SolidSet<D>& s) {
 // Takes the faces of a set with these bits, at both ends of the step where `moved`.
 template <int D>
 void find_faces(const Frame<D>& frame, SolidSet<D>& s, bool moved, KeptArray<std::uint8_t> outer) {
-  CellUnits<D> units;
-  for (std::size_t a = 0; a < D; ++a) {
-    units.origin[a] = frame.anchor[frame.direction[a]];
-    units.inverse[a] = 1 / frame.spacing[frame.direction[a]];
-  }
   const CornerColumns<D> from = corner_columns<D>(frame, *s.columns, *s.set);
   const CornerColumns<D> to = moved ? corner_columns<D>(frame, *s.columns, *s.next) : from;
-  const CornerColumns<D>* end = moved ? &to : nullptr;
-  for (OuterFaces<D>* faces : {&s.faces, &s.outer_at_sides, &s.inner_at_sides}) faces->clear();
-  s.faces.add(from, end, outer.data(), outer.size(), units);
+  s.faces.clear();
+  s.faces.add(from, moved ? &to : nullptr, outer.data(), outer.size(), cell_units(frame));
   weigh_faces(s);
-  if (!frame.sides().any()) return;
-  const KeptArray<std::uint8_t> there = at_sides<D>(frame, from, to, units, outer.size());
-  KeptArray<std::uint8_t> inner(outer.size());
-  constexpr unsigned all = (1u << (2 * D)) - 1;
-  for (std::size_t p = 0; p < outer.size(); ++p) {
-    inner[p] = there[p] != 0 ? static_cast<std::uint8_t>(all & ~unsigned{outer[p]}) : 0;
-    if (there[p] == 0) outer[p] = 0;
-  }
-  s.outer_at_sides.add(from, end, outer.data(), outer.size(), units);
-  s.inner_at_sides.add(from, end, inner.data(), inner.size(), units);
-  if (s.part < 0) return;
-  for (OuterFaces<D>* faces : {&s.outer_at_sides, &s.inner_at_sides}) {
-    faces->weight.resize(faces->size());
-    for (std::size_t i = 0; i < faces->size(); ++i) faces->weight[i] = s.filled[faces->particle[i]];
-  }
 }
 
 // Sums over parts of particles have room for so many of the heaviest in a cell.

@@ -18,7 +18,7 @@ void LevelCoupling<D>::add_forces_on(const SolidSet<D>& s,
   for (std::size_t d = 0; d < D; ++d)
     per_largest[d] = frame_.face_area(static_cast<int>(d)) / frame_.largest_face();
   KeptArray<std::array<std::array<double, corners_of_face<D>>, D>> sums(s.faces.size());
-  s.pieces.for_each(s.faces, [&](std::size_t i, int t, const FacetNodes<D>&,
+  s.pieces.for_each(s.faces, [&](std::size_t i, int t,
                                  const Piece<D>& piece) {
     // A body that a side of the domain cuts has no surface there.
     if (!frame_.in_domain(frame_.wrapped(piece.cell))) return;
@@ -62,7 +62,7 @@ double LevelCoupling<D>::area_of(const Piece<D>& piece) const {
 // That of its particle, which may turn, or, where a rule prescribes it, at the middle of the piece.
 template <int D>
 Vec3 LevelCoupling<D>::velocity_of(const SolidSet<D>& s, std::size_t face,
-                                   const FacetNodes<D>& nodes, const Piece<D>& piece) const {
+                                   const Piece<D>& piece) const {
   const mpm::MasterMotion* motion = step_->level(step_->count() - 1).motion_of(s.kind);
   const std::size_t p = s.faces.particle[face];
   const auto v = mpm::read_columns<3>(*s.set, s.columns->velocity);
@@ -71,10 +71,9 @@ Vec3 LevelCoupling<D>::velocity_of(const SolidSet<D>& s, std::size_t face,
   if (!(piece.s > 0) || (motion == nullptr && !turns)) return middle;
   Vec3 place = s.set->position(p);
   for (std::size_t a = 0; a < D; ++a) {
-    double moment = 0;
-    for (std::size_t k = 0; k < D; ++k) moment += piece.m[k] * nodes[k][a];
     const int d = frame_.direction[a];
-    place[d] = frame_.anchor[d] + moment / piece.s * frame_.spacing[d];
+    place[d] =
+        frame_.anchor[d] + (piece.cell[a] + piece.arm[a] / piece.s) * frame_.spacing[d];
   }
   if (motion != nullptr) return motion->at(place);
   const auto w = mpm::read_columns<3>(*s.set, s.columns->spin);
@@ -143,14 +142,13 @@ void LevelCoupling<D>::book_outside(const StageScope& scope) {
   ExactSum work;  // of friction on rigid bodies
   for (const SolidSet<D>& s : sets_) {
     const bool rigid = solids_->scene().materials[static_cast<std::size_t>(s.kind)].rigid;
-    s.pieces.for_each(s.faces, [&](std::size_t i, int, const FacetNodes<D>& nodes,
-                                   const Piece<D>& piece) {
+    s.pieces.for_each(s.faces, [&](std::size_t i, int, const Piece<D>& piece) {
       const Cell<D> c = frame_.wrapped(piece.cell);
       if (!frame_.in_domain(c)) return;
       const std::size_t n = frame_.cells.index(c);
       const double weight = s.faces.weight_of(i);
       const double size = rigid && rubs ? area_of(piece) * piece.s * weight : 0.0;
-      const Vec3 v = rigid && rubs ? velocity_of(s, i, nodes, piece) : Vec3{};
+      const Vec3 v = rigid && rubs ? velocity_of(s, i, piece) : Vec3{};
       for (std::size_t d = 0; d < D; ++d) {
         const double area = scope.step.dt * piece.area[d] * frame_.face_area(static_cast<int>(d));
         if (!rigid) {
@@ -207,12 +205,12 @@ Verdict LevelCoupling<D>::press_on_solids(const StageScope& scope) {
   return Verdict::good;
 }
 
-template Vec3 LevelCoupling<1>::velocity_of(const SolidSet<1>&, std::size_t, const FacetNodes<1>&,
-                                            const Piece<1>&) const;
-template Vec3 LevelCoupling<2>::velocity_of(const SolidSet<2>&, std::size_t, const FacetNodes<2>&,
-                                            const Piece<2>&) const;
-template Vec3 LevelCoupling<3>::velocity_of(const SolidSet<3>&, std::size_t, const FacetNodes<3>&,
-                                            const Piece<3>&) const;
+template Vec3 LevelCoupling<1>::velocity_of(const SolidSet<1>&, std::size_t,
+                                             const Piece<1>&) const;
+template Vec3 LevelCoupling<2>::velocity_of(const SolidSet<2>&, std::size_t,
+                                             const Piece<2>&) const;
+template Vec3 LevelCoupling<3>::velocity_of(const SolidSet<3>&, std::size_t,
+                                             const Piece<3>&) const;
 template void LevelCoupling<1>::find_overlaps();
 template void LevelCoupling<2>::find_overlaps();
 template void LevelCoupling<3>::find_overlaps();

@@ -88,39 +88,12 @@ void LevelCoupling<D>::add_cells_kept_closed(const StageScope& scope) {
   }
 }
 
-// theta and a at one end of the step.
+// theta and a at one end of the step, as found.
 template <int D>
-void LevelCoupling<D>::add_geometry(const StageScope& scope, When when, Column& theta,
-                                    std::array<Column, D>& covered) {
-  geometry_.begin(frame_.cells);
-  for (const SolidSet<D>& s : sets_)
-    if (when == When::start)
-      geometry_.add(s.faces, s.pieces);
-    else
-      geometry_.add(s.faces, when, 0, s.faces.size());
-  finish_geometry(scope, when, theta, covered);
-}
-
-// Once all faces are added.
-template <int D>
-void LevelCoupling<D>::finish_geometry(const StageScope& scope, When when, Column& theta,
-                                       std::array<Column, D>& covered) {
-  geometry_.sum_over_ranks(*scope.ranks);
-  const bool periodic = frame_.sides().any();
-  if (periodic) {
-    at_sides_.begin(frame_.cells, frame_.sides());
-    for (const SolidSet<D>& s : sets_) {
-      at_sides_.add(s.outer_at_sides, true, when);
-      at_sides_.add(s.inner_at_sides, false, when);
-    }
-    at_sides_.sum_over_ranks(*scope.ranks);
-    at_sides_.finish();
-  }
-  SolidInCells<D> found;
-  geometry_.finish(found, periodic ? &at_sides_ : nullptr);
+void LevelCoupling<D>::take_geometry(SolidInCells<D>& found, Column& theta,
+                                     std::array<Column, D>& covered) {
   theta = std::move(found.theta);
   covered = std::move(found.a);
-  if (when == When::start) fields_.normal = std::move(found.n);
   clean_volume_fractions(theta);
   for (Column& a : covered) clean_covered_parts(a);
 }
@@ -169,7 +142,10 @@ Verdict LevelCoupling<D>::find_surfaces(const StageScope& scope) {
   frame_.look_at(occupied_);
   for (SolidSet<D>& s : sets_) read_filled<D>(s);
   find_all_faces(scope, false);
-  add_geometry(scope, When::start, fields_.theta, fields_.covered);
+  SolidInCells<D> found;
+  geometry_.find_at_start(frame_, sets_, scope.ranks, found);
+  fields_.normal = std::move(found.n);
+  take_geometry(found, fields_.theta, fields_.covered);
   take_kept_fractions(scope);
   mean_over_surfaces(scope);
   find_overlaps();
@@ -233,7 +209,7 @@ void LevelCoupling<D>::mean_over_surfaces(const StageScope& scope) {
     if (s.faces.size() == 0) continue;
     const auto stress = mpm::read_columns<6>(*s.set, s.columns->stress);
     s.pieces.for_each(
-        s.faces, [&](std::size_t i, int, const FacetNodes<D>& nodes, const Piece<D>& piece) {
+        s.faces, [&](std::size_t i, int, const Piece<D>& piece) {
           const std::size_t p = s.faces.particle[i], c = frame_.cells.index_to_add(piece.cell);
           std::array<double, D> unit = piece.n;
           double size = 0;
@@ -250,16 +226,13 @@ void LevelCoupling<D>::mean_over_surfaces(const StageScope& scope) {
               to_sum(A * (pressure_along<D>(frame_, stress, p, unit) / scale.pressure));
           sums.lane(soft)[c] += to_sum(A * (compliance(s, p) / scale.compliance));
           sums.lane(light)[c] += to_sum(A * (inverse_density(s, p) / scale.inverse_density));
-          const Vec3 u = velocity_of(s, i, nodes, piece);
+          const Vec3 u = velocity_of(s, i, piece);
           for (int a = 0; a < D; ++a)
             sums.lane(velocity + a)[c] +=
                 to_sum(A * (u[frame_.direction[static_cast<std::size_t>(a)]] / scale.velocity));
-          for (int a = 0; a < D && rubs; ++a) {
-            double moment = -piece.s * piece.cell[static_cast<std::size_t>(a)];
-            for (std::size_t k = 0; k < D; ++k)
-              moment += piece.m[k] * nodes[k][static_cast<std::size_t>(a)];
-            sums.lane(place + a)[c] += to_sum(size * s.faces.weight_of(i) * moment);
-          }
+          for (int a = 0; a < D && rubs; ++a)
+            sums.lane(place + a)[c] +=
+                to_sum(size * s.faces.weight_of(i) * piece.arm[static_cast<std::size_t>(a)]);
         });
   }
   sums.sum_over_ranks(*scope.ranks);
@@ -285,18 +258,9 @@ template void LevelCoupling<3>::list_sets(const StageScope&);
 template void LevelCoupling<1>::find_all_faces(const StageScope&, bool);
 template void LevelCoupling<2>::find_all_faces(const StageScope&, bool);
 template void LevelCoupling<3>::find_all_faces(const StageScope&, bool);
-template void LevelCoupling<1>::add_geometry(const StageScope&, When, Column&,
-                                             std::array<Column, 1>&);
-template void LevelCoupling<2>::add_geometry(const StageScope&, When, Column&,
-                                             std::array<Column, 2>&);
-template void LevelCoupling<3>::add_geometry(const StageScope&, When, Column&,
-                                             std::array<Column, 3>&);
-template void LevelCoupling<1>::finish_geometry(const StageScope&, When, Column&,
-                                                std::array<Column, 1>&);
-template void LevelCoupling<2>::finish_geometry(const StageScope&, When, Column&,
-                                                std::array<Column, 2>&);
-template void LevelCoupling<3>::finish_geometry(const StageScope&, When, Column&,
-                                                std::array<Column, 3>&);
+template void LevelCoupling<1>::take_geometry(SolidInCells<1>&, Column&, std::array<Column, 1>&);
+template void LevelCoupling<2>::take_geometry(SolidInCells<2>&, Column&, std::array<Column, 2>&);
+template void LevelCoupling<3>::take_geometry(SolidInCells<3>&, Column&, std::array<Column, 3>&);
 template Verdict LevelCoupling<1>::find_surfaces(const StageScope&);
 template Verdict LevelCoupling<2>::find_surfaces(const StageScope&);
 template Verdict LevelCoupling<3>::find_surfaces(const StageScope&);

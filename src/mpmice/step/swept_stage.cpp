@@ -29,30 +29,6 @@ bool LevelCoupling<D>::stays_near() const {
   return true;
 }
 
-// Away from cells that a solid meets in this step (one beside them a corner may cross within the
-// step) nothing is covered or swept, to the bit, whatever round-off the sums along their row have
-// left: blocks that see no solid know of no such face.
-template <int D>
-void LevelCoupling<D>::open_faces_of_fluid() {
-  KeptArray<std::uint8_t> beside(frame_.cells.size());
-  for_each_cell_near([&](const Cell<D>&, std::size_t i) { beside[i] = has_solid(i) ? 1 : 0; });
-  dilate(frame_, 1, beside);
-  const auto is_beside = [&](const Cell<D>& c) {
-    return beside[frame_.cells.index(frame_.inside(c))] != 0;
-  };
-  frame_.cells.for_each_cell(frame_.held(), [&](const Cell<D>& c, std::size_t i) {
-    if (is_beside(c)) return;
-    for (std::size_t d = 0; d < D; ++d) {
-      Cell<D> below = c;
-      --below[d];
-      if (is_beside(below)) continue;
-      for (auto* of :
-           {&fields_.covered, &fields_.covered_next, &fields_.mean_covered, &fields_.swept})
-        (*of)[d][i] = 0;
-    }
-  });
-}
-
 template <int D>
 Verdict LevelCoupling<D>::find_swept_volumes(const StageScope& scope) {
   Reduction all;
@@ -65,27 +41,13 @@ Verdict LevelCoupling<D>::find_swept_volumes(const StageScope& scope) {
     return Verdict::reject;
   }
   find_all_faces(scope, true);
-  geometry_.begin(frame_.cells);
-  swept_.begin(frame_.cells);
-  for (const SolidSet<D>& s : sets_) moving_.add(s.faces, geometry_, swept_);
-  finish_geometry(scope, When::end, fields_.theta_next, fields_.covered_next);
-  swept_.sum_over_ranks(*scope.ranks);
-  const bool periodic = frame_.sides().any();
-  if (periodic) {
-    at_sides_.begin(frame_.cells, frame_.sides());
-    for (const SolidSet<D>& s : sets_) {
-      at_sides_.add_mean(s.outer_at_sides, true);
-      at_sides_.add_mean(s.inner_at_sides, false);
-    }
-    at_sides_.sum_over_ranks(*scope.ranks);
-    at_sides_.finish();
-  }
-  SweptVolumes<D> found;
-  swept_.finish(found, periodic ? &at_sides_ : nullptr);
-  fields_.mean_covered = std::move(found.A);
-  fields_.swept = std::move(found.C);
+  SolidInCells<D> at_end;
+  SweptVolumes<D> swept;
+  geometry_.find_moved(frame_, sets_, *scope.ranks, at_end, swept);
+  take_geometry(at_end, fields_.theta_next, fields_.covered_next);
+  fields_.mean_covered = std::move(swept.A);
+  fields_.swept = std::move(swept.C);
   for (Column& a : fields_.mean_covered) clean_covered_parts(a);
-  open_faces_of_fluid();
   keep_pockets();
   close_cells_at_sides();
   mean_over_cells(scope);

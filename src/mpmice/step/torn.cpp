@@ -168,7 +168,9 @@ void LevelCoupling<D>::part_torn(const StageScope& scope) {
     t.set->dropped[t.p] = 1;
   }
   find_all_faces(scope, true);
-  add_geometry(scope, When::end, fields_.theta_next, fields_.covered_next);
+  SolidInCells<D> found;
+  geometry_.find_at_end(frame_, sets_, *scope.ranks, found);
+  take_geometry(found, fields_.theta_next, fields_.covered_next);
   keep_pockets();
   close_cells_at_sides();
   scope.journal->at_acceptance([this] {

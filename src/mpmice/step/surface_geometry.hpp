@@ -1,0 +1,39 @@
+// Where solids lie in the cells near them: at the start of a step, at its end, and between.
+#pragma once
+#include "mpmice/geometry/moving_surface.hpp"
+#include "mpmice/geometry/reference_cells.hpp"
+#include "mpmice/step/solid_sets.hpp"
+
+namespace sluice::mpmice {
+
+template <int D>
+class SurfaceGeometry {
+ public:
+  // Collective unless `ranks` is null: then the sets are all there are. Of the faces of the sets;
+  // as summed (clean_... in solid_in_cells.hpp).
+  void find_at_start(const Frame<D>& frame, const std::vector<SolidSet<D>>& sets,
+                     Communicator* ranks, SolidInCells<D>& found);
+  // Of sets that have moved.
+  void find_moved(const Frame<D>& frame, const std::vector<SolidSet<D>>& sets, Communicator& ranks,
+                  SolidInCells<D>& at_end, SweptVolumes<D>& swept);
+  // The end alone: faces have changed since.
+  void find_at_end(const Frame<D>& frame, const std::vector<SolidSet<D>>& sets,
+                   Communicator& ranks, SolidInCells<D>& found);
+
+ private:
+  void begin(const Frame<D>& frame, const std::vector<SolidSet<D>>& sets, When when, bool moved);
+  void finish(const Frame<D>& frame, const std::vector<SolidSet<D>>& sets, Communicator* ranks,
+              When when, SolidInCells<D>& found);
+  // References where blocks need any; null: none does.
+  const std::uint64_t* find_references(const Frame<D>& frame,
+                                       const std::vector<SolidSet<D>>& sets, Communicator* ranks,
+                                       When when);
+
+  FreeCells<D> free_;
+  SolidSums<D> sums_;
+  SweptSums<D> swept_;
+  MovingSurface<D> moving_;
+  ReferenceCells<D> references_;
+};
+
+}  // namespace sluice::mpmice
