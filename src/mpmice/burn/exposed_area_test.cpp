@@ -72,7 +72,7 @@ void neighbours_lose_the_shared_face() {
   const RowOfParticles<D> row(4);
   VanishedFaces<D> gone;
   gone.add(0, row.columns(), 1);
-  gone.tell_all(world());
+  gone.tell_neighbours(nullptr);
   EXPECT_FALSE(gone.empty());
   EXPECT_EQ(gone.exposed(0, row.columns(), 0).faces, 1 << 1);
   EXPECT_EQ(gone.exposed(0, row.columns(), 2).faces, 1 << 0);
@@ -95,7 +95,7 @@ void neighbours_across_periodic_sides() {
   periods.length[0] = 0.4;
   VanishedFaces<D> gone(periods);
   gone.add(0, row.columns(), 3);
-  gone.tell_all(world());
+  gone.tell_neighbours(nullptr);
   EXPECT_EQ(gone.exposed(0, row.columns(), 0).faces, 1 << 0);
   EXPECT_EQ(gone.exposed(0, row.columns(), 2).faces, 1 << 1);
   EXPECT_EQ(gone.exposed(0, row.columns(), 1).faces, 0);
@@ -114,7 +114,7 @@ TEST(VanishedFaces, LeaveWhatTheirSurfacesRemember) {
   gone.add(0, row.columns(), 3);
   gone.add(0, row.columns(), 2, {700, 2e6});
   gone.add(0, row.columns(), 0, {800, 1e6});
-  gone.tell_all(world());
+  gone.tell_neighbours(nullptr);
   const models::SurfaceHistory between = gone.exposed(0, row.columns(), 1).surface;
   EXPECT_EQ(between.temperature, 700);
   EXPECT_EQ(between.gradient, 2e6);

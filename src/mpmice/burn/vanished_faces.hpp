@@ -7,11 +7,11 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
-#include <string>
+#include <tuple>
 #include <vector>
 
-#include "framework/base/communicator.hpp"
 #include "models/burn/burn_law.hpp"
+#include "mpmice/geometry/block_sharers.hpp"
 #include "mpmice/geometry/outer_faces.hpp"
 
 namespace sluice::mpmice {
@@ -32,18 +32,23 @@ class VanishedFaces {
     for (int face = 0; face < faces_of_particle<D>; ++face)
       faces_.push_back({key_of(body, x, p, face), surface});
   }
-  // Collective: then all ranks know all.
-  void tell_all(Communicator& ranks) {
-    std::string bytes(faces_.size() * sizeof(Face), '\0');
-    if (!faces_.empty()) std::memcpy(bytes.data(), faces_.data(), bytes.size());
-    faces_.clear();
-    for (const std::string& of_rank : ranks.gather_to_all(bytes)) {
-      const std::size_t before = faces_.size();
-      faces_.resize(before + of_rank.size() / sizeof(Face));
-      if (!of_rank.empty()) std::memcpy(faces_.data() + before, of_rank.data(), of_rank.size());
+  // Collective among neighbours (null: there are none): then those that share cells know them.
+  void tell_neighbours(const BlockSharers<D>* sharers) {
+    if (sharers != nullptr) {
+      std::vector<double> mine(faces_.size() * numbers);
+      for (std::size_t n = 0; n < faces_.size(); ++n)
+        std::memcpy(mine.data() + n * numbers, &faces_[n], sizeof(Face));
+      const typename BlockSharers<D>::Buffers out(sharers->neighbour_count(), mine);
+      typename BlockSharers<D>::Buffers in;
+      sharers->swap(out, in);
+      for (const std::vector<double>& from : in)
+        for (std::size_t at = 0; at < from.size(); at += numbers)
+          std::memcpy(static_cast<void*>(&faces_.emplace_back()), from.data() + at, sizeof(Face));
     }
-    std::sort(faces_.begin(), faces_.end(),
-              [](const Face& a, const Face& b) { return a.key < b.key; });
+    std::sort(faces_.begin(), faces_.end(), [](const Face& a, const Face& b) {
+      return std::tie(a.key, a.surface.temperature, a.surface.gradient) <
+             std::tie(b.key, b.surface.temperature, b.surface.gradient);
+    });
   }
   bool empty() const { return faces_.empty(); }
   struct Exposed {
@@ -73,6 +78,8 @@ class VanishedFaces {
     Key key;
     models::SurfaceHistory surface;
   };
+  static constexpr std::size_t numbers = sizeof(Face) / sizeof(double);
+  static_assert(sizeof(Face) % sizeof(double) == 0);
   static bool steeper(const models::SurfaceHistory& a, const models::SurfaceHistory& b) {
     return std::array{a.gradient, a.temperature} > std::array{b.gradient, b.temperature};
   }

@@ -9,37 +9,9 @@
 namespace sluice::mpmice {
 
 template <int D>
-void BlockDirectory<D>::begin(const CellBox<D>& cells) {
-  for (std::size_t d = 0; d < D; ++d) {
-    pages_.lower[d] = cells.lower[d] >> (2 * shift);
-    pages_.upper[d] = cells.empty() ? pages_.lower[d] : ((cells.upper[d] - 1) >> (2 * shift)) + 1;
-  }
-  first_.assign(pages_.cells(), -1);
-  entries_.clear();
-}
-
-template <int D>
-std::int32_t& BlockDirectory<D>::entry(const Cell<D>& block) {
-  Cell<D> page;
-  bool there = true;
-  for (std::size_t d = 0; d < D; ++d) {
-    page[d] = block[d] >> shift;
-    there &= page[d] >= pages_.lower[d] && page[d] < pages_.upper[d];
-  }
-  if (!there)
-    throw std::out_of_range(
-        fmt::format("there is no room for block [{}] of cells", fmt::join(block, " ")));
-  std::int32_t& first = first_[pages_.index(page)];
-  if (first < 0) {
-    first = static_cast<std::int32_t>(entries_.size());
-    entries_.resize(entries_.size() + 64, 0);
-  }
-  return entries_[static_cast<std::size_t>(first) + place_of(block)];
-}
-
-template <int D>
-void CellBlocks<D>::begin(const CellBox<D>& room) {
+void CellBlocks<D>::begin(const CellBox<D>& room, const BlockSharers<D>* sharers) {
   room_ = room;
+  sharers_ = sharers;
   directory_.begin(room);
   blocks_.clear();
   above_.clear();
@@ -51,6 +23,7 @@ template <int D>
 void CellBlocks<D>::add(const CellBox<D>& cells) {
   const CellBox<D> inside = common<D>(cells, room_);
   for_each_cell_of<D>(Directory::blocks_of(inside), [&](const Cell<D>& b) {
+    if (sharers_ != nullptr && !sharers_->has(b)) return;
     std::int32_t& entry = directory_.entry(b);
     if (entry != 0) return;
     blocks_.push_back(b);
@@ -82,6 +55,16 @@ void CellBlocks<D>::finish() {
       ++above[d];
       above_[n * D + d] = directory_.find(above);
     }
+  list_shared();
+}
+
+template <int D>
+void CellBlocks<D>::list_shared() {
+  shared_.resize(sharers_ == nullptr ? 0 : sharers_->neighbour_count());
+  for (auto& of : shared_) of.clear();
+  for (std::size_t n = 0; n < blocks_.size() && !shared_.empty(); ++n)
+    for (const int neighbour : sharers_->others(blocks_[n]))
+      shared_[static_cast<std::size_t>(neighbour)].push_back(static_cast<std::uint32_t>(n + 1));
 }
 
 template <int D>
@@ -99,9 +82,6 @@ void CellBlocks<D>::refuse(const Cell<D>& c) {
       "a solid reaches cell [{}], which is not among those near solids", fmt::join(c, " ")));
 }
 
-template class BlockDirectory<1>;
-template class BlockDirectory<2>;
-template class BlockDirectory<3>;
 template class CellBlocks<1>;
 template class CellBlocks<2>;
 template class CellBlocks<3>;

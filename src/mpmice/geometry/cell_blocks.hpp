@@ -10,69 +10,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "mpmice/geometry/cell_box.hpp"
-
-namespace sluice {
-class Communicator;
-}
+#include "mpmice/geometry/block_sharers.hpp"
 
 namespace sluice::mpmice {
-
-// A sparse array over blocks of cells: pages of 64 blocks, of which only those exist that hold any.
-template <int D>
-class BlockDirectory {
- public:
-  static constexpr int shift = D == 3 ? 2 : D == 2 ? 3 : 6;  // edge of a block: 2^shift cells
-  static constexpr int edge = 1 << shift;
-
-  static Cell<D> block_of(const Cell<D>& c) {
-    Cell<D> b;
-    for (std::size_t d = 0; d < D; ++d) b[d] = c[d] >> shift;
-    return b;
-  }
-  // The blocks that a box of cells meets.
-  static CellBox<D> blocks_of(const CellBox<D>& cells) {
-    if (cells.empty()) return {};
-    CellBox<D> to{block_of(cells.lower), {}};
-    for (std::size_t d = 0; d < D; ++d) to.upper[d] = ((cells.upper[d] - 1) >> shift) + 1;
-    return to;
-  }
-  static CellBox<D> cells_of(const Cell<D>& block) {
-    CellBox<D> to;
-    for (std::size_t d = 0; d < D; ++d) {
-      to.lower[d] = block[d] * edge;
-      to.upper[d] = to.lower[d] + edge;
-    }
-    return to;
-  }
-  // Of a cell in its block, x fastest.
-  static std::size_t place_of(const Cell<D>& c) {
-    std::size_t at = 0;
-    for (std::size_t d = D; d-- > 0;)
-      at = (at << shift) + static_cast<std::size_t>(c[d] & (edge - 1));
-    return at;
-  }
-  // No entry, and room for the blocks around these cells. Keeps its memory.
-  void begin(const CellBox<D>& cells);
-  // Entry of a block; 0: it has none, or there is no room for one.
-  std::int32_t find(const Cell<D>& block) const {
-    std::ptrdiff_t page = 0;
-    for (std::size_t d = D; d-- > 0;) {
-      const int at = (block[d] >> shift) - pages_.lower[d];
-      if (at < 0 || at >= pages_.size(static_cast<int>(d))) return 0;
-      page = page * pages_.size(static_cast<int>(d)) + at;
-    }
-    const std::int32_t first = first_[static_cast<std::size_t>(page)];
-    return first < 0 ? 0 : entries_[static_cast<std::size_t>(first) + place_of(block)];
-  }
-  // Its entry, to be changed. Throws std::out_of_range where there is no room.
-  std::int32_t& entry(const Cell<D>& block);
-
- private:
-  CellBox<D> pages_;
-  std::vector<std::int32_t> first_;    // of the entries of a page; -1: it has none
-  std::vector<std::int32_t> entries_;  // 64 a page
-};
 
 template <int D>
 class CellBlocks {
@@ -81,14 +21,21 @@ class CellBlocks {
   static constexpr int edge = Directory::edge;
   static constexpr std::size_t block_cells = 64;
 
-  // No blocks, and room for those around these cells. Keeps its memory.
-  void begin(const CellBox<D>& room);
-  // Adds the blocks in which cells lie; those beyond the room are left out.
+  // No blocks, and room for those around these cells. Keeps its memory, and a pointer to who shares
+  // them (null: this is the only rank).
+  void begin(const CellBox<D>& room, const BlockSharers<D>* sharers = nullptr);
+  // Adds the blocks in which cells lie; those beyond the room, or that this rank has not, are left
+  // out.
   void add(const CellBox<D>& cells);
   // Once all are added: numbers them.
   void finish();
   // All blocks around a box of cells.
   static CellBlocks around(const CellBox<D>& cells);
+
+  // Null: this is the only rank. Then, by neighbour, the numbers of the blocks that are shared with
+  // it, in an order that is the same there.
+  const BlockSharers<D>* sharers() const { return sharers_; }
+  const std::vector<std::vector<std::uint32_t>>& shared() const { return shared_; }
 
   // Of arrays over the cells of all blocks, and of none.
   std::size_t size() const { return (1 + blocks_.size()) * block_cells; }
@@ -152,9 +99,12 @@ class CellBlocks {
   // act(first cell, where it lies) for each row of a block along x, in the order of cells.
   template <class Act>
   void for_each_row(Act&& act) const;
+  void list_shared();
   [[noreturn]] static void refuse(const Cell<D>& c);
 
   CellBox<D> room_;
+  const BlockSharers<D>* sharers_ = nullptr;
+  std::vector<std::vector<std::uint32_t>> shared_;
   Directory directory_;  // numbers of blocks
   std::vector<Cell<D>> blocks_;
   std::vector<std::int32_t> above_;  // [block][direction]

@@ -1,5 +1,6 @@
 #include "mpmice/geometry/cell_sums.hpp"
 
+#include <bit>
 #include <stdexcept>
 
 #include "framework/base/communicator.hpp"
@@ -21,9 +22,48 @@ void CellSums<D>::merge(const CellSums& other) {
   for (std::size_t i = 0; i < sums_.size(); ++i) sums_[i] += other.sums_[i];
 }
 
+namespace {
+
+constexpr std::size_t block_cells = 64;
+
+// Of a lane of a block the bits of the cells that are not 0, then their numbers.
+void pack(const std::uint64_t* numbers, std::vector<double>& to) {
+  std::uint64_t cells = 0;
+  for (std::size_t i = 0; i < block_cells; ++i)
+    cells |= std::uint64_t{numbers[i] != 0 ? 1u : 0u} << i;
+  to.push_back(std::bit_cast<double>(cells));
+  for (; cells != 0; cells &= cells - 1)
+    to.push_back(std::bit_cast<double>(numbers[std::countr_zero(cells)]));
+}
+
+const double* add_packed(const double* from, std::uint64_t* numbers) {
+  auto cells = std::bit_cast<std::uint64_t>(*from++);
+  for (; cells != 0; cells &= cells - 1)
+    numbers[std::countr_zero(cells)] += std::bit_cast<std::uint64_t>(*from++);
+  return from;
+}
+
+}  // namespace
+
 template <int D>
 void CellSums<D>::sum_over_ranks(Communicator& ranks) {
-  if (ranks.size() > 1) ranks.sum(sums_.data(), sums_.size());
+  if (ranks.size() == 1) return;
+  if (cells_->sharers() == nullptr)
+    throw std::logic_error("sums over cells that no rank shares are asked for on several");
+  static_assert(block_cells == CellBlocks<D>::block_cells);
+  const auto& shared = cells_->shared();
+  out_.resize(shared.size());
+  for (std::size_t n = 0; n < shared.size(); ++n) {
+    out_[n].clear();
+    for (const std::uint32_t block : shared[n])
+      for (int l = 0; l < lanes_; ++l) pack(lane(l) + block * block_cells, out_[n]);
+  }
+  cells_->sharers()->swap(out_, in_);
+  for (std::size_t n = 0; n < shared.size(); ++n) {
+    const double* from = in_[n].data();
+    for (const std::uint32_t block : shared[n])
+      for (int l = 0; l < lanes_; ++l) from = add_packed(from, lane(l) + block * block_cells);
+  }
 }
 
 template <int D>

@@ -37,7 +37,8 @@ class CellSums {
   void begin(const CellBlocks<D>& cells, int lanes);
   // Adds sums over the same blocks: of another thread.
   void merge(const CellSums& other);
-  // Collective: all ranks have the same blocks and get the sums of all.
+  // Collective among the ranks that share blocks: each gets the sums of all in its own. Throws
+  // std::logic_error where blocks have no sharers on several ranks.
   void sum_over_ranks(Communicator& ranks);
   // The sums of cells beyond periodic sides join those of their images, and end as 0. Of one lane.
   void fold(const PeriodicSides<D>& sides, int lane);
@@ -56,6 +57,7 @@ class CellSums {
   std::size_t count_ = 0;
   int lanes_ = 0;
   KeptArray<std::uint64_t> sums_;
+  typename BlockSharers<D>::Buffers out_, in_;
 };
 
 }  // namespace sluice::mpmice

@@ -1,9 +1,6 @@
 #include "mpmice/geometry/occupied_cells.hpp"
 
-#include <cstring>
-#include <string>
-
-#include "framework/base/communicator.hpp"
+#include <algorithm>
 
 namespace sluice::mpmice {
 template <int D>
@@ -35,29 +32,43 @@ void OccupiedCells<D>::add(const CellBox<D>& cells, int move) {
 }
 
 template <int D>
-void OccupiedCells<D>::join(Communicator& ranks) {
+void OccupiedCells<D>::grow() {
   for (std::size_t n = 0; n < boxes_.size(); ++n) {
     for (int& lower : boxes_[n].lower) lower -= moves_[n];
     for (int& upper : boxes_[n].upper) upper += moves_[n];
   }
   moves_.assign(boxes_.size(), 0);
-  if (ranks.size() == 1) return;
-  std::string mine(boxes_.size() * sizeof(CellBox<D>), '\0');
-  if (!boxes_.empty()) std::memcpy(mine.data(), boxes_.data(), mine.size());
-  boxes_.clear();
-  for (const std::string& of_rank : ranks.gather_to_all(mine)) {
-    const std::size_t before = boxes_.size();
-    boxes_.resize(before + of_rank.size() / sizeof(CellBox<D>));
-    if (!of_rank.empty()) std::memcpy(boxes_.data() + before, of_rank.data(), of_rank.size());
-  }
-  moves_.assign(boxes_.size(), 0);
 }
 
 template <int D>
-CellBox<D> OccupiedCells<D>::hull() const {
-  CellBox<D> all;
-  for (const CellBox<D>& box : boxes_) all.include(box);
-  return all;
+void OccupiedCells<D>::join(const BlockSharers<D>& sharers, int reach) {
+  typename BlockSharers<D>::Buffers out(sharers.neighbour_count()), in;
+  std::vector<std::uint8_t> wanted(out.size());
+  for (const CellBox<D>& box : boxes_) {
+    CellBox<D> near = box;
+    for (int& lower : near.lower) lower -= reach;
+    for (int& upper : near.upper) upper += reach;
+    std::fill(wanted.begin(), wanted.end(), 0);
+    for_each_cell_of<D>(BlockDirectory<D>::blocks_of(near), [&](const Cell<D>& block) {
+      if (!sharers.has(block)) return;
+      for (const int n : sharers.others(block)) wanted[static_cast<std::size_t>(n)] = 1;
+    });
+    for (std::size_t n = 0; n < out.size(); ++n)
+      if (wanted[n] != 0)
+        for (const Cell<D>& end : {box.lower, box.upper})
+          out[n].insert(out[n].end(), end.begin(), end.end());
+  }
+  sharers.swap(out, in);
+  for (const std::vector<double>& from : in)
+    for (std::size_t at = 0; at < from.size(); at += 2 * D) {
+      CellBox<D> box;
+      for (std::size_t d = 0; d < D; ++d) {
+        box.lower[d] = static_cast<int>(from[at + d]);
+        box.upper[d] = static_cast<int>(from[at + D + d]);
+      }
+      boxes_.push_back(box);
+    }
+  moves_.assign(boxes_.size(), 0);
 }
 
 template class OccupiedCells<1>;

@@ -14,12 +14,13 @@ class OccupiedCells {
   void begin(const CellBox<D>& room);
   // `move`: by so many cells it may leave them.
   void add(const CellBox<D>& cells, int move = 0);
-  // Once all are added: grows the boxes. Collective: then those of all ranks, in any order.
-  void join(Communicator& ranks);
+  // Once all are added: grows the boxes.
+  void grow();
+  // Collective among neighbours: then those of others too whose surroundings, so many cells wide,
+  // meet blocks that this rank has, in any order.
+  void join(const BlockSharers<D>& sharers, int reach);
   // One for each block and rank that has cells there.
   const std::vector<CellBox<D>>& boxes() const { return boxes_; }
-  // Around all of them.
-  CellBox<D> hull() const;
 
  private:
   CellBox<D> room_;

@@ -30,6 +30,30 @@ Body<3> part_of(const Body<3>& body, bool all) {
   return to;
 }
 
+// The cells of tests, dealt out along x; every rank has and shares all blocks of them.
+template <int D>
+const CellBlocks<D>& shared_cells() {
+  static const BlockSharers<D> sharers = [] {
+    const int ranks = world().size(), width = 22 / ranks;
+    std::vector<RankBox<D>> boxes;
+    for (int rank = 0; rank < ranks; ++rank) {
+      RankBox<D> box{{all<D>(-6), all<D>(16)}, rank};
+      box.cells.lower[0] = -6 + rank * width;
+      box.cells.upper[0] = rank + 1 < ranks ? -6 + (rank + 1) * width : 16;
+      boxes.push_back(box);
+    }
+    return BlockSharers<D>(boxes, {}, {all<D>(-6), all<D>(16)}, world());
+  }();
+  static const CellBlocks<D> cells = [] {
+    CellBlocks<D> blocks;
+    blocks.begin({all<D>(-6), all<D>(16)}, &sharers);
+    blocks.add({all<D>(-6), all<D>(16)});
+    blocks.finish();
+    return blocks;
+  }();
+  return cells;
+}
+
 struct Found {
   SolidInCells<3> end;
   SweptVolumes<3> swept;
@@ -42,9 +66,10 @@ Found find(const Body<3>& whole, bool all) {
   FreeCells<3> free;
   SolidSums<3> end;
   SweptSums<3> swept;
-  free.begin(test_cells<3>().blocks, {});
-  end.begin(test_cells<3>().blocks);
-  swept.begin(test_cells<3>().blocks);
+  const CellBlocks<3>& cells = all ? test_cells<3>().blocks : shared_cells<3>();
+  free.begin(cells, {});
+  end.begin(cells);
+  swept.begin(cells);
   free.add(particles, When::end);
   end.add(faces, When::end, 0, faces.size(), nullptr);
   swept.add(faces, 0, faces.size(), free);
@@ -69,13 +94,21 @@ Found find(const Body<3>& whole, bool all) {
   return to;
 }
 
+// In the cells that a rank has; the first of three has not those of the last.
 void check_bits(const Body<3>& body) {
   const Found whole = find(body, true), parts = find(body, false);
-  EXPECT_EQ(parts.end.theta, whole.end.theta);
-  EXPECT_EQ(parts.end.a, whole.end.a);
-  EXPECT_EQ(parts.end.n, whole.end.n);
-  EXPECT_EQ(parts.swept.A, whole.swept.A);
-  EXPECT_EQ(parts.swept.C, whole.swept.C);
+  const CellBlocks<3>& cells = shared_cells<3>();
+  for (std::size_t b = 1; b <= cells.block_count(); ++b)
+    for_each_cell_of<3>(cells.cells(b), [&](const Cell<3>& c) {
+      const std::size_t i = cells.index(c), j = test_cells<3>().index(c);
+      EXPECT_EQ(parts.end.theta[i], whole.end.theta[j]);
+      for (std::size_t d = 0; d < 3; ++d) {
+        EXPECT_EQ(parts.end.a[d][i], whole.end.a[d][j]);
+        EXPECT_EQ(parts.end.n[d][i], whole.end.n[d][j]);
+        EXPECT_EQ(parts.swept.A[d][i], whole.swept.A[d][j]);
+        EXPECT_EQ(parts.swept.C[d][i], whole.swept.C[d][j]);
+      }
+    });
 }
 
 TEST(SolidOnRanks, GeometryHasTheBitsOfOne) {
@@ -97,9 +130,12 @@ TEST(SolidOnRanks, KnowTheCellsThatAnyOneOccupies) {
   OccupiedCells<2> cells;
   cells.begin({{-8, -8}, {24, 24}});
   if (rank != 1) cells.add({{3 - rank, rank}, {5, 6 + rank}});  // rank 1 has none
-  cells.join(world());
+  cells.grow();
+  if (last > 0) cells.join(*shared_cells<2>().sharers(), 3);
   const int edge = last == 1 ? 0 : last;
-  EXPECT_EQ(cells.hull(), (CellBox<2>{{3 - edge, 0}, {5, 6 + edge}}));
+  CellBox<2> hull;
+  for (const CellBox<2>& box : cells.boxes()) hull.include(box);
+  EXPECT_EQ(hull, (CellBox<2>{{3 - edge, 0}, {5, 6 + edge}}));
   for (const CellBox<2>& box : cells.boxes()) {
     const CellBox<2> blocks = BlockDirectory<2>::blocks_of(box);
     EXPECT_EQ(blocks.cells(), 1u);
@@ -109,15 +145,15 @@ TEST(SolidOnRanks, KnowTheCellsThatAnyOneOccupies) {
 TEST(SolidOnRanks, NoFacesAtAll) {
   FreeCells<2> free;
   SolidSums<2> sums;
-  free.begin(test_cells<2>().blocks, {});
-  sums.begin(test_cells<2>().blocks);
+  free.begin(shared_cells<2>(), {});
+  sums.begin(shared_cells<2>());
   sums.add(OuterFaces<2>(), When::start, 0, 0, &free);
   free.sums().sum_over_ranks(world());
   sums.sum_over_ranks(world());
   free.finish();
   SolidInCells<2> g;
   sums.finish(free, nullptr, g);
-  EXPECT_EQ(g.theta, KeptArray<double>(test_cells<2>().size(), 0.0));
+  EXPECT_EQ(g.theta, KeptArray<double>(shared_cells<2>().size(), 0.0));
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ double LevelCoupling<D>::most_parts_given(const StageScope& scope,
                      [&](std::size_t i) { ++parts.lane(0)[i]; });
   }
   parts.sum_over_ranks(*scope.ranks);
-  return static_cast<double>(*std::max_element(parts.lane(0), parts.lane(0) + frame_.cells.size()));
+  return most_of(scope, parts);
 }
 
 // Cells get what particles have given: each cell of a particle as many parts as lie in it, by
@@ -117,6 +117,7 @@ Verdict LevelCoupling<D>::open_burned_volume(const StageScope& scope) {
         amounts_.filled[m][i] += opened * (products_[m][i] / all);
     }
   });
+  refresh_amounts(scope);
   return share_small_cells(scope);
 }
 

@@ -103,6 +103,16 @@ void LevelCoupling<D>::mean_of_pieces(const StageScope& scope,
       mean[i] = from_sum(sums.lane(0)[i]) * largest * most / static_cast<double>(counts.lane(0)[i]);
 }
 
+// The largest number of the first lane on any rank. Collective.
+template <int D>
+double LevelCoupling<D>::most_of(const StageScope& scope, const CellSums<D>& counts) {
+  Reduction all;
+  const auto most = all.add_maximum(static_cast<double>(
+      *std::max_element(counts.lane(0), counts.lane(0) + counts.cells().size())));
+  scope.ranks->reduce(all);
+  return all.maximum(most);
+}
+
 // How many pieces, of all ranks, are in each cell, and the most of them.
 template <int D>
 double LevelCoupling<D>::count_pieces(const StageScope& scope,
@@ -111,8 +121,7 @@ double LevelCoupling<D>::count_pieces(const StageScope& scope,
   counts.begin(frame_.cells, 1);
   for (const BurningPiece& piece : pieces) ++counts.lane(0)[piece.cell];
   counts.sum_over_ranks(*scope.ranks);
-  return static_cast<double>(
-      *std::max_element(counts.lane(0), counts.lane(0) + frame_.cells.size()));
+  return most_of(scope, counts);
 }
 
 // What is not 0, for the archive.
@@ -165,6 +174,7 @@ std::vector<BurningField> LevelCoupling<D>::saved_fields(const StageScope& scope
 
 template void LevelCoupling<1>::burn_surfaces(const StageScope&, const models::SolidBurn&,
                                               const models::SurfaceLaw&, std::vector<Column>&);
+template double LevelCoupling<1>::most_of(const StageScope&, const CellSums<1>&);
 template double LevelCoupling<1>::hottest_fluid(const Cell<1>&, bool) const;
 template double LevelCoupling<1>::count_pieces(const StageScope&, const std::vector<BurningPiece>&,
                                                CellSums<1>&) const;
@@ -176,6 +186,7 @@ template std::vector<BurningField> LevelCoupling<1>::saved_fields(const StageSco
                                                                   const models::SolidBurn&) const;
 template void LevelCoupling<2>::burn_surfaces(const StageScope&, const models::SolidBurn&,
                                               const models::SurfaceLaw&, std::vector<Column>&);
+template double LevelCoupling<2>::most_of(const StageScope&, const CellSums<2>&);
 template double LevelCoupling<2>::hottest_fluid(const Cell<2>&, bool) const;
 template double LevelCoupling<2>::count_pieces(const StageScope&, const std::vector<BurningPiece>&,
                                                CellSums<2>&) const;
@@ -187,6 +198,7 @@ template std::vector<BurningField> LevelCoupling<2>::saved_fields(const StageSco
                                                                   const models::SolidBurn&) const;
 template void LevelCoupling<3>::burn_surfaces(const StageScope&, const models::SolidBurn&,
                                               const models::SurfaceLaw&, std::vector<Column>&);
+template double LevelCoupling<3>::most_of(const StageScope&, const CellSums<3>&);
 template double LevelCoupling<3>::hottest_fluid(const Cell<3>&, bool) const;
 template double LevelCoupling<3>::count_pieces(const StageScope&, const std::vector<BurningPiece>&,
                                                CellSums<3>&) const;

@@ -145,9 +145,9 @@ void LevelCoupling<D>::expose_neighbours(const StageScope& scope) {
       if (s.stays[p] == 0)
         gone.add(s.kind, x, p, s.surface.empty() ? models::SurfaceHistory{} : s.surface[p]);
   }
-  gone.tell_all(*scope.ranks);
-  vanished_ = !gone.empty();
+  vanished_ = on_any(scope, !gone.empty());
   if (!vanished_) return;
+  gone.tell_neighbours(sharers_.get());
   for (SolidSet<D>& s : sets_) {
     if (s.part < 0) continue;
     const CornerColumns<D> x = corner_columns<D>(frame_, *s.columns, *s.next);

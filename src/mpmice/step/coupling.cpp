@@ -33,6 +33,7 @@ void start_fractions_of(Warehouse& state, const ice::FluidPart& fluid, const mpm
     const CornerColumns<D> corners = corner_columns<D>(frame, c, set);
     add_cells_of<D>(frame, corners, set.size(), {}, occupied);
   }
+  occupied.grow();
   frame.look_at(occupied);
   std::vector<SolidSet<D>> of_kinds(sets.size());
   for (std::size_t k = 0; k < sets.size(); ++k) {

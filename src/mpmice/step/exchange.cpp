@@ -127,8 +127,8 @@ void LevelCoupling<D>::exchange_with(const StageScope& scope, int kind, double K
   std::array<Column, D> dv;
   for (Column& of : dv) of.assign(frame_.cells.size(), 0.0);
   Column gain(frame_.cells.size(), 0.0), warm(frame_.cells.size(), 0.0);
-  std::array<double, D> impulse{};  // on the fluid; of rigid solids it comes from outside
-  double work = 0;                  // likewise, and heat; alike on every rank
+  std::array<ExactSum, D> impulse;  // on the fluid; of rigid solids it comes from outside
+  ExactSum work;                    // likewise, and heat
   std::array<int, 3> component{-1, -1, -1};
   for (std::size_t k = 0; k < amounts_.momentum.size(); ++k)
     component[static_cast<std::size_t>(fluid_->options().grid.direction[k])] = static_cast<int>(k);
@@ -148,10 +148,10 @@ void LevelCoupling<D>::exchange_with(const StageScope& scope, int kind, double K
         const double us = solid.velocity[d][i] / solid.mass[i] * most_speed;
         const double I = (P / M - us) / (1 / (dt * K * V * theta) + 1 / M + inverse_s);
         P -= I;
-        impulse[d] -= I;
+        if (rigid && own_[i] != 0) impulse[d].add(-I * frame_.cell_volume);
         const double given = I * (us + 0.5 * I * inverse_s);
         amounts_.kinetic[i] -= given;
-        work -= given;
+        if (rigid && own_[i] != 0) work.add(-given * frame_.cell_volume);
         dv[d][i] = I * inverse_s;
         gain[i] += given;
       }
@@ -160,15 +160,20 @@ void LevelCoupling<D>::exchange_with(const StageScope& scope, int kind, double K
       const double Q = (fluid.temperature - Ts) / (1 / (dt * K_h * V * theta) + 1 / fluid.capacity +
                                                    (rigid ? 0.0 : 1 / (Ms * c_s)));
       amounts_.kinetic[i] -= Q;
-      work -= Q;
+      if (rigid && own_[i] != 0) work.add(-Q * frame_.cell_volume);
       warm[i] = rigid ? 0.0 : Q / (Ms * c_s);
     }
   });
   if (rigid) {
+    Reduction total;
+    std::array<Reduction::Sum, D> of_impulse;
+    for (std::size_t d = 0; d < D; ++d) of_impulse[d] = total.add_sum(impulse[d]);
+    const auto of_work = total.add_sum(work);
+    scope.ranks->reduce(total);
     for (std::size_t d = 0; d < D; ++d)
       (*scope.sums)[static_cast<std::size_t>(mpm::StepSums::impulse_x + frame_.direction[d])] +=
-          impulse[d] * frame_.cell_volume;
-    (*scope.sums)[mpm::StepSums::work] += work * frame_.cell_volume;
+          total.sum(of_impulse[d]).value();
+    (*scope.sums)[mpm::StepSums::work] += total.sum(of_work).value();
     return;
   }
   ExactSum heated, moved;

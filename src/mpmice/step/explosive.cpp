@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "framework/base/reduction.hpp"
 #include "models/burn/ddt1.hpp"
 #include "mpmice/step/level_coupling.hpp"
 
@@ -165,15 +166,20 @@ void LevelCoupling<D>::burn_cracks(const models::Ddt1& law, const ExplosiveCells
 template <int D>
 void LevelCoupling<D>::pass_switches(const StageScope& scope, const models::Ddt1& law,
                                      const ExplosiveCells& cells) {
+  if (law.switches.empty()) return;
   double most = 0;
   bool detonates = false;
-  for (std::size_t i = 0; i < cells.pressure.size(); ++i) {
-    if (!(cells.reactant[i] > 0)) continue;
+  for_each_own_cell([&](const Cell<D>&, std::size_t i) {
+    if (!(cells.reactant[i] > 0)) return;
     most = std::max(most, cells.pressure[i]);
     detonates |= cells.detonates[i] > 0;
-  }
+  });
+  Reduction all;
+  const auto highest = all.add_maximum(most);
+  const auto any = all.add_any(detonates);
+  scope.ranks->reduce(all);
   for (const models::Ddt1::Switch& s : law.switches) {
-    const bool passed = s.pressure > 0 ? most > s.pressure : detonates;
+    const bool passed = s.pressure > 0 ? all.maximum(highest) > s.pressure : all.any(any);
     places_.switches.of(*scope.sums)[next_switch_++] += passed ? 1 : 0;
   }
 }

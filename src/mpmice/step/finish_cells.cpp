@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "ice/step/step_bounds.hpp"
@@ -110,7 +111,7 @@ bool LevelCoupling<D>::settle(const StageScope& scope) {
       return;
     }
     spoilt_[i] = 1;
-    if (!good) return;
+    if (!good || own_[i] == 0) return;
     good = false;
     const IntVec3 at = frame_.index(c);
     *scope.reason = fmt::format(
@@ -122,7 +123,7 @@ bool LevelCoupling<D>::settle(const StageScope& scope) {
           "; material {}: mass {:g} kg/m^3, volume fraction {:g}, internal energy {:g} J/m^3",
           fluid_->options().place(static_cast<int>(m)), amounts_.mass[m][i], V[m], E[m]);
   });
-  return good;
+  return !on_any(scope, !good);
 }
 
 // q = A/M: there is no scalar where nothing carries it.
@@ -176,21 +177,19 @@ bool LevelCoupling<D>::settle_cell(std::size_t i, const ice::mixture::Equilibrat
   return count == 1 || laws.equilibrate({M, V, E}).failed < 0;
 }
 
-// Cells without fluid hold the mean of the states around them, two layers deep; where there are
-// scalars, which change by themselves, all the way.
+// Cells without fluid hold the mean of the states around them, two layers deep.
 template <int D>
 void LevelCoupling<D>::fill_dry_cells() {
   filled_.assign(frame_.cells.size(), 0);
   KeptArray<std::pair<Cell<D>, std::size_t>> dry;
   constexpr int layers = 2;
-  const bool all = !settled_.scalar.empty();
   for_each_cell_near([&](const Cell<D>&, std::size_t i) {
     if (amounts_.volume[i] > 0 && amounts_.near[i] != 0) filled_[i] = 1;
   });
   CellMask within = filled_;
-  if (!all) dilate(frame_, layers, within);
+  dilate(frame_, layers, within);
   for_each_cell_near([&](const Cell<D>& c, std::size_t i) {
-    if (!(amounts_.volume[i] > 0) && (all || within[i] != 0)) dry.emplace_back(c, i);
+    if (!(amounts_.volume[i] > 0) && within[i] != 0) dry.emplace_back(c, i);
   });
   std::vector<Column*> columns;
   settled_.for_each_amount([&](Column& column) { columns.push_back(&column); });
@@ -209,7 +208,7 @@ void LevelCoupling<D>::fill_dry_cells() {
     }
     return true;
   };
-  for (int layer = 0; all || layer < layers; ++layer) {
+  for (int layer = 0; layer < layers; ++layer) {
     const auto found = std::partition(
         dry.begin(), dry.end(), [&](const auto& cell) { return !fill(cell.first, cell.second); });
     if (found == dry.end()) return;
@@ -254,25 +253,64 @@ bool LevelCoupling<D>::share_spoilt(const StageScope& scope) {
   constexpr int most = 4;  // rounds
   for (int round = 0; round < most; ++round) {
     amounts_.spoilt = spoilt_;
-    Cell<D> stuck{};
-    redistribute<D>(frame_, fields_, amounts_, stuck);
+    refresh_amounts(scope);
+    std::optional<Cell<D>> stuck;
+    redistribute<D>(frame_, fields_, amounts_, own_, stuck);
     amounts_.spoilt.clear();
     if (settle(scope)) {
       scope.reason->clear();
       return true;
     }
   }
+  share_reason(scope);
   return false;
+}
+
+// The reason of the first rank that has one. Collective.
+template <int D>
+void LevelCoupling<D>::share_reason(const StageScope& scope) {
+  if (scope.ranks->size() == 1) return;
+  for (const std::string& reason : scope.ranks->gather_to_all(*scope.reason))
+    if (!reason.empty()) {
+      *scope.reason = reason;
+      return;
+    }
+}
+
+// Amounts of cells as those have them whose cells they are.
+template <int D>
+void LevelCoupling<D>::refresh_amounts(const StageScope& scope) {
+  if (scope.ranks->size() == 1) return;
+  std::vector<Column*> columns{&amounts_.volume};
+  amounts_.for_each_amount([&](Column& column) { columns.push_back(&column); });
+  const int count = static_cast<int>(columns.size());
+  known_.begin(frame_.cells, count + 2);
+  for_each_own_cell([&](const Cell<D>&, std::size_t i) {
+    for (int c = 0; c < count; ++c) known_.put(c, i, (*columns[static_cast<std::size_t>(c)])[i]);
+    known_.put(count, i, amounts_.near[i]);
+    if (!amounts_.spoilt.empty()) known_.put(count + 1, i, amounts_.spoilt[i]);
+  });
+  known_.tell_all(*scope.ranks);
+  for (int c = 0; c < count; ++c) known_.take(c, *columns[static_cast<std::size_t>(c)]);
+  for (std::size_t i = CellBlocks<D>::block_cells; i < amounts_.near.size(); ++i) {
+    amounts_.near[i] = known_.value(count, i) != 0 ? 1 : 0;
+    if (!amounts_.spoilt.empty()) amounts_.spoilt[i] = known_.value(count + 1, i) != 0 ? 1 : 0;
+  }
 }
 
 template <int D>
 Verdict LevelCoupling<D>::share_small_cells(const StageScope& scope) {
-  Cell<D> stuck{};
-  if (redistribute<D>(frame_, fields_, amounts_, stuck)) return Verdict::good;
-  const IntVec3 at = frame_.index(stuck);
-  *scope.reason = fmt::format(
-      "solids close cell [{}, {}, {}], and no adjacent cell can take the fluid that it contains",
-      at.x, at.y, at.z);
+  std::optional<Cell<D>> stuck;
+  redistribute<D>(frame_, fields_, amounts_, own_, stuck);
+  if (!on_any(scope, stuck.has_value())) return Verdict::good;
+  scope.reason->clear();
+  if (stuck) {
+    const IntVec3 at = frame_.index(*stuck);
+    *scope.reason = fmt::format(
+        "solids close cell [{}, {}, {}], and no adjacent cell can take the fluid that it contains",
+        at.x, at.y, at.z);
+  }
+  share_reason(scope);
   return Verdict::reject;
 }
 
@@ -300,7 +338,7 @@ Verdict LevelCoupling<D>::limit_step(const StageScope& scope) {
   const ice::SchemeOptions& o = fluid_->options();
   const ice::mixture::Equilibration laws(o.materials.fluids);
   double deck = 0, flow = 0, sound = 0;
-  for_each_cell_near([&](const Cell<D>&, std::size_t i) {
+  for_each_own_cell([&](const Cell<D>&, std::size_t i) {
     if (amounts_.touched[i] == 0 || !(amounts_.volume[i] > 0)) return;
     double M[ice::max_materials], V[ice::max_materials], E[ice::max_materials], rho = 0;
     for (std::size_t m = 0; m < o.materials.fluids.size(); ++m) {

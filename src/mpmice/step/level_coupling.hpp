@@ -36,6 +36,10 @@ class LevelCoupling final : public Coupling {
 
  private:
   void list_sets(const StageScope& scope);
+  void share_blocks(const StageScope& scope);
+  void mark_own_cells(const StageScope& scope);
+  // Is it so on any rank. Collective.
+  static bool on_any(const StageScope& scope, bool here);
   void find_all_faces(const StageScope& scope, bool moved);
   void add_cells_of_solids(double dt);
   void add_cells_kept_closed(const StageScope& scope);
@@ -75,13 +79,13 @@ class LevelCoupling final : public Coupling {
   double area_of(const Piece<D>& piece) const;
   Vec3 velocity_of(const SolidSet<D>& s, std::size_t face, const Piece<D>& piece) const;
   bool all_rigid() const;
-  double force_of_walls(std::size_t d) const;
+  ExactSum force_of_walls(std::size_t d) const;
   void find_overlaps();
   void add_forces_on(const SolidSet<D>& s, std::vector<mpm::CornerForce>& forces) const;
   void bound_velocities(const StageScope& scope, int kind);
   void book_outside(const StageScope& scope);
   void book_surface_work(const StageScope& scope, const Column& moved);
-  double growth_of_solids(const StageScope& scope) const;
+  ExactSum growth_of_solids() const;
   void mean_over_cells(const StageScope& scope);
   CellMask cells_beside_fluid() const;
   void tell_fluid(const StageScope& scope);
@@ -93,6 +97,8 @@ class LevelCoupling final : public Coupling {
   FluidHeat heat_of(std::size_t i) const;
   CellMask cells_that_exchange() const;
   void exchange_with(const StageScope& scope, int kind, double drag, double heat);
+  static void share_reason(const StageScope& scope);
+  void refresh_amounts(const StageScope& scope);
   Verdict share_small_cells(const StageScope& scope);
   // What burns (burning.cpp), of surfaces (burn_surfaces.cpp).
   Verdict burn(const StageScope& scope);
@@ -113,6 +119,7 @@ class LevelCoupling final : public Coupling {
   void mean_of_pieces(const StageScope& scope, const std::vector<BurningPiece>& pieces,
                       const Column& values, const CellSums<D>& counts, double most,
                       Column& mean) const;
+  static double most_of(const StageScope& scope, const CellSums<D>& counts);
   double count_pieces(const StageScope& scope, const std::vector<BurningPiece>& pieces,
                       CellSums<D>& counts) const;
   void keep_in_cells(const StageScope& scope, Label kept, int solid, const Column& values) const;
@@ -209,8 +216,17 @@ class LevelCoupling final : public Coupling {
   void for_each_cell_near(F&& act) const {
     frame_.cells.for_each_cell(frame_.domain, act);
   }
+  // The same for those of this rank.
+  template <class F>
+  void for_each_own_cell(F&& act) const {
+    for_each_cell_near([&](const Cell<D>& c, std::size_t i) {
+      if (own_[i] != 0) act(c, i);
+    });
+  }
 
   Frame<D> frame_;
+  std::unique_ptr<BlockSharers<D>> sharers_;  // null: this is the only rank
+  CellMask own_;                              // 1: cells of this rank's boxes
   std::array<mpm::Axis, D> axes_;  // of the corners
   OccupiedCells<D> occupied_;      // cells in which solids lie, or gaps that they keep
   const ice::FluidPart* fluid_;

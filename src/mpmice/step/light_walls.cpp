@@ -46,7 +46,7 @@ template <int D>
 void LevelCoupling<D>::find_light_walls(const StageScope& scope, const Column& rho,
                                         const Column& sound) {
   fields_.lightness.assign(frame_.cells.size(), 0.0);
-  bool any = false;  // alike on every rank
+  bool any = false;
   for_each_cell_near([&](const Cell<D>&, std::size_t i) {
     if (!wet(i) || !(fields_.area[i] > 0)) return;
     const double size = length_of_smooth(i);
@@ -58,7 +58,7 @@ void LevelCoupling<D>::find_light_walls(const StageScope& scope, const Column& r
     fields_.lightness[i] = 1 - 1 / crossed;
     any = true;
   });
-  if (any) find_pressures_behind(scope);
+  if (on_any(scope, any)) find_pressures_behind(scope);
 }
 
 // -nhat.sigma.nhat of the mean stress around, by volume.

@@ -17,21 +17,16 @@ class Neighbourhoods {
   Neighbourhoods(const Frame<D>& frame, const SolidFields<D>& solids, const CellAmounts<D>& a)
       : frame_(frame), solids_(solids), amounts_(a) {}
 
-  // False: a cell without volume has no neighbour to go to.
-  bool find(Cell<D>& stuck) {
+  // `stuck`: the first of these cells without volume that has no neighbour to go to.
+  void find(const KeptArray<std::uint8_t>& own, std::optional<Cell<D>>& stuck) {
     holds_.clear();
     begin_.clear();
     cells_.clear();
-    bool good = true;
     frame_.cells.for_each_cell(frame_.domain, [&](const Cell<D>& c, std::size_t i) {
       if (!small(i)) return;
-      if (!add(c, i) && good) {
-        stuck = c;
-        good = false;
-      }
+      if (!add(c, i) && own[i] != 0 && !stuck) stuck = c;
     });
     begin_.push_back(holds_.size());
-    return good;
   }
   bool any() const { return !cells_.empty(); }
 
@@ -179,23 +174,25 @@ class Neighbourhoods {
 }  // namespace
 
 template <int D>
-bool redistribute(const Frame<D>& frame, const SolidFields<D>& solids, CellAmounts<D>& amounts,
-                  Cell<D>& stuck) {
+void redistribute(const Frame<D>& frame, const SolidFields<D>& solids, CellAmounts<D>& amounts,
+                  const KeptArray<std::uint8_t>& own, std::optional<Cell<D>>& stuck) {
   constexpr int passes = 2;
   for (int pass = 0; pass < passes; ++pass) {
     Neighbourhoods<D> around(frame, solids, amounts);
-    if (!around.find(stuck)) return false;
-    if (!around.any()) return true;
+    around.find(own, stuck);
+    if (stuck || !around.any()) return;
     const KeptArray<std::uint16_t> count = around.count();
     amounts.for_each_amount([&](Column& amount) { around.share(amount, count); });
     for (std::size_t i = 0; i < count.size(); ++i)
       if (count[i] > 0) amounts.touched[i] = 1;
   }
-  return true;
 }
 
-template bool redistribute<1>(const Frame<1>&, const SolidFields<1>&, CellAmounts<1>&, Cell<1>&);
-template bool redistribute<2>(const Frame<2>&, const SolidFields<2>&, CellAmounts<2>&, Cell<2>&);
-template bool redistribute<3>(const Frame<3>&, const SolidFields<3>&, CellAmounts<3>&, Cell<3>&);
+template void redistribute<1>(const Frame<1>&, const SolidFields<1>&, CellAmounts<1>&,
+                              const KeptArray<std::uint8_t>&, std::optional<Cell<1>>&);
+template void redistribute<2>(const Frame<2>&, const SolidFields<2>&, CellAmounts<2>&,
+                              const KeptArray<std::uint8_t>&, std::optional<Cell<2>>&);
+template void redistribute<3>(const Frame<3>&, const SolidFields<3>&, CellAmounts<3>&,
+                              const KeptArray<std::uint8_t>&, std::optional<Cell<3>>&);
 
 }  // namespace sluice::mpmice

@@ -12,13 +12,17 @@
 // for A = mass, momentum, total energy; twice. No order of cells shows, what is uniform stays so,
 // V' = 0 leaves exact zeros (mpmice_scheme, step 11).
 #pragma once
+#include <optional>
+
 #include "mpmice/step/solid_fields.hpp"
 
 namespace sluice::mpmice {
 
-// False: a cell closes and nobody takes what it holds; `stuck` is that cell.
+// `stuck`: the first of the cells that are `own` which closes while nobody takes what it holds. What
+// becomes of a cell follows from those within five cells around it (volumes, normals and covered
+// faces: six; farther only where a closed cell looks for room).
 template <int D>
-bool redistribute(const Frame<D>& frame, const SolidFields<D>& solids, CellAmounts<D>& amounts,
-                  Cell<D>& stuck);
+void redistribute(const Frame<D>& frame, const SolidFields<D>& solids, CellAmounts<D>& amounts,
+                  const KeptArray<std::uint8_t>& own, std::optional<Cell<D>>& stuck);
 
 }  // namespace sluice::mpmice

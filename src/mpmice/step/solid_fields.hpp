@@ -1,7 +1,8 @@
 // What the fluid is told of the solids in the cells of a level, and what of it solids are told.
 //
-// Arrays over blocks of cells near solids, whole on every rank, so that no bit depends on boxes or
-// ranks. Directions are the active ones.
+// Arrays over blocks of cells near solids. A rank has those near its own boxes; what it knows of
+// the cells of others there comes as exact sums and as bits of one owner, so that no bit depends on
+// boxes or ranks. Directions are the active ones.
 #pragma once
 #include <cmath>
 #include <cstdint>
@@ -31,7 +32,7 @@ struct Frame {
   IntVec3 base{};                  // index along directions that are not active
   CellBox<D> domain;               // its cells
   CellBlocks<D> cells;             // those near solids, over which the arrays are
-  std::array<bool, D> periodic{};  // sides that solids are near
+  std::array<bool, D> periodic{};  // sides that solids are near, as far as this rank sees
 
   explicit Frame(const Level& level) {
     int a = 0;
@@ -44,25 +45,33 @@ struct Frame {
       domain.lower[n] = level.domain.lower[d];
       domain.upper[n] = level.domain.upper[d];
     }
-    look_at(OccupiedCells<D>{});
+    OccupiedCells<D> none;
+    none.begin(room());
+    look_at(none);
     spacing = level.spacing;
     anchor = level.anchor;
     cell_volume = level.cell_volume();
   }
   // Cells in which solids may lie: layers beyond the sides too.
   CellBox<D> room() const { return with_layers(repeats_); }
-  // To solids that lie in these cells in the step: the arrays are over all that it may touch.
-  void look_at(const OccupiedCells<D>& solids) {
-    const CellBox<D> hull = touched_around(solids.hull());
-    for (std::size_t a = 0; a < D; ++a)
-      periodic[a] = repeats_[a] && !hull.empty() &&
-                    (hull.lower[a] <= domain.lower[a] || hull.upper[a] >= domain.upper[a]);
-    held_ = with_layers(periodic);
-    cells.begin(held_);
+  // To solids that lie in these cells in the step: the arrays are over all that it may touch, of
+  // the blocks that this rank has.
+  void look_at(const OccupiedCells<D>& solids, const BlockSharers<D>* sharers = nullptr) {
+    cells.begin(room(), sharers);
     for (const CellBox<D>& box : solids.boxes()) add_images(touched_around(box), 0);
     cells.finish();
+    for (std::size_t a = 0; a < D; ++a) {
+      periodic[a] = false;
+      for (std::size_t b = 1; b <= cells.block_count() && repeats_[a] && !periodic[a]; ++b) {
+        const CellBox<D> block = cells.cells(b);
+        periodic[a] = block.lower[a] <= domain.lower[a] || block.upper[a] >= domain.upper[a];
+      }
+    }
+    held_ = with_layers(periodic);
   }
   PeriodicSides<D> sides() const { return {domain, periodic}; }
+  // Sides of the level, whether solids are near them or not.
+  PeriodicSides<D> all_sides() const { return {domain, repeats_}; }
   Cell<D> cell(IntVec3 c) const {
     Cell<D> to;
     for (std::size_t a = 0; a < D; ++a) to[a] = c[direction[a]];
@@ -186,7 +195,7 @@ struct Frame {
   // Adds a box and its images across periodic sides along directions a, ..., D - 1.
   void add_images(CellBox<D> box, std::size_t a) {
     if (a == D) return cells.add(box);
-    const int n = periodic[a] ? domain.upper[a] - domain.lower[a] : 0;
+    const int n = repeats_[a] ? domain.upper[a] - domain.lower[a] : 0;
     for (int image = n > 0 ? -1 : 0; image <= (n > 0 ? 1 : 0); ++image) {
       CellBox<D> moved = box;
       moved.lower[a] += image * n;

@@ -87,11 +87,12 @@ bool LevelCoupling<D>::all_rigid() const {
 }
 
 // Of all walls on the fluid, N: sum p_w (a_- - a_+) over its cells, also where bodies overlap and a
-// face to a cell without fluid is not covered. Alike on every rank.
+// face to a cell without fluid is not covered. Of this rank's cells.
 template <int D>
-double LevelCoupling<D>::force_of_walls(std::size_t d) const {
-  double sum = 0;
-  for_each_cell_near([&](const Cell<D>& c, std::size_t i) {
+ExactSum LevelCoupling<D>::force_of_walls(std::size_t d) const {
+  ExactSum sum;
+  const double area = frame_.face_area(static_cast<int>(d));
+  for_each_own_cell([&](const Cell<D>& c, std::size_t i) {
     if (!wet(i)) return;
     const auto closed = [&](const Cell<D>& face, Cell<D> beyond) {
       const bool side = !frame_.in_domain(beyond) && !frame_.periodic[d];
@@ -102,9 +103,9 @@ double LevelCoupling<D>::force_of_walls(std::size_t d) const {
     Cell<D> below = c, above = c;
     --below[d];
     ++above[d];
-    sum += fields_.wall_pressure[i] * (closed(c, below) - closed(above, above));
+    sum.add(fields_.wall_pressure[i] * (closed(c, below) - closed(above, above)) * area);
   });
-  return sum * frame_.face_area(static_cast<int>(d));
+  return sum;
 }
 
 // Where bodies overlap, faces are covered once and surfaces are counted twice: what the fluid gives
@@ -167,8 +168,9 @@ void LevelCoupling<D>::book_outside(const StageScope& scope) {
     });
   }
   Reduction all;
-  std::array<Reduction::Sum, D> from_outside, of_rigid, of_friction;
+  std::array<Reduction::Sum, D> from_outside, of_rigid, of_friction, of_walls;
   for (std::size_t d = 0; d < D; ++d) {
+    if (all_rigid()) of_walls[d] = all.add_sum(force_of_walls(d));
     from_outside[d] = all.add_sum(outside[d]);
     of_rigid[d] = all.add_sum(on_rigid[d]);
     of_friction[d] = all.add_sum(friction[d]);
@@ -183,7 +185,8 @@ void LevelCoupling<D>::book_outside(const StageScope& scope) {
     };
     sums[at(mpm::StepSums::reaction_x)] += all.sum(of_rigid[d]).value() / scope.step.dt;
     sums[at(mpm::StepSums::impulse_x)] +=
-        all_rigid() ? scope.step.dt * force_of_walls(d) - all.sum(of_friction[d]).value()
+        all_rigid() ? scope.step.dt * all.sum(of_walls[d]).value() -
+                          all.sum(of_friction[d]).value()
                     : all.sum(from_outside[d]).value();
   }
 }

@@ -60,6 +60,25 @@ void LevelCoupling<D>::list_sets(const StageScope& scope) {
   sets_.resize(n);
 }
 
+// Who shares blocks follows from the boxes of the level.
+template <int D>
+void LevelCoupling<D>::share_blocks(const StageScope& scope) {
+  std::vector<RankBox<D>> boxes;
+  for (const GridBox& box : scope.levels.front()->level().boxes)
+    boxes.push_back({frame_.box(box.cells), box.owner});
+  if (sharers_ == nullptr || !sharers_->fits(boxes))
+    sharers_ = std::make_unique<BlockSharers<D>>(std::move(boxes), frame_.all_sides(),
+                                                 frame_.room(), *scope.ranks);
+}
+
+// Cells of this rank's boxes: books count no others.
+template <int D>
+void LevelCoupling<D>::mark_own_cells(const StageScope& scope) {
+  own_.assign(frame_.cells.size(), 0);
+  for (const GridBox& box : scope.levels.front()->state().local_boxes())
+    frame_.for_each_held(box.cells, [&](IntVec3, std::size_t i) { own_[i] = 1; });
+}
+
 template <int D>
 void LevelCoupling<D>::add_cells_of_solids(double dt) {
   for (SolidSet<D>& s : sets_) {
@@ -138,8 +157,13 @@ Verdict LevelCoupling<D>::find_surfaces(const StageScope& scope) {
   occupied_.begin(frame_.room());
   add_cells_of_solids(scope.step.dt);
   add_cells_kept_closed(scope);
-  occupied_.join(*scope.ranks);
-  frame_.look_at(occupied_);
+  occupied_.grow();
+  if (scope.ranks->size() > 1) {
+    share_blocks(scope);
+    occupied_.join(*sharers_, Frame<D>::reach);
+  }
+  frame_.look_at(occupied_, sharers_.get());
+  mark_own_cells(scope);
   for (SolidSet<D>& s : sets_) read_filled<D>(s);
   find_all_faces(scope, false);
   SolidInCells<D> found;

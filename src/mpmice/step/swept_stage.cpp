@@ -30,11 +30,16 @@ bool LevelCoupling<D>::stays_near() const {
 }
 
 template <int D>
-Verdict LevelCoupling<D>::find_swept_volumes(const StageScope& scope) {
+bool LevelCoupling<D>::on_any(const StageScope& scope, bool here) {
   Reduction all;
-  const auto any = all.add_any(!stays_near());
+  const auto any = all.add_any(here);
   scope.ranks->reduce(all);
-  if (all.any(any)) {
+  return all.any(any);
+}
+
+template <int D>
+Verdict LevelCoupling<D>::find_swept_volumes(const StageScope& scope) {
+  if (on_any(scope, !stays_near())) {
     *scope.reason = fmt::format(
         "a solid moves by more than {} cells, or by more than {} though it began slowly",
         Frame<D>::most_move, Frame<D>::slow_move);
@@ -61,26 +66,29 @@ Verdict LevelCoupling<D>::find_swept_volumes(const StageScope& scope) {
 template <int D>
 void LevelCoupling<D>::book_surface_work(const StageScope& scope, const Column& moved) {
   const bool rigid = all_rigid(), rubs = fluid_->options().transport.viscous;
-  double work = 0, friction = 0;  // alike on every rank
-  for_each_cell_near([&](const Cell<D>&, std::size_t i) {
+  ExactSum of_cells;  // J
+  for_each_own_cell([&](const Cell<D>&, std::size_t i) {
     const bool waits = fields_.theta[i] >= 1 && fields_.theta_next[i] >= 1;
     if (!waits && swept_with_solid_[i] != 0)
-      work += fields_.wall_pressure[i] * (moved[i] - fields_.theta[i]);
-    for (std::size_t d = 0; d < D && rubs; ++d)
-      friction += fields_.friction[d][i] * fields_.area[i] * fields_.surface_velocity[d][i];
+      of_cells.add(fields_.wall_pressure[i] * (moved[i] - fields_.theta[i]) * frame_.cell_volume);
+    for (std::size_t d = 0; d < D && rubs && !rigid; ++d)
+      of_cells.add(-fields_.friction[d][i] * fields_.area[i] * fields_.surface_velocity[d][i] *
+                   (scope.step.dt * frame_.largest_face()));
   });
+  Reduction all;
+  const auto work = all.add_sum(of_cells), grown = all.add_sum(growth_of_solids());
+  scope.ranks->reduce(all);
   std::vector<double>& sums = *scope.sums;
   if (rigid)
-    sums[mpm::StepSums::work] += work * frame_.cell_volume;
+    sums[mpm::StepSums::work] += all.sum(work).value();
   else
-    sums[mpm::StepSums::surface_work] += work * frame_.cell_volume -
-                                         reference_pressure_ * growth_of_solids(scope) -
-                                         friction * scope.step.dt * frame_.largest_face();
+    sums[mpm::StepSums::surface_work] +=
+        all.sum(work).value() - reference_pressure_ * all.sum(grown).value();
 }
 
 // By how much particles have grown, m^3: what the totals count, also where bodies overlap.
 template <int D>
-double LevelCoupling<D>::growth_of_solids(const StageScope& scope) const {
+ExactSum LevelCoupling<D>::growth_of_solids() const {
   ExactSum growth;
   for (const SolidSet<D>& s : sets_) {
     const auto column = static_cast<std::size_t>(s.columns->volume);
@@ -90,10 +98,7 @@ double LevelCoupling<D>::growth_of_solids(const StageScope& scope) const {
       growth.add(-before[p]);
     }
   }
-  Reduction all;
-  const auto slot = all.add_sum(growth);
-  scope.ranks->reduce(all);
-  return all.sum(slot).value();
+  return growth;
 }
 
 // A pocket of fluid that solids close, with nobody beside it to take what it holds, is kept open by

@@ -143,15 +143,12 @@ void LevelCoupling<D>::part_torn(const StageScope& scope) {
       if (tears(v)) torn.push_back({&s, p, v});
     }
   }
-  Reduction all;
-  const auto any = all.add_any(!torn.empty() || !leaving.empty());
-  scope.ranks->reduce(all);
-  if (!all.any(any)) return;
+  if (!on_any(scope, !torn.empty() || !leaving.empty())) return;
   VanishedFaces<D> parted(periods());
   for (const auto* parting : {&torn, &leaving})
     for (const Torn& t : *parting)
       parted.add(t.set->kind, corner_columns<D>(frame_, *t.set->columns, *t.set->next), t.p);
-  parted.tell_all(*scope.ranks);
+  parted.tell_neighbours(sharers_.get());
   for (SolidSet<D>& s : sets_) {
     const CornerColumns<D> x = corner_columns<D>(frame_, *s.columns, *s.next);
     s.parted.resize(s.set->size());
