@@ -38,13 +38,12 @@ std::vector<CellBox<D>> BlockSharers<D>::surroundings_of(const CellBox<D>& box) 
 template <int D>
 BlockSharers<D>::BlockSharers(std::vector<RankBox<D>> boxes, const PeriodicSides<D>& sides,
                               const CellBox<D>& room, const Communicator& ranks)
-    : boxes_(std::move(boxes)), sides_(sides), room_(room) {
+    : boxes_(std::move(boxes)), sides_(sides), room_(room), own_(ranks.rank()) {
   directory_.begin(room);
-  const int own = ranks.rank();
   CellBox<D> hull;
   std::vector<std::vector<int>> sharers;  // ranks, by block of this rank
   for (const RankBox<D>& box : boxes_) {
-    if (box.rank != own) continue;
+    if (box.rank != own_) continue;
     for (const CellBox<D>& near : surroundings_of(box.cells)) {
       hull.include(near);
       for_each_cell_of<D>(near, [&](const Cell<D>& block) {
@@ -56,7 +55,7 @@ BlockSharers<D>::BlockSharers(std::vector<RankBox<D>> boxes, const PeriodicSides
     }
   }
   for (const RankBox<D>& box : boxes_) {
-    if (box.rank == own) continue;
+    if (box.rank == own_) continue;
     for (const CellBox<D>& near : surroundings_of(box.cells))
       for_each_cell_of<D>(common<D>(near, hull), [&](const Cell<D>& block) {
         const std::int32_t entry = directory_.find(block);
@@ -84,6 +83,22 @@ BlockSharers<D>::BlockSharers(std::vector<RankBox<D>> boxes, const PeriodicSides
   }
   directory_.for_each_entry(
       [&](std::int32_t& entry) { entry = set_of[static_cast<std::size_t>(entry - 1)]; });
+}
+
+template <int D>
+std::vector<CellBox<D>> BlockSharers<D>::cells() const {
+  BlockDirectory<D> listed;
+  listed.begin(room_);
+  std::vector<CellBox<D>> all;
+  for (const RankBox<D>& box : boxes_) {
+    if (box.rank != own_) continue;
+    for (const CellBox<D>& near : surroundings_of(box.cells))
+      for_each_cell_of<D>(near, [&](const Cell<D>& block) {
+        std::int32_t& entry = listed.entry(block);
+        if (entry++ == 0) all.push_back(BlockDirectory<D>::cells_of(block));
+      });
+  }
+  return all;
 }
 
 template <int D>

@@ -40,6 +40,8 @@ class BlockSharers {
   const std::vector<int>& others(const Cell<D>& block) const {
     return sets_[static_cast<std::size_t>(directory_.find(block) - 1)];
   }
+  // The cells of all blocks that this rank has, block by block.
+  std::vector<CellBox<D>> cells() const;
   std::size_t neighbour_count() const { return neighbours_.size(); }
 
   // Collective among neighbours: what goes to each and comes from each. Keeps the memory of both.
@@ -52,6 +54,7 @@ class BlockSharers {
   std::vector<RankBox<D>> boxes_;
   PeriodicSides<D> sides_;
   CellBox<D> room_;
+  int own_ = 0;                         // this rank
   BlockDirectory<D> directory_;         // of a block: 1 + the number of its set
   std::vector<std::vector<int>> sets_;  // of numbers of neighbours
   std::vector<int> neighbours_;         // ranks

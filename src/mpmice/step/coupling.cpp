@@ -1,5 +1,6 @@
 #include "mpmice/step/coupling.hpp"
 
+#include "framework/base/communicator.hpp"
 #include "ice/fluid/labels.hpp"
 #include "mpmice/step/level_coupling.hpp"
 #include "mpmice/step/surface_geometry.hpp"
@@ -19,16 +20,33 @@ auto dispatch(const Level& level, F&& f) {
   }
 }
 
+// The parts of the domain whose solids this rank has to know at the start: those near its boxes.
+template <int D>
+std::vector<IndexBox> parts_to_start(const Frame<D>& frame, const Level& level,
+                                     const Communicator& ranks) {
+  if (ranks.size() == 1) return {level.domain};
+  std::vector<RankBox<D>> boxes;
+  for (const GridBox& box : level.boxes) boxes.push_back({frame.box(box.cells), box.owner});
+  const BlockSharers<D> sharers(std::move(boxes), frame.all_sides(), frame.room(), ranks);
+  std::vector<IndexBox> parts;
+  for (const CellBox<D>& block : sharers.cells()) {
+    const CellBox<D> part = common<D>(block, frame.domain);
+    if (!part.empty()) parts.push_back(frame.part_of(level.domain, part));
+  }
+  return parts;
+}
+
 template <int D>
 void start_fractions_of(Warehouse& state, const ice::FluidPart& fluid, const mpm::Mpm& solids) {
   Frame<D> frame(state.level());
   const auto& particles = *solids.particles();
+  const std::vector<IndexBox> parts = parts_to_start<D>(frame, state.level(), world());
   std::vector<ParticleSet> sets;
   OccupiedCells<D> occupied;
   occupied.begin(frame.room());
   for (int k = 0; k < static_cast<int>(solids.scene().materials.size()); ++k) {
     ParticleSet& set = sets.emplace_back(particles.kinds()[static_cast<std::size_t>(k)].columns());
-    particles.start(k, state.level(), state.level().domain, set);
+    for (const IndexBox& part : parts) particles.start(k, state.level(), part, set);
     const mpm::Columns& c = solids.carried()[static_cast<std::size_t>(k)].columns;
     const CornerColumns<D> corners = corner_columns<D>(frame, c, set);
     add_cells_of<D>(frame, corners, set.size(), {}, occupied);
