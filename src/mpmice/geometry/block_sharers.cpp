@@ -114,12 +114,17 @@ void BlockSharers<D>::swap(const Buffers& out, Buffers& in) const {
     messages.post_send(&sizes_out[n], 1, neighbours_[n], size_tag);
   }
   messages.wait_all();
-  for (std::size_t n = 0; n < count; ++n) {
-    in[n].resize(static_cast<std::size_t>(sizes_in[n]));
+  for (std::size_t n = 0; n < count; ++n) in[n].resize(static_cast<std::size_t>(sizes_in[n]));
+  swap_alike(out, in);
+}
+
+template <int D>
+void BlockSharers<D>::swap_alike(const Buffers& out, Buffers& in) const {
+  Messages messages;
+  for (std::size_t n = 0; n < in.size(); ++n)
     if (!in[n].empty())
       messages.post_receive(in[n].data(), in[n].size(), neighbours_[n], data_tag);
-  }
-  for (std::size_t n = 0; n < count; ++n)
+  for (std::size_t n = 0; n < out.size(); ++n)
     if (!out[n].empty())
       messages.post_send(out[n].data(), out[n].size(), neighbours_[n], data_tag);
   messages.wait_all();

@@ -47,6 +47,9 @@ class BlockSharers {
   // Collective among neighbours: what goes to each and comes from each. Keeps the memory of both.
   using Buffers = std::vector<std::vector<double>>;
   void swap(const Buffers& out, Buffers& in) const;
+  // The same where both sides know the sizes: as many numbers come as `in` has room for. Nothing
+  // goes to or comes from those for whom there is nothing.
+  void swap_alike(const Buffers& out, Buffers& in) const;
 
  private:
   std::vector<CellBox<D>> surroundings_of(const CellBox<D>& box) const;

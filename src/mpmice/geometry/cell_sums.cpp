@@ -47,22 +47,29 @@ const double* add_packed(const double* from, std::uint64_t* numbers) {
 
 template <int D>
 void CellSums<D>::sum_over_ranks(Communicator& ranks) {
+  share_sums<D>({this}, ranks);
+}
+
+template <int D>
+void share_sums(std::initializer_list<CellSums<D>*> all, Communicator& ranks) {
   if (ranks.size() == 1) return;
-  if (cells_->sharers() == nullptr)
-    throw std::logic_error("sums over cells that no rank shares are asked for on several");
   static_assert(block_cells == CellBlocks<D>::block_cells);
-  const auto& shared = cells_->shared();
-  out_.resize(shared.size());
-  for (std::size_t n = 0; n < shared.size(); ++n) {
-    out_[n].clear();
+  const CellBlocks<D>& cells = (*all.begin())->cells();
+  if (cells.sharers() == nullptr)
+    throw std::logic_error("sums over cells that no rank shares are asked for on several");
+  const auto& shared = cells.shared();
+  typename BlockSharers<D>::Buffers out(shared.size()), in;
+  for (std::size_t n = 0; n < shared.size(); ++n)
     for (const std::uint32_t block : shared[n])
-      for (int l = 0; l < lanes_; ++l) pack(lane(l) + block * block_cells, out_[n]);
-  }
-  cells_->sharers()->swap(out_, in_);
+      for (CellSums<D>* sums : all)
+        for (int l = 0; l < sums->lanes(); ++l) pack(sums->lane(l) + block * block_cells, out[n]);
+  cells.sharers()->swap(out, in);
   for (std::size_t n = 0; n < shared.size(); ++n) {
-    const double* from = in_[n].data();
+    const double* from = in[n].data();
     for (const std::uint32_t block : shared[n])
-      for (int l = 0; l < lanes_; ++l) from = add_packed(from, lane(l) + block * block_cells);
+      for (CellSums<D>* sums : all)
+        for (int l = 0; l < sums->lanes(); ++l)
+          from = add_packed(from, sums->lane(l) + block * block_cells);
   }
 }
 
@@ -94,6 +101,9 @@ void CellSums<D>::values(int lane_of, KeptArray<double>& to) const {
   for (std::size_t i = 0; i < count_; ++i) to[i] = from_sum(sums[i]);
 }
 
+template void share_sums<1>(std::initializer_list<CellSums<1>*>, Communicator&);
+template void share_sums<2>(std::initializer_list<CellSums<2>*>, Communicator&);
+template void share_sums<3>(std::initializer_list<CellSums<3>*>, Communicator&);
 template class CellSums<1>;
 template class CellSums<2>;
 template class CellSums<3>;

@@ -10,6 +10,7 @@
 // (most_move).
 #pragma once
 #include <cstdint>
+#include <initializer_list>
 #include <vector>
 
 #include "mpmice/geometry/cell_blocks.hpp"
@@ -57,7 +58,10 @@ class CellSums {
   std::size_t count_ = 0;
   int lanes_ = 0;
   KeptArray<std::uint64_t> sums_;
-  typename BlockSharers<D>::Buffers out_, in_;
 };
+
+// The same of several sums over the same blocks, in one round of messages.
+template <int D>
+void share_sums(std::initializer_list<CellSums<D>*> all, Communicator& ranks);
 
 }  // namespace sluice::mpmice

@@ -1,5 +1,6 @@
 #include "mpmice/geometry/reference_cells.hpp"
 
+#include <bit>
 #include <cmath>
 
 #include "framework/base/communicator.hpp"
@@ -120,9 +121,30 @@ void ReferenceCells<D>::add_mean(const SolidParticles<D>& particles) {
   });
 }
 
+// All ranks that have a block know that it begins at its lowest cell: messages go between those
+// alone that share such blocks.
 template <int D>
 void ReferenceCells<D>::sum_over_ranks(Communicator& ranks) {
-  if (ranks.size() > 1) ranks.sum(values_.data(), values_.size());
+  if (ranks.size() == 1) return;
+  const auto& shared = free_->cells().shared();
+  typename BlockSharers<D>::Buffers out(shared.size()), in(shared.size());
+  const auto for_each_shared = [&](std::size_t n, auto&& act) {
+    for (const std::uint32_t block : shared[n])
+      if (!free_->begins_free(block)) act(block);
+  };
+  for (std::size_t n = 0; n < shared.size(); ++n) {
+    for_each_shared(n, [&](std::size_t block) {
+      out[n].push_back(std::bit_cast<double>(values_[block]));
+    });
+    in[n].resize(out[n].size());
+  }
+  free_->cells().sharers()->swap_alike(out, in);
+  for (std::size_t n = 0; n < shared.size(); ++n) {
+    const double* from = in[n].data();
+    for_each_shared(n, [&](std::size_t block) {
+      values_[block] += std::bit_cast<std::uint64_t>(*from++);
+    });
+  }
 }
 
 template class ReferenceCells<1>;

@@ -65,7 +65,8 @@ void start_fractions_of(Warehouse& state, const ice::FluidPart& fluid, const mpm
   }
   SurfaceGeometry<D> geometry;
   SolidInCells<D> found;
-  geometry.find_at_start(frame, of_kinds, nullptr, found);
+  geometry.begin_at_start(frame, of_kinds);
+  geometry.finish_at_start(frame, of_kinds, nullptr, found);
   clean_volume_fractions(found.theta);
   const int slot = state.find(ice::labels().solid_fraction, fluid.options().place(0));
   for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {

@@ -15,6 +15,7 @@ class KnownByOne {
     sums_.lane(lane)[cell] = std::bit_cast<std::uint64_t>(value);
   }
   void tell_all(Communicator& ranks) { sums_.sum_over_ranks(ranks); }
+  CellSums<D>& sums() { return sums_; }  // to be shared with others
   double value(int lane, std::size_t cell) const {
     return std::bit_cast<double>(sums_.lane(lane)[cell]);
   }

@@ -17,6 +17,18 @@
 
 namespace sluice::mpmice {
 
+// The largest values of surfaces in a step: velocity (m/s), stress (Pa), 1/(rho c), 1/rho.
+struct SurfaceScales {
+  double velocity = 1, pressure = 1, compliance = 1, inverse_density = 1;
+};
+// Sums over surfaces in cells, by area; places where the fluid rubs on them.
+template <int D>
+struct SurfaceLanes {
+  static constexpr int area = 0, pressure = 1, soft = 2, light = 3, velocity = 4,
+                       place = velocity + D;
+  static constexpr int count(bool rubs) { return rubs ? place + D : place; }
+};
+
 template <int D>
 class LevelCoupling final : public Coupling {
  public:
@@ -44,8 +56,9 @@ class LevelCoupling final : public Coupling {
   void add_cells_of_solids(double dt);
   void add_cells_kept_closed(const StageScope& scope);
   static void take_geometry(SolidInCells<D>& found, Column& theta, std::array<Column, D>& covered);
-  void take_kept_fractions(const StageScope& scope);
-  void mean_over_surfaces(const StageScope& scope);
+  void tell_kept_fractions(const StageScope& scope);
+  void sum_over_surfaces(const StageScope& scope);
+  void mean_over_surfaces();
   void keep_pockets();
   void close_cells_at_sides();
   bool stays_near() const;
@@ -53,6 +66,7 @@ class LevelCoupling final : public Coupling {
   bool sees_any(const CellBox<D>& part, const KeptArray<std::uint8_t>& told) const;
   SeenPlaces places_seen(const IndexBox& box, int along, const KeptArray<std::uint8_t>& told) const;
   Column velocity_at_faces(std::size_t n) const;
+  void tell_fluid_states(const StageScope& scope, bool solved);
   void find_pressures(const StageScope& scope, bool solved);
   CellMask cells_beside_walls() const;
   void smooth_normals();
@@ -245,7 +259,9 @@ class LevelCoupling final : public Coupling {
   bool overlap_ = false;   // do bodies overlap somewhere
   bool vanished_ = false;  // has a particle burned to its end in this step
   SurfaceGeometry<D> geometry_;
-  KnownByOne<D> known_;
+  KnownByOne<D> known_, kept_;  // kept_: theta that the last step left
+  CellSums<D> means_;           // over surfaces, lanes of SurfaceLanes
+  SurfaceScales scales_;        // of its values
   KeptArray<std::uint8_t> swept_with_solid_;  // 1: cells of which the sweep has left amounts
   CellAmounts<D> amounts_;
   CellAmounts<D> settled_;          // what becomes their state, per volume of fluid

@@ -152,6 +152,15 @@ struct Frame {
     }
     return to;
   }
+  // Cells that solids in these may touch.
+  static CellBox<D> touched_around(CellBox<D> solids) {
+    if (solids.empty()) return {};
+    for (std::size_t a = 0; a < D; ++a) {
+      solids.lower[a] -= reach;
+      solids.upper[a] += reach;
+    }
+    return solids;
+  }
   // Around all cells that the arrays hold.
   CellBox<D> held() const { return held_; }
   // act(cell, where it lies in the arrays) for those of `part` that the arrays hold.
@@ -182,15 +191,6 @@ struct Frame {
       all.upper[a] += beyond;
     }
     return all;
-  }
-  // Cells that solids in these may touch.
-  static CellBox<D> touched_around(CellBox<D> solids) {
-    if (solids.empty()) return {};
-    for (std::size_t a = 0; a < D; ++a) {
-      solids.lower[a] -= reach;
-      solids.upper[a] += reach;
-    }
-    return solids;
   }
   // Adds a box and its images across periodic sides along directions a, ..., D - 1.
   void add_images(CellBox<D> box, std::size_t a) {

@@ -24,23 +24,25 @@ const std::uint64_t* SurfaceGeometry<D>::find_references(const Frame<D>& frame,
   return references_.values();
 }
 
+// From sums of all ranks.
 template <int D>
 void SurfaceGeometry<D>::finish(const Frame<D>& frame, const std::vector<SolidSet<D>>& sets,
                                 Communicator* ranks, When when, SolidInCells<D>& found) {
-  if (ranks != nullptr) {
-    free_.sums().sum_over_ranks(*ranks);
-    sums_.sum_over_ranks(*ranks);
-  }
   free_.finish();
   sums_.finish(free_, find_references(frame, sets, ranks, when), found);
 }
 
 template <int D>
-void SurfaceGeometry<D>::find_at_start(const Frame<D>& frame,
-                                       const std::vector<SolidSet<D>>& sets, Communicator* ranks,
-                                       SolidInCells<D>& found) {
+void SurfaceGeometry<D>::begin_at_start(const Frame<D>& frame,
+                                        const std::vector<SolidSet<D>>& sets) {
   begin(frame, sets, When::start, false);
   for (const SolidSet<D>& s : sets) sums_.add(s.faces, s.pieces, free_);
+}
+
+template <int D>
+void SurfaceGeometry<D>::finish_at_start(const Frame<D>& frame,
+                                         const std::vector<SolidSet<D>>& sets,
+                                         Communicator* ranks, SolidInCells<D>& found) {
   finish(frame, sets, ranks, When::start, found);
 }
 
@@ -49,6 +51,7 @@ void SurfaceGeometry<D>::find_at_end(const Frame<D>& frame, const std::vector<So
                                      Communicator& ranks, SolidInCells<D>& found) {
   begin(frame, sets, When::end, true);
   for (const SolidSet<D>& s : sets) sums_.add(s.faces, When::end, 0, s.faces.size(), &free_);
+  share_sums<D>({&free_.sums(), &sums_.sums()}, ranks);
   finish(frame, sets, &ranks, When::end, found);
 }
 
@@ -59,8 +62,8 @@ void SurfaceGeometry<D>::find_moved(const Frame<D>& frame, const std::vector<Sol
   begin(frame, sets, When::end, true);
   swept_.begin(frame.cells);
   for (const SolidSet<D>& s : sets) moving_.add(s.faces, sums_, swept_, free_);
+  share_sums<D>({&free_.sums(), &sums_.sums(), &swept_.sums()}, ranks);
   finish(frame, sets, &ranks, When::end, at_end);
-  swept_.sum_over_ranks(ranks);
   const std::uint64_t* references = nullptr;
   if (free_.any_without()) {
     references_.begin(free_);

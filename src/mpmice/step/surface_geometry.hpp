@@ -9,14 +9,18 @@ namespace sluice::mpmice {
 template <int D>
 class SurfaceGeometry {
  public:
-  // Collective unless `ranks` is null: then the sets are all there are. Of the faces of the sets;
-  // as summed (clean_... in solid_in_cells.hpp).
-  void find_at_start(const Frame<D>& frame, const std::vector<SolidSet<D>>& sets,
-                     Communicator* ranks, SolidInCells<D>& found);
-  // Of sets that have moved.
+  // Of the faces of the sets at the start of a step: what is to be summed over ranks, and what
+  // follows from the sums, as summed (clean_... in solid_in_cells.hpp). Collective where blocks
+  // begin at their lowest cells, unless `ranks` is null.
+  void begin_at_start(const Frame<D>& frame, const std::vector<SolidSet<D>>& sets);
+  CellSums<D>& free_cells() { return free_.sums(); }
+  CellSums<D>& surfaces() { return sums_.sums(); }
+  void finish_at_start(const Frame<D>& frame, const std::vector<SolidSet<D>>& sets,
+                       Communicator* ranks, SolidInCells<D>& found);
+  // Collective. Of sets that have moved.
   void find_moved(const Frame<D>& frame, const std::vector<SolidSet<D>>& sets, Communicator& ranks,
                   SolidInCells<D>& at_end, SweptVolumes<D>& swept);
-  // The end alone: faces have changed since.
+  // Collective. The end alone: faces have changed since.
   void find_at_end(const Frame<D>& frame, const std::vector<SolidSet<D>>& sets,
                    Communicator& ranks, SolidInCells<D>& found);
 

@@ -24,10 +24,6 @@ double pressure_along(const Frame<D>& frame, const std::array<const double*, 6>&
   return -sum;
 }
 
-struct Scales {
-  double velocity = 0, pressure = 0, compliance = 0, inverse_density = 0;
-};
-
 double at_least_something(double scale) {
   return scale > 0 ? scale : 1.0;
 }
@@ -138,17 +134,15 @@ void LevelCoupling<D>::find_all_faces(const StageScope& scope, bool moved) {
 // What the last step left is what this one begins with: the geometry, but for pockets that are
 // kept open and gaps that hold no fluid.
 template <int D>
-void LevelCoupling<D>::take_kept_fractions(const StageScope& scope) {
-  known_.begin(frame_.cells, 1);
+void LevelCoupling<D>::tell_kept_fractions(const StageScope& scope) {
+  kept_.begin(frame_.cells, 1);
   const LevelSolver& level = *scope.levels.front();
   const FluidCells fluid(*fluid_, level.state());
   for (int b = 0; b < static_cast<int>(level.state().local_boxes().size()); ++b) {
     const FluidBox cells = fluid.box(b);
     frame_.for_each_held(level.state().local_boxes()[static_cast<std::size_t>(b)].cells,
-                         [&](IntVec3 at, std::size_t i) { known_.put(0, i, cells.fraction(at)); });
+                         [&](IntVec3 at, std::size_t i) { kept_.put(0, i, cells.fraction(at)); });
   }
-  known_.tell_all(*scope.ranks);
-  for_each_cell_near([&](const Cell<D>&, std::size_t i) { fields_.theta[i] = known_.value(0, i); });
 }
 
 template <int D>
@@ -166,12 +160,19 @@ Verdict LevelCoupling<D>::find_surfaces(const StageScope& scope) {
   mark_own_cells(scope);
   for (SolidSet<D>& s : sets_) read_filled<D>(s);
   find_all_faces(scope, false);
+  geometry_.begin_at_start(frame_, sets_);
+  tell_kept_fractions(scope);
+  sum_over_surfaces(scope);
+  tell_fluid_states(scope, false);
+  share_sums<D>({&geometry_.free_cells(), &geometry_.surfaces(), &kept_.sums(), &means_,
+                 &known_.sums()},
+                *scope.ranks);
   SolidInCells<D> found;
-  geometry_.find_at_start(frame_, sets_, scope.ranks, found);
+  geometry_.finish_at_start(frame_, sets_, scope.ranks, found);
   fields_.normal = std::move(found.n);
   take_geometry(found, fields_.theta, fields_.covered);
-  take_kept_fractions(scope);
-  mean_over_surfaces(scope);
+  for_each_cell_near([&](const Cell<D>&, std::size_t i) { fields_.theta[i] = kept_.value(0, i); });
+  mean_over_surfaces();
   find_overlaps();
   find_pressures(scope, false);
   return Verdict::good;
@@ -180,13 +181,13 @@ Verdict LevelCoupling<D>::find_surfaces(const StageScope& scope) {
 // Velocity, pressure -n.sigma.n, compliance 1/(rho c) and 1/rho of the particles behind the
 // surface, by area; rigid bodies have neither compliance nor 1/rho.
 template <int D>
-void LevelCoupling<D>::mean_over_surfaces(const StageScope& scope) {
+void LevelCoupling<D>::sum_over_surfaces(const StageScope& scope) {
   KeptArray<double> wave(solids_->scene().materials.size());
   double least = 1e300;
   for (std::size_t a = 0; a < D; ++a) least = std::min(least, frame_.spacing[frame_.direction[a]]);
   for (std::size_t k = 0; k < wave.size(); ++k)
     wave[k] = step_->level(step_->count() - 1).body(static_cast<int>(k)).rates.wave * least;
-  Scales most;
+  SurfaceScales most;
   const auto compliance = [&](const SolidSet<D>& s, std::size_t p) {
     const auto k = static_cast<std::size_t>(s.kind);
     if (solids_->scene().materials[k].rigid || !(wave[k] > 0)) return 0.0;
@@ -219,13 +220,13 @@ void LevelCoupling<D>::mean_over_surfaces(const StageScope& scope) {
   const auto v = all.add_maximum(most.velocity), p_slot = all.add_maximum(most.pressure),
              y = all.add_maximum(most.compliance), sparse = all.add_maximum(most.inverse_density);
   scope.ranks->reduce(all);
-  const Scales scale{at_least_something(all.maximum(v)), at_least_something(all.maximum(p_slot)),
-                     at_least_something(all.maximum(y)), at_least_something(all.maximum(sparse))};
-  constexpr int area = 0, pressure = 1, soft = 2, light = 3, velocity = 4, place = velocity + D;
+  scales_ = {at_least_something(all.maximum(v)), at_least_something(all.maximum(p_slot)),
+             at_least_something(all.maximum(y)), at_least_something(all.maximum(sparse))};
+  const SurfaceScales& scale = scales_;
+  using Lanes = SurfaceLanes<D>;
   const bool rubs = fluid_->options().transport.viscous;
-  const int lanes = rubs ? place + D : place;
-  CellSums<D> sums;
-  sums.begin(frame_.cells, lanes);
+  CellSums<D>& sums = means_;
+  sums.begin(frame_.cells, Lanes::count(rubs));
   std::array<double, D> of_largest;
   for (std::size_t a = 0; a < D; ++a)
     of_largest[a] = frame_.face_area(static_cast<int>(a)) / frame_.largest_face();
@@ -245,35 +246,43 @@ void LevelCoupling<D>::mean_over_surfaces(const StageScope& scope) {
           if (!(size > 0)) return;
           for (double& n : unit) n /= size;
           const double A = size * piece.s * s.faces.weight_of(i);
-          sums.lane(area)[c] += to_sum(A);
-          sums.lane(pressure)[c] +=
+          sums.lane(Lanes::area)[c] += to_sum(A);
+          sums.lane(Lanes::pressure)[c] +=
               to_sum(A * (pressure_along<D>(frame_, stress, p, unit) / scale.pressure));
-          sums.lane(soft)[c] += to_sum(A * (compliance(s, p) / scale.compliance));
-          sums.lane(light)[c] += to_sum(A * (inverse_density(s, p) / scale.inverse_density));
+          sums.lane(Lanes::soft)[c] += to_sum(A * (compliance(s, p) / scale.compliance));
+          sums.lane(Lanes::light)[c] += to_sum(A * (inverse_density(s, p) / scale.inverse_density));
           const Vec3 u = velocity_of(s, i, piece);
           for (int a = 0; a < D; ++a)
-            sums.lane(velocity + a)[c] +=
+            sums.lane(Lanes::velocity + a)[c] +=
                 to_sum(A * (u[frame_.direction[static_cast<std::size_t>(a)]] / scale.velocity));
           for (int a = 0; a < D && rubs; ++a)
-            sums.lane(place + a)[c] +=
+            sums.lane(Lanes::place + a)[c] +=
                 to_sum(size * s.faces.weight_of(i) * piece.arm[static_cast<std::size_t>(a)]);
         });
   }
-  sums.sum_over_ranks(*scope.ranks);
-  for (int lane = 0; lane < lanes && frame_.sides().any(); ++lane) sums.fold(frame_.sides(), lane);
-  sums.values(area, fields_.area);
+}
+
+// Once the sums are those of all ranks.
+template <int D>
+void LevelCoupling<D>::mean_over_surfaces() {
+  using Lanes = SurfaceLanes<D>;
+  const bool rubs = fluid_->options().transport.viscous;
+  for (int lane = 0; lane < means_.lanes() && frame_.sides().any(); ++lane)
+    means_.fold(frame_.sides(), lane);
+  means_.values(Lanes::area, fields_.area);
   const auto mean = [&](int lane, double factor, Column& to) {
-    sums.values(lane, to);
+    means_.values(lane, to);
     for (std::size_t i = 0; i < to.size(); ++i)
       to[i] = fields_.area[i] > 0 ? to[i] / fields_.area[i] * factor : 0.0;
   };
-  mean(pressure, scale.pressure, fields_.solid_pressure);
-  mean(soft, scale.compliance, fields_.compliance);
-  mean(light, scale.inverse_density, fields_.inverse_density);
+  mean(Lanes::pressure, scales_.pressure, fields_.solid_pressure);
+  mean(Lanes::soft, scales_.compliance, fields_.compliance);
+  mean(Lanes::light, scales_.inverse_density, fields_.inverse_density);
   for (int a = 0; a < D; ++a)
-    mean(velocity + a, scale.velocity, fields_.surface_velocity[static_cast<std::size_t>(a)]);
+    mean(Lanes::velocity + a, scales_.velocity,
+         fields_.surface_velocity[static_cast<std::size_t>(a)]);
   for (int a = 0; a < D && rubs; ++a)
-    mean(place + a, 1, fields_.surface_place[static_cast<std::size_t>(a)]);
+    mean(Lanes::place + a, 1, fields_.surface_place[static_cast<std::size_t>(a)]);
 }
 
 template void LevelCoupling<1>::list_sets(const StageScope&);

@@ -20,24 +20,34 @@ constexpr double least_share = 0.1;  // of the fluid's pressure that is left on 
 
 }  // namespace
 
-// Cells whose state somebody asks for: with solids, and their neighbours and the next. A solve and
-// explosives look farther.
+// Lanes of what is told of the fluid's state.
+template <int D>
+struct StateLanes {
+  static constexpr int density = 0, pressure = 1, speed = 2, velocity = 3, viscous = velocity + D;
+};
+
+// Cells whose state somebody asks for: around those with solids. A solve and explosives look
+// farther.
 template <int D>
 CellMask LevelCoupling<D>::cells_beside_walls() const {
   if (fluid_->options().scheme.implicit || !burns_.empty()) return CellMask(frame_.cells.size(), 1);
   CellMask mask(frame_.cells.size(), 0);
-  for_each_cell_near([&](const Cell<D>&, std::size_t i) {
-    mask[i] = fields_.theta[i] > 0 || fields_.area[i] > 0 ? 1 : 0;
-  });
-  dilate(frame_, 2, mask);
+  for (const CellBox<D>& box : occupied_.boxes())
+    frame_.cells.for_each_part(frame_.touched_around(box), [&](const CellBox<D>& part) {
+      for_each_cell_of<D>(part, [&](const Cell<D>& c) {
+        const std::size_t i = frame_.cells.index(frame_.wrapped(c));
+        if (i >= CellBlocks<D>::block_cells) mask[i] = 1;
+      });
+    });
   return mask;
 }
 
+// Of this rank's cells with fluid, for those that share their blocks.
 template <int D>
-void LevelCoupling<D>::find_pressures(const StageScope& scope, bool solved) {
-  constexpr int density = 0, pressure = 1, speed = 2, velocity = 3, viscous = velocity + D;
+void LevelCoupling<D>::tell_fluid_states(const StageScope& scope, bool solved) {
+  using Lanes = StateLanes<D>;
   const bool rubs = fluid_->options().transport.viscous && !solved;
-  known_.begin(frame_.cells, rubs ? viscous + 1 : viscous);
+  known_.begin(frame_.cells, rubs ? Lanes::viscous + 1 : Lanes::viscous);
   const LevelSolver& level = *scope.levels.front();
   const CellMask asked = cells_beside_walls();
   const FluidCells fluid(*fluid_, level.state());
@@ -47,30 +57,35 @@ void LevelCoupling<D>::find_pressures(const StageScope& scope, bool solved) {
     const WorkPressure::Box work = of_solve.box(b);
     frame_.for_each_held(level.state().local_boxes()[static_cast<std::size_t>(b)].cells,
                          [&](IntVec3 at, std::size_t i) {
-                           if (!wet(i) || asked[i] == 0) return;
+                           if (asked[i] == 0 || !(cells.fraction(at) < 1)) return;
                            const FluidState s = cells.at(at);
-                           known_.put(density, i, s.rho);
-                           known_.put(pressure, i, work.at(at, s.pressure));
-                           known_.put(speed, i, s.sound);
+                           known_.put(Lanes::density, i, s.rho);
+                           known_.put(Lanes::pressure, i, work.at(at, s.pressure));
+                           known_.put(Lanes::speed, i, s.sound);
                            for (int a = 0; a < D; ++a)
-                             known_.put(velocity + a, i,
+                             known_.put(Lanes::velocity + a, i,
                                         s.velocity[frame_.direction[static_cast<std::size_t>(a)]]);
-                           if (rubs) known_.put(viscous, i, cells.viscosity(at));
+                           if (rubs) known_.put(Lanes::viscous, i, cells.viscosity(at));
                          });
   }
-  known_.tell_all(*scope.ranks);
+}
+
+// From what is known of the fluid.
+template <int D>
+void LevelCoupling<D>::find_pressures(const StageScope& scope, bool solved) {
+  using Lanes = StateLanes<D>;
   Column rho, sound;
   std::array<Column, D> u;
-  known_.take(density, rho);
-  known_.take(pressure, fields_.pressure);
-  known_.take(speed, sound);
-  for (int a = 0; a < D; ++a) known_.take(velocity + a, u[static_cast<std::size_t>(a)]);
+  known_.take(Lanes::density, rho);
+  known_.take(Lanes::pressure, fields_.pressure);
+  known_.take(Lanes::speed, sound);
+  for (int a = 0; a < D; ++a) known_.take(Lanes::velocity + a, u[static_cast<std::size_t>(a)]);
   smooth_normals();
   find_light_walls(scope, rho, sound);
   press_on_walls(rho, sound, u, scope.step.dt);
-  if (rubs) {
+  if (fluid_->options().transport.viscous && !solved) {
     Column viscosity;
-    known_.take(viscous, viscosity);
+    known_.take(Lanes::viscous, viscosity);
     rub_on_walls(rho, viscosity, u, scope.step.dt);
   }
   fill_dry(fields_.wall_pressure);
@@ -224,6 +239,9 @@ KeptArray<std::uint8_t> LevelCoupling<D>::fill_dry(Column& values) const {
   return known;
 }
 
+template void LevelCoupling<1>::tell_fluid_states(const StageScope&, bool);
+template void LevelCoupling<2>::tell_fluid_states(const StageScope&, bool);
+template void LevelCoupling<3>::tell_fluid_states(const StageScope&, bool);
 template void LevelCoupling<1>::find_pressures(const StageScope&, bool);
 template void LevelCoupling<2>::find_pressures(const StageScope&, bool);
 template void LevelCoupling<3>::find_pressures(const StageScope&, bool);

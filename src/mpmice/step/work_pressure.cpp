@@ -9,6 +9,8 @@ namespace sluice::mpmice {
 // X- + d after a solve, in cells with fluid.
 template <int D>
 Verdict LevelCoupling<D>::renew_pressures(const StageScope& scope) {
+  tell_fluid_states(scope, true);
+  known_.tell_all(*scope.ranks);
   find_pressures(scope, true);
   return Verdict::good;
 }
