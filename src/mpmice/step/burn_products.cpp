@@ -98,7 +98,7 @@ void LevelCoupling<D>::add_product(std::size_t i, int product, double mass, doub
 
 // theta and a once more, with what is left of the particles. The products fill what opens.
 template <int D>
-Verdict LevelCoupling<D>::open_burned_volume(const StageScope& scope) {
+void LevelCoupling<D>::open_burned_volume(const StageScope& scope) {
   find_all_faces(scope, true);
   SolidInCells<D> found;
   geometry_.find_at_end(frame_, sets_, *scope.ranks, found);
@@ -118,17 +118,17 @@ Verdict LevelCoupling<D>::open_burned_volume(const StageScope& scope) {
     }
   });
   refresh_amounts(scope);
-  return share_small_cells(scope);
+  share_small_cells();
 }
 
 template bool LevelCoupling<1>::give_to_cells(const StageScope&, int, const std::vector<Given>&,
                                               const Column&);
-template Verdict LevelCoupling<1>::open_burned_volume(const StageScope&);
+template void LevelCoupling<1>::open_burned_volume(const StageScope&);
 template bool LevelCoupling<2>::give_to_cells(const StageScope&, int, const std::vector<Given>&,
                                               const Column&);
-template Verdict LevelCoupling<2>::open_burned_volume(const StageScope&);
+template void LevelCoupling<2>::open_burned_volume(const StageScope&);
 template bool LevelCoupling<3>::give_to_cells(const StageScope&, int, const std::vector<Given>&,
                                               const Column&);
-template Verdict LevelCoupling<3>::open_burned_volume(const StageScope&);
+template void LevelCoupling<3>::open_burned_volume(const StageScope&);
 
 }  // namespace sluice::mpmice

@@ -284,9 +284,9 @@ void LevelCoupling<D>::keep_given_mass(const StageScope& scope,
 }
 
 template <int D>
-Verdict LevelCoupling<D>::burn(const StageScope& scope) {
+void LevelCoupling<D>::burn(const StageScope& scope) {
   vanished_ = false;
-  if (burns_.empty()) return Verdict::good;
+  if (burns_.empty()) return;
   begin_burning();
   bool any = false;
   std::vector<Column> given(static_cast<std::size_t>(solids_->material_count()));
@@ -299,11 +299,11 @@ Verdict LevelCoupling<D>::burn(const StageScope& scope) {
     for (std::size_t i = 0; i < now.size(); ++i) of_solid[i] += now[i] - before[i];
   }
   keep_given_mass(scope, given);
-  if (!any) return Verdict::good;
+  if (!any) return;
   burned_.add_to(*scope.ranks, places_.burned.of(*scope.sums));
   expose_neighbours(scope);
   note_burned(scope);
-  return open_burned_volume(scope);
+  open_burned_volume(scope);
 }
 
 // Once particles are taken over: those that are burned go.
@@ -346,9 +346,9 @@ template void LevelCoupling<3>::burn_particles(const models::SolidBurn&, const C
                                                std::vector<Column>&) const;
 template std::vector<LevelCoupling<3>::Given> LevelCoupling<3>::take_from_particles(
     int, int, double, const std::vector<Column>&);
-template Verdict LevelCoupling<1>::burn(const StageScope&);
-template Verdict LevelCoupling<2>::burn(const StageScope&);
-template Verdict LevelCoupling<3>::burn(const StageScope&);
+template void LevelCoupling<1>::burn(const StageScope&);
+template void LevelCoupling<2>::burn(const StageScope&);
+template void LevelCoupling<3>::burn(const StageScope&);
 template Verdict LevelCoupling<1>::remove_burned(const StageScope&);
 template Verdict LevelCoupling<2>::remove_burned(const StageScope&);
 template Verdict LevelCoupling<3>::remove_burned(const StageScope&);

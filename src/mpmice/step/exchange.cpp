@@ -27,10 +27,16 @@ struct KindInCells {
 template <int D>
 void LevelCoupling<D>::exchange(const StageScope& scope) {
   const ice::IceScene& ice = fluid_->scene();
-  for (int k = 0; k < static_cast<int>(solids_->scene().materials.size()); ++k) {
-    const double drag = ice.momentum_of_all(k, ice.solids), heat = ice.heat_of_all(k, ice.solids);
-    if (drag > 0 || heat > 0) exchange_with(scope, k, drag, heat);
-  }
+  for (int k = 0; k < static_cast<int>(solids_->scene().materials.size()); ++k)
+    if (exchanges(k))
+      exchange_with(scope, k, ice.momentum_of_all(k, ice.solids),
+                    ice.heat_of_all(k, ice.solids));
+}
+
+template <int D>
+bool LevelCoupling<D>::exchanges(int kind) const {
+  const ice::IceScene& ice = fluid_->scene();
+  return ice.momentum_of_all(kind, ice.solids) > 0 || ice.heat_of_all(kind, ice.solids) > 0;
 }
 
 // Temperature and M c_v of the fluids of a cell: what they have together.
@@ -127,8 +133,11 @@ void LevelCoupling<D>::exchange_with(const StageScope& scope, int kind, double K
   std::array<Column, D> dv;
   for (Column& of : dv) of.assign(frame_.cells.size(), 0.0);
   Column gain(frame_.cells.size(), 0.0), warm(frame_.cells.size(), 0.0);
-  std::array<ExactSum, D> impulse;  // on the fluid; of rigid solids it comes from outside
-  ExactSum work;                    // likewise, and heat
+  // On the fluid; of rigid solids it comes from outside.
+  const auto impulse = [&](std::size_t d) -> ExactSum& {
+    return books_.of_rest(mpm::StepSums::impulse_x + frame_.direction[d]);
+  };
+  ExactSum& work = books_.of_rest(mpm::StepSums::work);  // likewise, and heat
   std::array<int, 3> component{-1, -1, -1};
   for (std::size_t k = 0; k < amounts_.momentum.size(); ++k)
     component[static_cast<std::size_t>(fluid_->options().grid.direction[k])] = static_cast<int>(k);
@@ -148,7 +157,7 @@ void LevelCoupling<D>::exchange_with(const StageScope& scope, int kind, double K
         const double us = solid.velocity[d][i] / solid.mass[i] * most_speed;
         const double I = (P / M - us) / (1 / (dt * K * V * theta) + 1 / M + inverse_s);
         P -= I;
-        if (rigid && own_[i] != 0) impulse[d].add(-I * frame_.cell_volume);
+        if (rigid && own_[i] != 0) impulse(d).add(-I * frame_.cell_volume);
         const double given = I * (us + 0.5 * I * inverse_s);
         amounts_.kinetic[i] -= given;
         if (rigid && own_[i] != 0) work.add(-given * frame_.cell_volume);
@@ -164,19 +173,9 @@ void LevelCoupling<D>::exchange_with(const StageScope& scope, int kind, double K
       warm[i] = rigid ? 0.0 : Q / (Ms * c_s);
     }
   });
-  if (rigid) {
-    Reduction total;
-    std::array<Reduction::Sum, D> of_impulse;
-    for (std::size_t d = 0; d < D; ++d) of_impulse[d] = total.add_sum(impulse[d]);
-    const auto of_work = total.add_sum(work);
-    scope.ranks->reduce(total);
-    for (std::size_t d = 0; d < D; ++d)
-      (*scope.sums)[static_cast<std::size_t>(mpm::StepSums::impulse_x + frame_.direction[d])] +=
-          total.sum(of_impulse[d]).value();
-    (*scope.sums)[mpm::StepSums::work] += total.sum(of_work).value();
-    return;
-  }
-  ExactSum heated, moved;
+  if (rigid) return;
+  ExactSum &heated = books_.of_rest(mpm::StepSums::heat_from_fluid),
+           &moved = books_.of_rest(mpm::StepSums::exchange_gain);
   for (SolidSet<D>& s : sets_) {
     if (s.kind != kind) continue;
     const CornerColumns<D> x = corner_columns<D>(frame_, *s.columns, *s.next);
@@ -205,17 +204,11 @@ void LevelCoupling<D>::exchange_with(const StageScope& scope, int kind, double K
       heated.add(mass[p] * (c_s * heat + energy));
     }
   }
-  Reduction total;
-  const auto slot = total.add_sum(heated), of_motion = total.add_sum(moved);
-  scope.ranks->reduce(total);
-  (*scope.sums)[mpm::StepSums::heat_from_fluid] += total.sum(slot).value();
-  (*scope.sums)[mpm::StepSums::exchange_gain] += total.sum(of_motion).value();
-  bound_velocities(scope, kind);
 }
 
 // Velocities have changed: sums of the next step must have room for them.
 template <int D>
-void LevelCoupling<D>::bound_velocities(const StageScope& scope, int kind) {
+std::array<Vec3, 2> LevelCoupling<D>::bounds_of_velocities(int kind) const {
   Vec3 up{-1e300, -1e300, -1e300}, down = up;
   for (const SolidSet<D>& s : sets_) {
     if (s.kind != kind) continue;
@@ -227,20 +220,15 @@ void LevelCoupling<D>::bound_velocities(const StageScope& scope, int kind) {
       }
     }
   }
-  Reduction all;
-  std::array<Reduction::Maximum, 6> slots;
-  for (std::size_t d = 0; d < 3; ++d) {
-    slots[2 * d] = all.add_maximum(up[static_cast<int>(d)]);
-    slots[2 * d + 1] = all.add_maximum(down[static_cast<int>(d)]);
-  }
-  scope.ranks->reduce(all);
-  for (std::size_t d = 0; d < 3; ++d) {
-    up[static_cast<int>(d)] = all.maximum(slots[2 * d]);
-    down[static_cast<int>(d)] = all.maximum(slots[2 * d + 1]);
-  }
-  step_->level(step_->count() - 1).include_velocities(kind, up, down);
+  return {up, down};
 }
 
+template std::array<Vec3, 2> LevelCoupling<1>::bounds_of_velocities(int) const;
+template bool LevelCoupling<1>::exchanges(int) const;
+template std::array<Vec3, 2> LevelCoupling<2>::bounds_of_velocities(int) const;
+template bool LevelCoupling<2>::exchanges(int) const;
+template std::array<Vec3, 2> LevelCoupling<3>::bounds_of_velocities(int) const;
+template bool LevelCoupling<3>::exchanges(int) const;
 template void LevelCoupling<1>::exchange(const StageScope&);
 template void LevelCoupling<2>::exchange(const StageScope&);
 template void LevelCoupling<3>::exchange(const StageScope&);

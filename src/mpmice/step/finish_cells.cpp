@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "framework/base/reduction.hpp"
 #include "ice/step/step_bounds.hpp"
 #include "mpmice/step/fluid_cells.hpp"
 #include "mpmice/step/level_coupling.hpp"
@@ -81,7 +82,7 @@ void LevelCoupling<D>::gather(const StageScope& scope) {
     known_.take(scalar + s, amounts_.scalar[static_cast<std::size_t>(s)]);
 }
 
-// Amounts become a state, of several fluids at one pressure. False: some are none.
+// Amounts become a state, of several fluids at one pressure. False: some of this rank are none.
 template <int D>
 bool LevelCoupling<D>::settle(const StageScope& scope) {
   settled_ = amounts_;
@@ -123,7 +124,7 @@ bool LevelCoupling<D>::settle(const StageScope& scope) {
           "; material {}: mass {:g} kg/m^3, volume fraction {:g}, internal energy {:g} J/m^3",
           fluid_->options().place(static_cast<int>(m)), amounts_.mass[m][i], V[m], E[m]);
   });
-  return !on_any(scope, !good);
+  return good;
 }
 
 // q = A/M: there is no scalar where nothing carries it.
@@ -254,10 +255,10 @@ bool LevelCoupling<D>::share_spoilt(const StageScope& scope) {
   for (int round = 0; round < most; ++round) {
     amounts_.spoilt = spoilt_;
     refresh_amounts(scope);
-    std::optional<Cell<D>> stuck;
+    std::optional<Cell<D>> stuck;  // then the cell is no state, and says so
     redistribute<D>(frame_, fields_, amounts_, own_, stuck);
     amounts_.spoilt.clear();
-    if (settle(scope)) {
+    if (!on_any(scope, !settle(scope))) {
       scope.reason->clear();
       return true;
     }
@@ -299,19 +300,50 @@ void LevelCoupling<D>::refresh_amounts(const StageScope& scope) {
 }
 
 template <int D>
-Verdict LevelCoupling<D>::share_small_cells(const StageScope& scope) {
-  std::optional<Cell<D>> stuck;
-  redistribute<D>(frame_, fields_, amounts_, own_, stuck);
-  if (!on_any(scope, stuck.has_value())) return Verdict::good;
+void LevelCoupling<D>::share_small_cells() {
+  redistribute<D>(frame_, fields_, amounts_, own_, stuck_);
+}
+
+template <int D>
+void LevelCoupling<D>::tell_stuck(const StageScope& scope) const {
   scope.reason->clear();
-  if (stuck) {
-    const IntVec3 at = frame_.index(*stuck);
+  if (stuck_) {
+    const IntVec3 at = frame_.index(*stuck_);
     *scope.reason = fmt::format(
         "solids close cell [{}, {}, {}], and no adjacent cell can take the fluid that it contains",
         at.x, at.y, at.z);
   }
   share_reason(scope);
-  return Verdict::reject;
+}
+
+template <int D>
+typename LevelCoupling<D>::Agreed LevelCoupling<D>::agree(const StageScope& scope, bool good,
+                                                          const Column& moved) {
+  book_surface_work(scope, moved);
+  Reduction all;
+  const auto stuck = all.add_any(stuck_.has_value()), spoilt = all.add_any(!good);
+  books_.add_to(all);
+  std::vector<std::pair<int, std::array<Reduction::Maximum, 6>>> bounds;
+  for (int k = 0; k < static_cast<int>(solids_->scene().materials.size()); ++k) {
+    if (!exchanges(k)) continue;
+    const std::array<Vec3, 2> own = bounds_of_velocities(k);
+    bounds.push_back({k, {}});
+    for (int n = 0; n < 6; ++n)
+      bounds.back().second[static_cast<std::size_t>(n)] =
+          all.add_maximum(own[static_cast<std::size_t>(n / 3)][n % 3]);
+  }
+  scope.ranks->reduce(all);
+  const Agreed agreed{all.any(stuck), all.any(spoilt)};
+  if (agreed.stuck || agreed.spoilt) return agreed;
+  books_.take(all, *scope.sums);
+  for (const auto& [kind, slots] : bounds) {
+    std::array<Vec3, 2> of_all;
+    for (int n = 0; n < 6; ++n)
+      of_all[static_cast<std::size_t>(n / 3)][n % 3] =
+          all.maximum(slots[static_cast<std::size_t>(n)]);
+    step_->level(step_->count() - 1).include_velocities(kind, of_all[0], of_all[1]);
+  }
+  return agreed;
 }
 
 template <int D>
@@ -319,14 +351,23 @@ Verdict LevelCoupling<D>::finish_cells(const StageScope& scope) {
   const Column moved = fields_.theta_next;  // parting solids do no work
   swept_with_solid_.assign(frame_.cells.size(), 0);
   for_each_cell_near([&](const Cell<D>&, std::size_t i) { swept_with_solid_[i] = has_solid(i); });
+  stuck_.reset();
   part_torn(scope);
   gather(scope);
   take_friction(scope);
-  if (share_small_cells(scope) != Verdict::good) return Verdict::reject;
+  share_small_cells();
+  books_.clear_rest();
   exchange(scope);
-  if (burn(scope) != Verdict::good) return Verdict::reject;
-  if (!settle(scope) && !share_spoilt(scope)) return Verdict::reject;
-  book_surface_work(scope, moved);
+  burn(scope);
+  Agreed agreed = agree(scope, settle(scope), moved);
+  if (agreed.spoilt && !agreed.stuck) {
+    if (!share_spoilt(scope)) return Verdict::reject;
+    agreed = agree(scope, true, moved);
+  }
+  if (agreed.stuck) {
+    tell_stuck(scope);
+    return Verdict::reject;
+  }
   fill_dry_cells();
   store(scope);
   return Verdict::good;
@@ -371,9 +412,9 @@ Verdict LevelCoupling<D>::limit_step(const StageScope& scope) {
   return Verdict::good;
 }
 
-template Verdict LevelCoupling<1>::share_small_cells(const StageScope&);
-template Verdict LevelCoupling<2>::share_small_cells(const StageScope&);
-template Verdict LevelCoupling<3>::share_small_cells(const StageScope&);
+template void LevelCoupling<1>::share_small_cells();
+template void LevelCoupling<2>::share_small_cells();
+template void LevelCoupling<3>::share_small_cells();
 template Verdict LevelCoupling<1>::limit_step(const StageScope&);
 template Verdict LevelCoupling<2>::limit_step(const StageScope&);
 template Verdict LevelCoupling<3>::limit_step(const StageScope&);

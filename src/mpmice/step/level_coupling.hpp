@@ -1,5 +1,7 @@
 // The coupling on one level in D active directions.
 #pragma once
+#include <optional>
+
 #include "framework/run/levels/level_solver.hpp"
 #include "ice/closure/equilibrate.hpp"
 #include "mpm/shape/axis.hpp"
@@ -11,6 +13,7 @@
 #include "mpmice/burn/vanished_faces.hpp"
 #include "mpmice/step/cell_masks.hpp"
 #include "mpmice/step/coupling.hpp"
+#include "mpmice/step/coupling_books.hpp"
 #include "mpmice/step/exact_lanes.hpp"
 #include "mpmice/step/solid_sets.hpp"
 #include "mpmice/step/surface_geometry.hpp"
@@ -93,13 +96,22 @@ class LevelCoupling final : public Coupling {
   double area_of(const Piece<D>& piece) const;
   Vec3 velocity_of(const SolidSet<D>& s, std::size_t face, const Piece<D>& piece) const;
   bool all_rigid() const;
-  ExactSum force_of_walls(std::size_t d) const;
+  void add_forces_of_walls(std::size_t d, double dt, ExactSum& sum) const;
   void find_overlaps();
   void add_forces_on(const SolidSet<D>& s, std::vector<mpm::CornerForce>& forces) const;
-  void bound_velocities(const StageScope& scope, int kind);
+  bool exchanges(int kind) const;
+  // The largest velocities of a kind, up and down.
+  std::array<Vec3, 2> bounds_of_velocities(int kind) const;
   void book_outside(const StageScope& scope);
   void book_surface_work(const StageScope& scope, const Column& moved);
-  ExactSum growth_of_solids() const;
+  // Of all ranks: does a cell close with fluid in it, is one in no state; books and bounds.
+  struct Agreed {
+    bool stuck = false, spoilt = false;
+  };
+  Agreed agree(const StageScope& scope, bool good, const Column& moved);
+  void add_growth(ExactSum& work) const;
+  double mass_of_heaviest() const;
+  double fastest_way(double dt) const;
   void mean_over_cells(const StageScope& scope);
   CellMask cells_beside_fluid() const;
   void tell_fluid(const StageScope& scope);
@@ -113,9 +125,10 @@ class LevelCoupling final : public Coupling {
   void exchange_with(const StageScope& scope, int kind, double drag, double heat);
   static void share_reason(const StageScope& scope);
   void refresh_amounts(const StageScope& scope);
-  Verdict share_small_cells(const StageScope& scope);
+  void share_small_cells();
+  void tell_stuck(const StageScope& scope) const;
   // What burns (burning.cpp), of surfaces (burn_surfaces.cpp).
-  Verdict burn(const StageScope& scope);
+  void burn(const StageScope& scope);
   void begin_burning();
   class Forms;  // what a law of burning asks of the step
   bool burn_by(const StageScope& scope, const models::SolidBurn& burn);
@@ -194,7 +207,7 @@ class LevelCoupling final : public Coupling {
                    const std::array<double, 3>& momentum);
   void expose_neighbours(const StageScope& scope);
   void note_burned(const StageScope& scope);
-  Verdict open_burned_volume(const StageScope& scope);
+  void open_burned_volume(const StageScope& scope);
   // What tears (torn.cpp).
   bool is_drawn_out(const CornerColumns<D>& x, std::size_t p) const;
   bool tears(const mpm::CornerVolume<D>& v) const;
@@ -262,6 +275,8 @@ class LevelCoupling final : public Coupling {
   KnownByOne<D> known_, kept_;  // kept_: theta that the last step left
   CellSums<D> means_;           // over surfaces, lanes of SurfaceLanes
   SurfaceScales scales_;        // of its values
+  CouplingBooks books_;
+  std::optional<Cell<D>> stuck_;  // a cell of this rank that closes with fluid in it
   KeptArray<std::uint8_t> swept_with_solid_;  // 1: cells of which the sweep has left amounts
   CellAmounts<D> amounts_;
   CellAmounts<D> settled_;          // what becomes their state, per volume of fluid

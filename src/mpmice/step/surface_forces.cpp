@@ -86,12 +86,11 @@ bool LevelCoupling<D>::all_rigid() const {
   return std::all_of(kinds.begin(), kinds.end(), [](const auto& m) { return m.rigid; });
 }
 
-// Of all walls on the fluid, N: sum p_w (a_- - a_+) over its cells, also where bodies overlap and a
-// face to a cell without fluid is not covered. Of this rank's cells.
+// The impulse of all walls on the fluid, N s: dt sum p_w (a_- - a_+) over its cells, also where
+// bodies overlap and a face to a cell without fluid is not covered. Of this rank's cells.
 template <int D>
-ExactSum LevelCoupling<D>::force_of_walls(std::size_t d) const {
-  ExactSum sum;
-  const double area = frame_.face_area(static_cast<int>(d));
+void LevelCoupling<D>::add_forces_of_walls(std::size_t d, double dt, ExactSum& sum) const {
+  const double impulse = dt * frame_.face_area(static_cast<int>(d));
   for_each_own_cell([&](const Cell<D>& c, std::size_t i) {
     if (!wet(i)) return;
     const auto closed = [&](const Cell<D>& face, Cell<D> beyond) {
@@ -103,9 +102,8 @@ ExactSum LevelCoupling<D>::force_of_walls(std::size_t d) const {
     Cell<D> below = c, above = c;
     --below[d];
     ++above[d];
-    sum.add(fields_.wall_pressure[i] * (closed(c, below) - closed(above, above)) * area);
+    sum.add(fields_.wall_pressure[i] * (closed(c, below) - closed(above, above)) * impulse);
   });
-  return sum;
 }
 
 // Where bodies overlap, faces are covered once and surfaces are counted twice: what the fluid gives
@@ -136,11 +134,18 @@ void LevelCoupling<D>::find_overlaps() {
 // rigid bodies.
 template <int D>
 void LevelCoupling<D>::book_outside(const StageScope& scope) {
+  using Of = mpm::StepSums;
   const bool rubs = fluid_->options().transport.viscous;
-  // From outside, on the fluid or on bodies that a side cuts; of the fluid on rigid bodies, less
-  // that of the reference pressure; of its friction in that.
-  std::array<ExactSum, D> outside, on_rigid, friction;
-  ExactSum work;  // of friction on rigid bodies
+  const double dt = scope.step.dt;
+  books_.clear_forces();
+  ExactSum none;
+  // Where all are rigid the impulse is that of the walls on the fluid, without friction.
+  const auto impulse = [&](std::size_t d) -> ExactSum& {
+    return all_rigid() ? none : books_.of_forces(Of::impulse_x + frame_.direction[d]);
+  };
+  const auto reaction = [&](std::size_t d) -> ExactSum& {
+    return books_.of_forces(Of::reaction_x + frame_.direction[d]);
+  };
   for (const SolidSet<D>& s : sets_) {
     const bool rigid = solids_->scene().materials[static_cast<std::size_t>(s.kind)].rigid;
     s.pieces.for_each(s.faces, [&](std::size_t i, int, const Piece<D>& piece) {
@@ -151,44 +156,23 @@ void LevelCoupling<D>::book_outside(const StageScope& scope) {
       const double size = rigid && rubs ? area_of(piece) * piece.s * weight : 0.0;
       const Vec3 v = rigid && rubs ? velocity_of(s, i, piece) : Vec3{};
       for (std::size_t d = 0; d < D; ++d) {
-        const double area = scope.step.dt * piece.area[d] * frame_.face_area(static_cast<int>(d));
+        const double area = piece.area[d] * frame_.face_area(static_cast<int>(d));
         if (!rigid) {
-          outside[d].add(reference_pressure_ * weight * area);
+          impulse(d).add(reference_pressure_ * weight * (dt * area));
           continue;
         }
-        outside[d].add(fields_.wall_pressure[n] * area);
-        on_rigid[d].add(-(fields_.wall_pressure[n] - reference_pressure_) * area);
+        impulse(d).add(fields_.wall_pressure[n] * (dt * area));
+        reaction(d).add(-(fields_.wall_pressure[n] - reference_pressure_) * area);
         if (!rubs) continue;
-        const double I = scope.step.dt * size * fields_.friction[d][n];
-        outside[d].add(-I);
-        on_rigid[d].add(I);
-        friction[d].add(I);
-        work.add(-I * v[frame_.direction[d]]);
+        const double force = size * fields_.friction[d][n];
+        reaction(d).add(force);
+        books_.of_forces(Of::impulse_x + frame_.direction[d]).add(-force * dt);
+        books_.of_forces(Of::work).add(-force * dt * v[frame_.direction[d]]);
       }
     });
   }
-  Reduction all;
-  std::array<Reduction::Sum, D> from_outside, of_rigid, of_friction, of_walls;
-  for (std::size_t d = 0; d < D; ++d) {
-    if (all_rigid()) of_walls[d] = all.add_sum(force_of_walls(d));
-    from_outside[d] = all.add_sum(outside[d]);
-    of_rigid[d] = all.add_sum(on_rigid[d]);
-    of_friction[d] = all.add_sum(friction[d]);
-  }
-  const auto of_work = all.add_sum(work);
-  scope.ranks->reduce(all);
-  std::vector<double>& sums = *scope.sums;
-  sums[mpm::StepSums::work] += all.sum(of_work).value();
-  for (std::size_t d = 0; d < D; ++d) {
-    const auto at = [&](int first) {
-      return static_cast<std::size_t>(first + frame_.direction[d]);
-    };
-    sums[at(mpm::StepSums::reaction_x)] += all.sum(of_rigid[d]).value() / scope.step.dt;
-    sums[at(mpm::StepSums::impulse_x)] +=
-        all_rigid() ? scope.step.dt * all.sum(of_walls[d]).value() -
-                          all.sum(of_friction[d]).value()
-                    : all.sum(from_outside[d]).value();
-  }
+  for (std::size_t d = 0; d < D && all_rigid(); ++d)
+    add_forces_of_walls(d, dt, books_.of_forces(Of::impulse_x + frame_.direction[d]));
 }
 
 template <int D>

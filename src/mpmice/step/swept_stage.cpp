@@ -66,39 +66,30 @@ Verdict LevelCoupling<D>::find_swept_volumes(const StageScope& scope) {
 template <int D>
 void LevelCoupling<D>::book_surface_work(const StageScope& scope, const Column& moved) {
   const bool rigid = all_rigid(), rubs = fluid_->options().transport.viscous;
-  ExactSum of_cells;  // J
+  ExactSum& work = books_.of_rest(rigid ? mpm::StepSums::work : mpm::StepSums::surface_work);
   for_each_own_cell([&](const Cell<D>&, std::size_t i) {
     const bool waits = fields_.theta[i] >= 1 && fields_.theta_next[i] >= 1;
     if (!waits && swept_with_solid_[i] != 0)
-      of_cells.add(fields_.wall_pressure[i] * (moved[i] - fields_.theta[i]) * frame_.cell_volume);
+      work.add(fields_.wall_pressure[i] * (moved[i] - fields_.theta[i]) * frame_.cell_volume);
     for (std::size_t d = 0; d < D && rubs && !rigid; ++d)
-      of_cells.add(-fields_.friction[d][i] * fields_.area[i] * fields_.surface_velocity[d][i] *
-                   (scope.step.dt * frame_.largest_face()));
+      work.add(-fields_.friction[d][i] * fields_.area[i] * fields_.surface_velocity[d][i] *
+               (scope.step.dt * frame_.largest_face()));
   });
-  Reduction all;
-  const auto work = all.add_sum(of_cells), grown = all.add_sum(growth_of_solids());
-  scope.ranks->reduce(all);
-  std::vector<double>& sums = *scope.sums;
-  if (rigid)
-    sums[mpm::StepSums::work] += all.sum(work).value();
-  else
-    sums[mpm::StepSums::surface_work] +=
-        all.sum(work).value() - reference_pressure_ * all.sum(grown).value();
+  if (!rigid) add_growth(work);
 }
 
-// By how much particles have grown, m^3: what the totals count, also where bodies overlap.
+// Less what the reference pressure works on them as they grow: what the totals count, also where
+// bodies overlap.
 template <int D>
-ExactSum LevelCoupling<D>::growth_of_solids() const {
-  ExactSum growth;
+void LevelCoupling<D>::add_growth(ExactSum& work) const {
   for (const SolidSet<D>& s : sets_) {
     const auto column = static_cast<std::size_t>(s.columns->volume);
     const double *before = s.set->column(column), *after = s.next->column(column);
     for (std::size_t p = 0; p < s.set->size(); ++p) {
-      growth.add(after[p]);
-      growth.add(-before[p]);
+      work.add(-reference_pressure_ * after[p]);
+      work.add(reference_pressure_ * before[p]);
     }
   }
-  return growth;
 }
 
 // A pocket of fluid that solids close, with nobody beside it to take what it holds, is kept open by
@@ -163,26 +154,32 @@ CellMask LevelCoupling<D>::cells_beside_fluid() const {
   return mask;
 }
 
+// Of the particles of all solids and ranks.
+template <int D>
+double LevelCoupling<D>::mass_of_heaviest() const {
+  double most = 1e-300;
+  const mpm::SolidStep& solids = step_->level(step_->count() - 1);
+  for (const mpm::Body& body : solids.bodies()) most = std::max(most, body.rates.mass);
+  return most;
+}
+
+// What any of them covers in the step along a direction, m/s.
+template <int D>
+double LevelCoupling<D>::fastest_way(double dt) const {
+  double width = 0;
+  for (const int d : frame_.direction) width = std::max(width, frame_.spacing[d]);
+  return std::max(step_->level(step_->count() - 1).travel() * width / dt, 1e-300);
+}
+
 // Mass of the solids in cells beside fluid and their velocity, from a 2^D-th of each particle half
 // way between its middle and each corner; velocities are those of the step, (x' - x)/dt.
 template <int D>
 void LevelCoupling<D>::mean_over_cells(const StageScope& scope) {
-  double most_mass = 0, most_speed = 0;
   const double dt = scope.step.dt;
   const auto speed = [&](const SolidSet<D>& s, std::size_t p, int d) {
     return (s.next->coordinate(d)[p] - s.set->coordinate(d)[p]) / dt;
   };
-  for (const SolidSet<D>& s : sets_)
-    for (std::size_t p = 0; p < s.set->size(); ++p) {
-      most_mass = std::max(most_mass, s.set->column(static_cast<std::size_t>(s.columns->mass))[p]);
-      for (const int d : frame_.direction)
-        most_speed = std::max(most_speed, std::fabs(speed(s, p, d)));
-    }
-  Reduction all;
-  const auto mass_slot = all.add_maximum(most_mass), speed_slot = all.add_maximum(most_speed);
-  scope.ranks->reduce(all);
-  most_mass = std::max(all.maximum(mass_slot), 1e-300);
-  most_speed = std::max(all.maximum(speed_slot), 1e-300);
+  const double most_mass = mass_of_heaviest(), most_speed = fastest_way(dt);
   CellSums<D> sums;
   sums.begin(frame_.cells, 1 + D);
   const CellMask beside = cells_beside_fluid();
