@@ -76,8 +76,7 @@ BlockSharers<D>::BlockSharers(std::vector<RankBox<D>> boxes, const PeriodicSides
     for (int& rank : sharers[b])
       rank = static_cast<int>(std::lower_bound(neighbours_.begin(), neighbours_.end(), rank) -
                               neighbours_.begin());
-    const auto [at, is_new] =
-        numbers.emplace(sharers[b], static_cast<std::int32_t>(sets_.size()));
+    const auto [at, is_new] = numbers.emplace(sharers[b], static_cast<std::int32_t>(sets_.size()));
     if (is_new) sets_.push_back(sharers[b]);
     set_of[b] = 1 + at->second;
   }
@@ -122,11 +121,9 @@ template <int D>
 void BlockSharers<D>::swap_alike(const Buffers& out, Buffers& in) const {
   Messages messages;
   for (std::size_t n = 0; n < in.size(); ++n)
-    if (!in[n].empty())
-      messages.post_receive(in[n].data(), in[n].size(), neighbours_[n], data_tag);
+    if (!in[n].empty()) messages.post_receive(in[n].data(), in[n].size(), neighbours_[n], data_tag);
   for (std::size_t n = 0; n < out.size(); ++n)
-    if (!out[n].empty())
-      messages.post_send(out[n].data(), out[n].size(), neighbours_[n], data_tag);
+    if (!out[n].empty()) messages.post_send(out[n].data(), out[n].size(), neighbours_[n], data_tag);
   messages.wait_all();
 }
 

@@ -30,8 +30,8 @@ class BlockSharers {
 
   // The boxes of a level, of all ranks; `sides`: its periodic ones; `room`: cells that may have
   // blocks at all.
-  BlockSharers(std::vector<RankBox<D>> boxes, const PeriodicSides<D>& sides,
-               const CellBox<D>& room, const Communicator& ranks);
+  BlockSharers(std::vector<RankBox<D>> boxes, const PeriodicSides<D>& sides, const CellBox<D>& room,
+               const Communicator& ranks);
   bool fits(const std::vector<RankBox<D>>& boxes) const { return boxes == boxes_; }
 
   // Has this rank a block.

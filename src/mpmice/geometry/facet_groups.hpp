@@ -21,8 +21,8 @@
 namespace sluice::mpmice {
 
 // Of each cell sixteen numbers beside each other, in units of 1/sum_unit: N_d, T_d of the mean, and
-// the first two C_d (swept_volumes.hpp); N_d', T_d' of the end of the step (solid_in_cells.hpp), the
-// last C_d, and a plain number of the facets that span the cell (free_cells.hpp).
+// the first two C_d (swept_volumes.hpp); N_d', T_d' of the end of the step (solid_in_cells.hpp),
+// the last C_d, and a plain number of the facets that span the cell (free_cells.hpp).
 inline constexpr std::size_t numbers_of_cell = 16;
 namespace number_of_cell {
 inline constexpr std::size_t mean_N = 0, mean_T = 3, end_N = 8, end_T = 11, mark = 15;

@@ -16,8 +16,8 @@ bool all_odd(const auto& cell) {
 
 // Along all directions, the cells whose points may lie between low and high.
 template <int D>
-bool find_cells(const std::array<double, D>& low, const std::array<double, D>& high,
-                Cell<D>& first, Cell<D>& last) {
+bool find_cells(const std::array<double, D>& low, const std::array<double, D>& high, Cell<D>& first,
+                Cell<D>& last) {
   constexpr double hair = 1e-9;
   for (std::size_t d = 0; d < D; ++d) {
     first[d] = static_cast<int>(std::ceil(low[d] - inside_point[d] - hair));
@@ -101,8 +101,8 @@ void FreeCells<D>::ask(const SolidParticles<D>& particles, When when, std::size_
     if (!all_odd(cell)) return;
     for (std::size_t k = 0; k < x.size() && !known; ++k)
       for (std::size_t d = 0; d < D; ++d)
-        corners[k][d] = on_planes((x[k][d][p] - particles.units.origin[d]) *
-                                  particles.units.inverse[d]);
+        corners[k][d] =
+            on_planes((x[k][d][p] - particles.units.origin[d]) * particles.units.inverse[d]);
     known = true;
     std::array<double, D> point;
     for (std::size_t d = 0; d < D; ++d) point[d] = c[d] + inside_point[d];

@@ -13,8 +13,7 @@ class MovingSurface {
   // Adds all faces to sums that were begun over the same blocks, and marks the cells that they span
   // in the step. Throws std::out_of_range where a facet reaches a cell without block, or over more
   // than most_move cells.
-  void add(const OuterFaces<D>& faces, SolidSums<D>& end, SweptSums<D>& swept,
-           FreeCells<D>& free);
+  void add(const OuterFaces<D>& faces, SolidSums<D>& end, SweptSums<D>& swept, FreeCells<D>& free);
 
  private:
   // Of three dimensions; they keep their memory.

@@ -144,7 +144,8 @@ TEST(MovingSurface, ABodyMovedByWholeCellsKeepsItsBits) {
     KeptArray<double> values;
     for_each_cell_of<3>({all<3>(-6 + by), all<3>(16 + by)}, [&](const Cell<3>& c) {
       const std::size_t i = blocks.index(c);
-      values.insert(values.end(), {g.theta[i], g.a[0][i], g.a[1][i], s.A[2][i], s.C[0][i], s.C[1][i]});
+      values.insert(values.end(),
+                    {g.theta[i], g.a[0][i], g.a[1][i], s.A[2][i], s.C[0][i], s.C[1][i]});
     });
     return values;
   };

@@ -78,21 +78,21 @@ TEST(OuterFaces, PiecesAddUp) {
   std::array<std::array<double, 4>, 24> sums{};
   std::size_t pieces = 0;
   double worst = 0;
-  for_each_piece<3>(faces, When::end, 0, faces.size(),
-                    [&](std::size_t i, int t, const Piece<3>& piece) {
-                      const FacetNodes<3> x = facet_nodes<3>(faces.end, i, t);
-                      auto& sum = sums[4 * i + static_cast<std::size_t>(t)];
-                      sum[3] += piece.s;
-                      for (std::size_t k = 0; k < 3; ++k) sum[k] += piece.m[k];
-                      ++pieces;
-                      for (std::size_t d = 0; d < 3; ++d) {  // its middle lies in its cell
-                        double middle = 0;
-                        for (std::size_t k = 0; k < 3; ++k) middle += piece.m[k] * x[k][d];
-                        if (piece.s < 1e-9) continue;
-                        worst = std::max({worst, piece.cell[d] - middle / piece.s,
-                                          middle / piece.s - (piece.cell[d] + 1)});
-                      }
-                    });
+  for_each_piece<3>(
+      faces, When::end, 0, faces.size(), [&](std::size_t i, int t, const Piece<3>& piece) {
+        const FacetNodes<3> x = facet_nodes<3>(faces.end, i, t);
+        auto& sum = sums[4 * i + static_cast<std::size_t>(t)];
+        sum[3] += piece.s;
+        for (std::size_t k = 0; k < 3; ++k) sum[k] += piece.m[k];
+        ++pieces;
+        for (std::size_t d = 0; d < 3; ++d) {  // its middle lies in its cell
+          double middle = 0;
+          for (std::size_t k = 0; k < 3; ++k) middle += piece.m[k] * x[k][d];
+          if (piece.s < 1e-9) continue;
+          worst = std::max(
+              {worst, piece.cell[d] - middle / piece.s, middle / piece.s - (piece.cell[d] + 1)});
+        }
+      });
   EXPECT_GT(pieces, 100u);
   EXPECT_LT(worst, 1e-12);
   for (const auto& sum : sums) {
@@ -114,10 +114,9 @@ TEST(OuterFaces, BothSidesOfAnInnerOneCancelInOneCell) {
   faces.weight = {0.9, 0.7};
   const auto in_cells = [&] {
     std::array<double, 2> sums{};  // of the cells below and above the plane
-    for_each_piece<2>(faces, When::start, 0, 2,
-                      [&](std::size_t i, int, const Piece<2>& piece) {
-                        sums[piece.cell[0] < 3 ? 0 : 1] += faces.weight_of(i) * piece.area[0];
-                      });
+    for_each_piece<2>(faces, When::start, 0, 2, [&](std::size_t i, int, const Piece<2>& piece) {
+      sums[piece.cell[0] < 3 ? 0 : 1] += faces.weight_of(i) * piece.area[0];
+    });
     return sums;
   };
   faces.inner = {1, 1};

@@ -69,8 +69,8 @@ void check(Kind kind, int width) {
       const std::size_t i = blocks.index(c), j = blocks.index(moved);
       worst = std::max(worst, std::fabs(a.theta[i] - b.theta[j]));
       for (std::size_t d = 0; d < D; ++d)
-        worst = std::max({worst, std::fabs(a.a[d][i] - b.a[d][j]),
-                          std::fabs(mean.A[d][i] - mean_b.A[d][j])});
+        worst = std::max(
+            {worst, std::fabs(a.a[d][i] - b.a[d][j]), std::fabs(mean.A[d][i] - mean_b.A[d][j])});
     });
     EXPECT_LT(worst, round_off) << D << " " << x << " " << width;
   }

@@ -74,8 +74,7 @@ class CutSurface {
   void cut(const OuterFaces<D>& faces) {
     pieces_.clear();
     for_each_piece<D>(
-        faces, When::start, 0, faces.size(),
-        [&](std::size_t i, int t, const Piece<D>& piece) {
+        faces, When::start, 0, faces.size(), [&](std::size_t i, int t, const Piece<D>& piece) {
           pieces_.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(t),
                              piece.cell, piece.s, piece.m, piece.arm});
         });
@@ -87,8 +86,7 @@ class CutSurface {
     const Kept* last = nullptr;
     for (const Kept& kept : pieces_) {
       if (last == nullptr || kept.face != last->face || kept.facet != last->facet) {
-        FacetNodes<D> nodes =
-            facet_nodes<D>(faces.start, kept.face, static_cast<int>(kept.facet));
+        FacetNodes<D> nodes = facet_nodes<D>(faces.start, kept.face, static_cast<int>(kept.facet));
         count_from_own_cell<D>(nodes);
         piece.n = area_vector<D>(nodes, faces.face[kept.face]);
       }

@@ -110,13 +110,13 @@ void ReferenceCells<D>::add_mean(const SolidParticles<D>& particles) {
     for (int t = 0; t < facets_of_face<D>; ++t) {
       const MixedFacet<D> f(facet_nodes<D>(faces.start, i, t), facet_nodes<D>(faces.end, i, t),
                             faces.face[i]);
-      for_each_mean_piece<D>(f, 1, false,
-                             [&](const std::array<Slots, D>&, const MeanArea<D>& area,
-                                 const MeanPiece<D>& piece) {
-                               Cell<D> cell = piece.cell;
-                               for (std::size_t d = 0; d < D; ++d) cell[d] += f.base[d];
-                               act(cell, area.N[0] * piece.s, piece.T[0]);
-                             });
+      for_each_mean_piece<D>(
+          f, 1, false,
+          [&](const std::array<Slots, D>&, const MeanArea<D>& area, const MeanPiece<D>& piece) {
+            Cell<D> cell = piece.cell;
+            for (std::size_t d = 0; d < D; ++d) cell[d] += f.base[d];
+            act(cell, area.N[0] * piece.s, piece.T[0]);
+          });
     }
   });
 }
@@ -133,17 +133,15 @@ void ReferenceCells<D>::sum_over_ranks(Communicator& ranks) {
       if (!free_->begins_free(block)) act(block);
   };
   for (std::size_t n = 0; n < shared.size(); ++n) {
-    for_each_shared(n, [&](std::size_t block) {
-      out[n].push_back(std::bit_cast<double>(values_[block]));
-    });
+    for_each_shared(
+        n, [&](std::size_t block) { out[n].push_back(std::bit_cast<double>(values_[block])); });
     in[n].resize(out[n].size());
   }
   free_->cells().sharers()->swap_alike(out, in);
   for (std::size_t n = 0; n < shared.size(); ++n) {
     const double* from = in[n].data();
-    for_each_shared(n, [&](std::size_t block) {
-      values_[block] += std::bit_cast<std::uint64_t>(*from++);
-    });
+    for_each_shared(
+        n, [&](std::size_t block) { values_[block] += std::bit_cast<std::uint64_t>(*from++); });
   }
 }
 

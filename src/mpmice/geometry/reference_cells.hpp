@@ -1,8 +1,8 @@
 // The volume fraction of the lowest cell of each block in which no cell is free to begin at: from
 // the particles that reach it, each a closed body of its own.
 //
-//   theta of one particle in a cell = what its faces add to T_x there, and to N_x in the cells above
-//   in the row along x
+//   theta of one particle in a cell = what its faces add to T_x there, and to N_x in the cells
+//   above in the row along x
 //
 // (solid_in_cells.hpp). Ten times dearer a face than surfaces, and rare: foam, debris, bodies that
 // burn all through.

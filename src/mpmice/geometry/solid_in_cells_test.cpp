@@ -325,22 +325,20 @@ double error_of_forces(const Body<D>& body) {
       on_nodes[d][cells_of(g).index(node)] += value * hat<D>(node, x);
     }
   };
-  for_each_piece<D>(faces, When::start, 0, faces.size(),
-                    [&](std::size_t i, int t, const Piece<D>& piece) {
-                      std::array<double, corners_of_face<D>> share{};
-                      add_to_corners<D>(t, piece.m, share);
-                      for (std::size_t k = 0; k < share.size(); ++k) {
-                        const auto corner =
-                            static_cast<std::size_t>(faces.corner(i, static_cast<int>(k)));
-                        Point<D> x;
-                        for (std::size_t d = 0; d < D; ++d)
-                          x[d] = body.start[corner][d][faces.particle[i]];
-                        for (std::size_t d = 0; d < D; ++d) {
-                          spread(x, d, piece.n[d] * share[k]);
-                          in_cells[d][cells_of(g).index(piece.cell)] += piece.n[d] * share[k];
-                        }
-                      }
-                    });
+  for_each_piece<D>(
+      faces, When::start, 0, faces.size(), [&](std::size_t i, int t, const Piece<D>& piece) {
+        std::array<double, corners_of_face<D>> share{};
+        add_to_corners<D>(t, piece.m, share);
+        for (std::size_t k = 0; k < share.size(); ++k) {
+          const auto corner = static_cast<std::size_t>(faces.corner(i, static_cast<int>(k)));
+          Point<D> x;
+          for (std::size_t d = 0; d < D; ++d) x[d] = body.start[corner][d][faces.particle[i]];
+          for (std::size_t d = 0; d < D; ++d) {
+            spread(x, d, piece.n[d] * share[k]);
+            in_cells[d][cells_of(g).index(piece.cell)] += piece.n[d] * share[k];
+          }
+        }
+      });
   const auto columns = Body<D>::columns(body.start);
   VolumeGradients<D> chunk;
   for (std::size_t p = 0; p < body.size(); ++p) {

@@ -23,8 +23,7 @@ void check_reach(const MixedFacet<D>& f) {
 }  // namespace
 
 template <int D>
-void SweptSums<D>::add_facet(const OuterFaces<D>& faces, std::size_t i, int t,
-                             FreeCells<D>& free) {
+void SweptSums<D>::add_facet(const OuterFaces<D>& faces, std::size_t i, int t, FreeCells<D>& free) {
   const MixedFacet<D> f(facet_nodes<D>(faces.start, i, t), facet_nodes<D>(faces.end, i, t),
                         faces.face[i]);
   check_reach<D>(f);

@@ -267,8 +267,7 @@ double error_of_directions(const Body<D>& body) {
           [&](const std::array<Slots, D>&, const MeanArea<D>&, const MeanPiece<D>& piece) {
             Cell<D> cell = piece.cell;
             for (std::size_t d = 0; d < D; ++d) cell[d] += f.base[d];
-            for (std::size_t d = 0; d < D; ++d)
-              T[d][test_cells<D>().index(cell)] += piece.T[d];
+            for (std::size_t d = 0; d < D; ++d) T[d][test_cells<D>().index(cell)] += piece.T[d];
           });
     }
   double worst = 0;

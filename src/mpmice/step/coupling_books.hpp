@@ -34,11 +34,10 @@ class CouplingBooks {
   }
 
  private:
-  static constexpr std::array booked{int{Of::impulse_x},       int{Of::impulse_y},
-                                     int{Of::impulse_z},       int{Of::work},
-                                     int{Of::reaction_x},      int{Of::reaction_y},
-                                     int{Of::reaction_z},      int{Of::heat_from_fluid},
-                                     int{Of::exchange_gain},   int{Of::surface_work}};
+  static constexpr std::array booked{
+      int{Of::impulse_x},     int{Of::impulse_y},   int{Of::impulse_z},  int{Of::work},
+      int{Of::reaction_x},    int{Of::reaction_y},  int{Of::reaction_z}, int{Of::heat_from_fluid},
+      int{Of::exchange_gain}, int{Of::surface_work}};
   static std::size_t place(int index) {
     std::size_t n = 0;
     while (booked[n] != index) ++n;

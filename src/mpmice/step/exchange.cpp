@@ -29,8 +29,7 @@ void LevelCoupling<D>::exchange(const StageScope& scope) {
   const ice::IceScene& ice = fluid_->scene();
   for (int k = 0; k < static_cast<int>(solids_->scene().materials.size()); ++k)
     if (exchanges(k))
-      exchange_with(scope, k, ice.momentum_of_all(k, ice.solids),
-                    ice.heat_of_all(k, ice.solids));
+      exchange_with(scope, k, ice.momentum_of_all(k, ice.solids), ice.heat_of_all(k, ice.solids));
 }
 
 template <int D>

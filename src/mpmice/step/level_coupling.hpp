@@ -254,8 +254,8 @@ class LevelCoupling final : public Coupling {
   Frame<D> frame_;
   std::unique_ptr<BlockSharers<D>> sharers_;  // null: this is the only rank
   CellMask own_;                              // 1: cells of this rank's boxes
-  std::array<mpm::Axis, D> axes_;  // of the corners
-  OccupiedCells<D> occupied_;      // cells in which solids lie, or gaps that they keep
+  std::array<mpm::Axis, D> axes_;             // of the corners
+  OccupiedCells<D> occupied_;                 // cells in which solids lie, or gaps that they keep
   const ice::FluidPart* fluid_;
   const mpm::Mpm* solids_;
   std::shared_ptr<mpm::SolidLevels> step_;
@@ -276,7 +276,7 @@ class LevelCoupling final : public Coupling {
   CellSums<D> means_;           // over surfaces, lanes of SurfaceLanes
   SurfaceScales scales_;        // of its values
   CouplingBooks books_;
-  std::optional<Cell<D>> stuck_;  // a cell of this rank that closes with fluid in it
+  std::optional<Cell<D>> stuck_;              // a cell of this rank that closes with fluid in it
   KeptArray<std::uint8_t> swept_with_solid_;  // 1: cells of which the sweep has left amounts
   CellAmounts<D> amounts_;
   CellAmounts<D> settled_;          // what becomes their state, per volume of fluid

@@ -18,9 +18,9 @@
 
 namespace sluice::mpmice {
 
-// `stuck`: the first of the cells that are `own` which closes while nobody takes what it holds. What
-// becomes of a cell follows from those within five cells around it (volumes, normals and covered
-// faces: six; farther only where a closed cell looks for room).
+// `stuck`: the first of the cells that are `own` which closes while nobody takes what it holds.
+// What becomes of a cell follows from those within five cells around it (volumes, normals and
+// covered faces: six; farther only where a closed cell looks for room).
 template <int D>
 void redistribute(const Frame<D>& frame, const SolidFields<D>& solids, CellAmounts<D>& amounts,
                   const KeptArray<std::uint8_t>& own, std::optional<Cell<D>>& stuck);

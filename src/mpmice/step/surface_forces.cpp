@@ -18,8 +18,7 @@ void LevelCoupling<D>::add_forces_on(const SolidSet<D>& s,
   for (std::size_t d = 0; d < D; ++d)
     per_largest[d] = frame_.face_area(static_cast<int>(d)) / frame_.largest_face();
   KeptArray<std::array<std::array<double, corners_of_face<D>>, D>> sums(s.faces.size());
-  s.pieces.for_each(s.faces, [&](std::size_t i, int t,
-                                 const Piece<D>& piece) {
+  s.pieces.for_each(s.faces, [&](std::size_t i, int t, const Piece<D>& piece) {
     // A body that a side of the domain cuts has no surface there.
     if (!frame_.in_domain(frame_.wrapped(piece.cell))) return;
     const std::size_t c = frame_.cells.index(frame_.inside(piece.cell));
@@ -72,8 +71,7 @@ Vec3 LevelCoupling<D>::velocity_of(const SolidSet<D>& s, std::size_t face,
   Vec3 place = s.set->position(p);
   for (std::size_t a = 0; a < D; ++a) {
     const int d = frame_.direction[a];
-    place[d] =
-        frame_.anchor[d] + (piece.cell[a] + piece.arm[a] / piece.s) * frame_.spacing[d];
+    place[d] = frame_.anchor[d] + (piece.cell[a] + piece.arm[a] / piece.s) * frame_.spacing[d];
   }
   if (motion != nullptr) return motion->at(place);
   const auto w = mpm::read_columns<3>(*s.set, s.columns->spin);
@@ -192,12 +190,9 @@ Verdict LevelCoupling<D>::press_on_solids(const StageScope& scope) {
   return Verdict::good;
 }
 
-template Vec3 LevelCoupling<1>::velocity_of(const SolidSet<1>&, std::size_t,
-                                             const Piece<1>&) const;
-template Vec3 LevelCoupling<2>::velocity_of(const SolidSet<2>&, std::size_t,
-                                             const Piece<2>&) const;
-template Vec3 LevelCoupling<3>::velocity_of(const SolidSet<3>&, std::size_t,
-                                             const Piece<3>&) const;
+template Vec3 LevelCoupling<1>::velocity_of(const SolidSet<1>&, std::size_t, const Piece<1>&) const;
+template Vec3 LevelCoupling<2>::velocity_of(const SolidSet<2>&, std::size_t, const Piece<2>&) const;
+template Vec3 LevelCoupling<3>::velocity_of(const SolidSet<3>&, std::size_t, const Piece<3>&) const;
 template void LevelCoupling<1>::find_overlaps();
 template void LevelCoupling<2>::find_overlaps();
 template void LevelCoupling<3>::find_overlaps();

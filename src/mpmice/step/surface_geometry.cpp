@@ -41,8 +41,8 @@ void SurfaceGeometry<D>::begin_at_start(const Frame<D>& frame,
 
 template <int D>
 void SurfaceGeometry<D>::finish_at_start(const Frame<D>& frame,
-                                         const std::vector<SolidSet<D>>& sets,
-                                         Communicator* ranks, SolidInCells<D>& found) {
+                                         const std::vector<SolidSet<D>>& sets, Communicator* ranks,
+                                         SolidInCells<D>& found) {
   finish(frame, sets, ranks, When::start, found);
 }
 

@@ -21,17 +21,16 @@ class SurfaceGeometry {
   void find_moved(const Frame<D>& frame, const std::vector<SolidSet<D>>& sets, Communicator& ranks,
                   SolidInCells<D>& at_end, SweptVolumes<D>& swept);
   // Collective. The end alone: faces have changed since.
-  void find_at_end(const Frame<D>& frame, const std::vector<SolidSet<D>>& sets,
-                   Communicator& ranks, SolidInCells<D>& found);
+  void find_at_end(const Frame<D>& frame, const std::vector<SolidSet<D>>& sets, Communicator& ranks,
+                   SolidInCells<D>& found);
 
  private:
   void begin(const Frame<D>& frame, const std::vector<SolidSet<D>>& sets, When when, bool moved);
   void finish(const Frame<D>& frame, const std::vector<SolidSet<D>>& sets, Communicator* ranks,
               When when, SolidInCells<D>& found);
   // References where blocks need any; null: none does.
-  const std::uint64_t* find_references(const Frame<D>& frame,
-                                       const std::vector<SolidSet<D>>& sets, Communicator* ranks,
-                                       When when);
+  const std::uint64_t* find_references(const Frame<D>& frame, const std::vector<SolidSet<D>>& sets,
+                                       Communicator* ranks, When when);
 
   FreeCells<D> free_;
   SolidSums<D> sums_;

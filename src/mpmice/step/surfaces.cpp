@@ -164,9 +164,9 @@ Verdict LevelCoupling<D>::find_surfaces(const StageScope& scope) {
   tell_kept_fractions(scope);
   sum_over_surfaces(scope);
   tell_fluid_states(scope, false);
-  share_sums<D>({&geometry_.free_cells(), &geometry_.surfaces(), &kept_.sums(), &means_,
-                 &known_.sums()},
-                *scope.ranks);
+  share_sums<D>(
+      {&geometry_.free_cells(), &geometry_.surfaces(), &kept_.sums(), &means_, &known_.sums()},
+      *scope.ranks);
   SolidInCells<D> found;
   geometry_.finish_at_start(frame_, sets_, scope.ranks, found);
   fields_.normal = std::move(found.n);
@@ -233,32 +233,31 @@ void LevelCoupling<D>::sum_over_surfaces(const StageScope& scope) {
   for (const SolidSet<D>& s : sets_) {
     if (s.faces.size() == 0) continue;
     const auto stress = mpm::read_columns<6>(*s.set, s.columns->stress);
-    s.pieces.for_each(
-        s.faces, [&](std::size_t i, int, const Piece<D>& piece) {
-          const std::size_t p = s.faces.particle[i], c = frame_.cells.index_to_add(piece.cell);
-          std::array<double, D> unit = piece.n;
-          double size = 0;
-          for (std::size_t a = 0; a < D; ++a) {
-            unit[a] *= of_largest[a];
-            size += unit[a] * unit[a];
-          }
-          size = std::sqrt(size);
-          if (!(size > 0)) return;
-          for (double& n : unit) n /= size;
-          const double A = size * piece.s * s.faces.weight_of(i);
-          sums.lane(Lanes::area)[c] += to_sum(A);
-          sums.lane(Lanes::pressure)[c] +=
-              to_sum(A * (pressure_along<D>(frame_, stress, p, unit) / scale.pressure));
-          sums.lane(Lanes::soft)[c] += to_sum(A * (compliance(s, p) / scale.compliance));
-          sums.lane(Lanes::light)[c] += to_sum(A * (inverse_density(s, p) / scale.inverse_density));
-          const Vec3 u = velocity_of(s, i, piece);
-          for (int a = 0; a < D; ++a)
-            sums.lane(Lanes::velocity + a)[c] +=
-                to_sum(A * (u[frame_.direction[static_cast<std::size_t>(a)]] / scale.velocity));
-          for (int a = 0; a < D && rubs; ++a)
-            sums.lane(Lanes::place + a)[c] +=
-                to_sum(size * s.faces.weight_of(i) * piece.arm[static_cast<std::size_t>(a)]);
-        });
+    s.pieces.for_each(s.faces, [&](std::size_t i, int, const Piece<D>& piece) {
+      const std::size_t p = s.faces.particle[i], c = frame_.cells.index_to_add(piece.cell);
+      std::array<double, D> unit = piece.n;
+      double size = 0;
+      for (std::size_t a = 0; a < D; ++a) {
+        unit[a] *= of_largest[a];
+        size += unit[a] * unit[a];
+      }
+      size = std::sqrt(size);
+      if (!(size > 0)) return;
+      for (double& n : unit) n /= size;
+      const double A = size * piece.s * s.faces.weight_of(i);
+      sums.lane(Lanes::area)[c] += to_sum(A);
+      sums.lane(Lanes::pressure)[c] +=
+          to_sum(A * (pressure_along<D>(frame_, stress, p, unit) / scale.pressure));
+      sums.lane(Lanes::soft)[c] += to_sum(A * (compliance(s, p) / scale.compliance));
+      sums.lane(Lanes::light)[c] += to_sum(A * (inverse_density(s, p) / scale.inverse_density));
+      const Vec3 u = velocity_of(s, i, piece);
+      for (int a = 0; a < D; ++a)
+        sums.lane(Lanes::velocity + a)[c] +=
+            to_sum(A * (u[frame_.direction[static_cast<std::size_t>(a)]] / scale.velocity));
+      for (int a = 0; a < D && rubs; ++a)
+        sums.lane(Lanes::place + a)[c] +=
+            to_sum(size * s.faces.weight_of(i) * piece.arm[static_cast<std::size_t>(a)]);
+    });
   }
 }
 

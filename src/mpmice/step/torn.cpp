@@ -147,10 +147,10 @@ void LevelCoupling<D>::part_torn(const StageScope& scope) {
   const mpm::SolidStep& solids = step_->level(step_->count() - 1);
   bool may_part = solids.any_left();
   for (std::size_t k = 0; k < solids.bodies().size(); ++k)
-    may_part |= mpm::KindRates::from(std::span(solids.new_rates())
-                                         .subspan(1 + k * static_cast<std::size_t>(
-                                                              mpm::KindRates::count)))
-                    .extent > 0.5 * torn_corner;  // else none is drawn out
+    may_part |=
+        mpm::KindRates::from(std::span(solids.new_rates())
+                                 .subspan(1 + k * static_cast<std::size_t>(mpm::KindRates::count)))
+            .extent > 0.5 * torn_corner;  // else none is drawn out
   if (!may_part || !on_any(scope, !torn.empty() || !leaving.empty())) return;
   VanishedFaces<D> parted(periods());
   for (const auto* parting : {&torn, &leaving})
