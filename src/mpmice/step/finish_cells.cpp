@@ -322,6 +322,9 @@ typename LevelCoupling<D>::Agreed LevelCoupling<D>::agree(const StageScope& scop
   book_surface_work(scope, moved);
   Reduction all;
   const auto stuck = all.add_any(stuck_.has_value()), spoilt = all.add_any(!good);
+  const Rates own_rates = good ? rates_of_cells() : Rates{};
+  const auto deck = all.add_maximum(own_rates.deck), flow = all.add_maximum(own_rates.flow),
+             sound = all.add_maximum(own_rates.sound);
   books_.add_to(all);
   std::vector<std::pair<int, std::array<Reduction::Maximum, 6>>> bounds;
   for (int k = 0; k < static_cast<int>(solids_->scene().materials.size()); ++k) {
@@ -336,6 +339,7 @@ typename LevelCoupling<D>::Agreed LevelCoupling<D>::agree(const StageScope& scop
   const Agreed agreed{all.any(stuck), all.any(spoilt)};
   if (agreed.stuck || agreed.spoilt) return agreed;
   books_.take(all, *scope.sums);
+  rates_ = {all.maximum(deck), all.maximum(flow), all.maximum(sound)};
   for (const auto& [kind, slots] : bounds) {
     std::array<Vec3, 2> of_all;
     for (int n = 0; n < 6; ++n)
@@ -373,9 +377,9 @@ Verdict LevelCoupling<D>::finish_cells(const StageScope& scope) {
   return Verdict::good;
 }
 
-// Rates of sound and flow in cells that solids touch; the sweep has rated the others.
+// Rates of sound and flow in cells of this rank that solids touch; the sweep has rated the others.
 template <int D>
-Verdict LevelCoupling<D>::limit_step(const StageScope& scope) {
+typename LevelCoupling<D>::Rates LevelCoupling<D>::rates_of_cells() const {
   const ice::SchemeOptions& o = fluid_->options();
   const ice::mixture::Equilibration laws(o.materials.fluids);
   double deck = 0, flow = 0, sound = 0;
@@ -401,14 +405,20 @@ Verdict LevelCoupling<D>::limit_step(const StageScope& scope) {
     if (D > 1) sound = std::max(sound, ice::sound_sum_share(o) * sum);
     flow = std::max(flow, all);
   });
-  const std::span<double> maxima = o.budgets.places.maxima.of(scope.maxima->front());
+  return {deck, flow, sound};
+}
+
+template <int D>
+Verdict LevelCoupling<D>::limit_step(const StageScope& scope) {
+  const std::span<double> maxima =
+      fluid_->options().budgets.places.maxima.of(scope.maxima->front());
   const auto include = [&](int slot, double rate) {
     double& own = maxima[static_cast<std::size_t>(slot)];
     own = std::max(own, rate);
   };
-  include(ice::StepSlots::deck_rate, deck);
-  include(ice::StepSlots::flow_rate, flow);
-  include(ice::StepSlots::sound_rate, sound);
+  include(ice::StepSlots::deck_rate, rates_.deck);
+  include(ice::StepSlots::flow_rate, rates_.flow);
+  include(ice::StepSlots::sound_rate, rates_.sound);
   return Verdict::good;
 }
 

@@ -109,6 +109,10 @@ class LevelCoupling final : public Coupling {
     bool stuck = false, spoilt = false;
   };
   Agreed agree(const StageScope& scope, bool good, const Column& moved);
+  struct Rates {
+    double deck = 0, flow = 0, sound = 0;
+  };
+  Rates rates_of_cells() const;
   void add_growth(ExactSum& work) const;
   double mass_of_heaviest() const;
   double fastest_way(double dt) const;
@@ -276,6 +280,7 @@ class LevelCoupling final : public Coupling {
   CellSums<D> means_;           // over surfaces, lanes of SurfaceLanes
   SurfaceScales scales_;        // of its values
   CouplingBooks books_;
+  Rates rates_;                               // of all cells that solids touch
   std::optional<Cell<D>> stuck_;              // a cell of this rank that closes with fluid in it
   KeptArray<std::uint8_t> swept_with_solid_;  // 1: cells of which the sweep has left amounts
   CellAmounts<D> amounts_;
