@@ -15,16 +15,20 @@ class CouplingBooks {
   using Of = mpm::StepSums;
   // Of forces: what a pass of a semi-implicit step books, the next one books anew.
   void clear_forces() { forces_ = {}; }
-  void clear_rest() { rest_ = {}; }
+  // Of what surfaces work: booked again where cells are shared again.
+  void clear_work() { work_ = {}; }
+  void clear_exchange() { exchange_ = {}; }
   // `index`: one of StepSums.
   ExactSum& of_forces(int index) { return forces_[place(index)]; }
-  ExactSum& of_rest(int index) { return rest_[place(index)]; }
+  ExactSum& of_work(int index) { return work_[place(index)]; }
+  ExactSum& of_exchange(int index) { return exchange_[place(index)]; }
 
   // Adds all sums to a reduction, then from it to those of the step.
   void add_to(Reduction& all) {
     for (std::size_t n = 0; n < booked.size(); ++n) {
       ExactSum sum = forces_[n];
-      sum.merge(rest_[n]);
+      sum.merge(work_[n]);
+      sum.merge(exchange_[n]);
       slots_[n] = all.add_sum(sum);
     }
   }
@@ -44,7 +48,7 @@ class CouplingBooks {
     return n;
   }
 
-  std::array<ExactSum, booked.size()> forces_, rest_;
+  std::array<ExactSum, booked.size()> forces_, work_, exchange_;
   std::array<Reduction::Sum, booked.size()> slots_;
 };
 

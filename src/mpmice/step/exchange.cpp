@@ -134,9 +134,9 @@ void LevelCoupling<D>::exchange_with(const StageScope& scope, int kind, double K
   Column gain(frame_.cells.size(), 0.0), warm(frame_.cells.size(), 0.0);
   // On the fluid; of rigid solids it comes from outside.
   const auto impulse = [&](std::size_t d) -> ExactSum& {
-    return books_.of_rest(mpm::StepSums::impulse_x + frame_.direction[d]);
+    return books_.of_exchange(mpm::StepSums::impulse_x + frame_.direction[d]);
   };
-  ExactSum& work = books_.of_rest(mpm::StepSums::work);  // likewise, and heat
+  ExactSum& work = books_.of_exchange(mpm::StepSums::work);  // likewise, and heat
   std::array<int, 3> component{-1, -1, -1};
   for (std::size_t k = 0; k < amounts_.momentum.size(); ++k)
     component[static_cast<std::size_t>(fluid_->options().grid.direction[k])] = static_cast<int>(k);
@@ -173,8 +173,8 @@ void LevelCoupling<D>::exchange_with(const StageScope& scope, int kind, double K
     }
   });
   if (rigid) return;
-  ExactSum &heated = books_.of_rest(mpm::StepSums::heat_from_fluid),
-           &moved = books_.of_rest(mpm::StepSums::exchange_gain);
+  ExactSum &heated = books_.of_exchange(mpm::StepSums::heat_from_fluid),
+           &moved = books_.of_exchange(mpm::StepSums::exchange_gain);
   for (SolidSet<D>& s : sets_) {
     if (s.kind != kind) continue;
     const CornerColumns<D> x = corner_columns<D>(frame_, *s.columns, *s.next);

@@ -360,7 +360,7 @@ Verdict LevelCoupling<D>::finish_cells(const StageScope& scope) {
   gather(scope);
   take_friction(scope);
   share_small_cells();
-  books_.clear_rest();
+  books_.clear_exchange();
   exchange(scope);
   burn(scope);
   Agreed agreed = agree(scope, settle(scope), moved);

@@ -66,7 +66,8 @@ Verdict LevelCoupling<D>::find_swept_volumes(const StageScope& scope) {
 template <int D>
 void LevelCoupling<D>::book_surface_work(const StageScope& scope, const Column& moved) {
   const bool rigid = all_rigid(), rubs = fluid_->options().transport.viscous;
-  ExactSum& work = books_.of_rest(rigid ? mpm::StepSums::work : mpm::StepSums::surface_work);
+  books_.clear_work();
+  ExactSum& work = books_.of_work(rigid ? mpm::StepSums::work : mpm::StepSums::surface_work);
   for_each_own_cell([&](const Cell<D>&, std::size_t i) {
     const bool waits = fields_.theta[i] >= 1 && fields_.theta_next[i] >= 1;
     if (!waits && swept_with_solid_[i] != 0)
