@@ -59,7 +59,7 @@ TEST_F(DiskInDye, DecaysEverywhereAlike) {
   const double left = std::exp(-200 * 0.002);
   const DenseField fading = run().field("scalar-fading", gas);
   constexpr int cells = 40;
-  constexpr double x0 = 0.4 + 100 * 0.002, y0 = 0.4 - 37.3 * 0.002, inner = 0.15 - 4.0 / cells;
+  constexpr double x0 = 0.4 + 100 * 0.002, y0 = 0.4 - 37.3 * 0.002, inner = 0.15 - 1.5 / cells;
   double most = 0;
   for (int j = 0; j < cells; ++j)
     for (int i = 0; i < cells; ++i) {
