@@ -76,28 +76,12 @@ void LevelCoupling<D>::exchange_with(const StageScope& scope, int kind, double K
   const bool rigid = material.rigid;
   const double dt = scope.step.dt, c_s = material.constants.specific_heat;
   // Sums over the particles.
-  double most_mass = 1e-300, most_speed = 1e-300, most_T = 1e-300;
+  const ExchangeScales& scales = exchange_scales_[static_cast<std::size_t>(kind)];
+  const double most_mass = mass_of_heaviest(), most_speed = scales.velocity,
+               most_T = scales.temperature;
   const auto column = [](const SolidSet<D>& s, int c) {
     return s.next->column(static_cast<std::size_t>(c));
   };
-  for (const SolidSet<D>& s : sets_) {
-    if (s.kind != kind) continue;
-    const double* m = s.set->column(static_cast<std::size_t>(s.columns->mass));
-    const double* T = column(s, s.columns->temperature);
-    for (std::size_t p = 0; p < s.set->size(); ++p) {
-      most_mass = std::max(most_mass, m[p]);
-      most_T = std::max(most_T, std::fabs(T[p]));
-      for (const int d : frame_.direction)
-        most_speed = std::max(most_speed, std::fabs(column(s, s.columns->velocity + d)[p]));
-    }
-  }
-  Reduction all;
-  const auto a = all.add_maximum(most_mass), b = all.add_maximum(most_speed),
-             t = all.add_maximum(most_T);
-  scope.ranks->reduce(all);
-  most_mass = all.maximum(a);
-  most_speed = all.maximum(b);
-  most_T = all.maximum(t);
   CellSums<D> sums;
   sums.begin(frame_.cells, 2 + D);
   const CellMask meets = cells_that_exchange();

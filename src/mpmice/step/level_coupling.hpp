@@ -75,6 +75,8 @@ class LevelCoupling final : public Coupling {
   void smooth_normals();
   double length_of_smooth(std::size_t i) const;
   double cells_along_normal(std::size_t i, double size) const;
+  double most_cells_in_a_length() const;
+  double highest_impedance() const;
   void find_light_walls(const StageScope& scope, const Column& rho, const Column& sound);
   void find_pressures_behind(const StageScope& scope);
   void press_on_walls(const Column& rho, const Column& sound, const std::array<Column, D>& u,
@@ -100,6 +102,7 @@ class LevelCoupling final : public Coupling {
   void find_overlaps();
   void add_forces_on(const SolidSet<D>& s, std::vector<mpm::CornerForce>& forces) const;
   bool exchanges(int kind) const;
+  bool agree_on_motion(const StageScope& scope);
   // The largest velocities of a kind, up and down.
   std::array<Vec3, 2> bounds_of_velocities(int kind) const;
   void book_outside(const StageScope& scope);
@@ -279,6 +282,12 @@ class LevelCoupling final : public Coupling {
   KnownByOne<D> known_, kept_;  // kept_: theta that the last step left
   CellSums<D> means_;           // over surfaces, lanes of SurfaceLanes
   SurfaceScales scales_;        // of its values
+  bool may_be_light_ = false;   // may any wall be light in this step
+  // By kind, where fluid and solid exchange: the largest temperature and velocity.
+  struct ExchangeScales {
+    double temperature = 1e-300, velocity = 1e-300;
+  };
+  std::vector<ExchangeScales> exchange_scales_;
   CouplingBooks books_;
   Rates rates_;                               // of all cells that solids touch
   std::optional<Cell<D>> stuck_;              // a cell of this rank that closes with fluid in it

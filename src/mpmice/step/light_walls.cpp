@@ -34,6 +34,14 @@ double LevelCoupling<D>::cells_along_normal(std::size_t i, double size) const {
   return cells;
 }
 
+// The largest of any normal.
+template <int D>
+double LevelCoupling<D>::most_cells_in_a_length() const {
+  double cells = 0;
+  for (const int d : frame_.direction) cells += 1 / frame_.spacing[d];
+  return cells;
+}
+
 template <int D>
 double LevelCoupling<D>::length_of_smooth(std::size_t i) const {
   double size = 0;
@@ -46,6 +54,8 @@ template <int D>
 void LevelCoupling<D>::find_light_walls(const StageScope& scope, const Column& rho,
                                         const Column& sound) {
   fields_.lightness.assign(frame_.cells.size(), 0.0);
+  const bool implicit = fluid_->options().scheme.implicit;
+  if (!implicit && !may_be_light_) return;
   bool any = false;
   for_each_cell_near([&](const Cell<D>&, std::size_t i) {
     if (!wet(i) || !(fields_.area[i] > 0)) return;
@@ -58,7 +68,7 @@ void LevelCoupling<D>::find_light_walls(const StageScope& scope, const Column& r
     fields_.lightness[i] = 1 - 1 / crossed;
     any = true;
   });
-  if (on_any(scope, any)) find_pressures_behind(scope);
+  if (!implicit || on_any(scope, any)) find_pressures_behind(scope);
 }
 
 // -nhat.sigma.nhat of the mean stress around, by volume.
@@ -139,6 +149,9 @@ void LevelCoupling<D>::find_pressures_behind(const StageScope& scope) {
 template double LevelCoupling<1>::cells_along_normal(std::size_t, double) const;
 template double LevelCoupling<2>::cells_along_normal(std::size_t, double) const;
 template double LevelCoupling<3>::cells_along_normal(std::size_t, double) const;
+template double LevelCoupling<1>::most_cells_in_a_length() const;
+template double LevelCoupling<2>::most_cells_in_a_length() const;
+template double LevelCoupling<3>::most_cells_in_a_length() const;
 template double LevelCoupling<1>::length_of_smooth(std::size_t) const;
 template double LevelCoupling<2>::length_of_smooth(std::size_t) const;
 template double LevelCoupling<3>::length_of_smooth(std::size_t) const;

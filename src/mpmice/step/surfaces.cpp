@@ -162,8 +162,8 @@ Verdict LevelCoupling<D>::find_surfaces(const StageScope& scope) {
   find_all_faces(scope, false);
   geometry_.begin_at_start(frame_, sets_);
   tell_kept_fractions(scope);
-  sum_over_surfaces(scope);
   tell_fluid_states(scope, false);
+  sum_over_surfaces(scope);
   share_sums<D>(
       {&geometry_.free_cells(), &geometry_.surfaces(), &kept_.sums(), &means_, &known_.sums()},
       *scope.ranks);
@@ -218,8 +218,11 @@ void LevelCoupling<D>::sum_over_surfaces(const StageScope& scope) {
   }
   Reduction all;
   const auto v = all.add_maximum(most.velocity), p_slot = all.add_maximum(most.pressure),
-             y = all.add_maximum(most.compliance), sparse = all.add_maximum(most.inverse_density);
+             y = all.add_maximum(most.compliance), sparse = all.add_maximum(most.inverse_density),
+             z = all.add_maximum(highest_impedance());
   scope.ranks->reduce(all);
+  may_be_light_ =
+      all.maximum(z) * scope.step.dt * most_cells_in_a_length() * all.maximum(sparse) > 1;
   scales_ = {at_least_something(all.maximum(v)), at_least_something(all.maximum(p_slot)),
              at_least_something(all.maximum(y)), at_least_something(all.maximum(sparse))};
   const SurfaceScales& scale = scales_;

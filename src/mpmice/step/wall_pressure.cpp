@@ -70,6 +70,16 @@ void LevelCoupling<D>::tell_fluid_states(const StageScope& scope, bool solved) {
   }
 }
 
+// rho c of the fluid in this rank's cells, as they are known now.
+template <int D>
+double LevelCoupling<D>::highest_impedance() const {
+  double most = 0;
+  for (std::size_t i = 0; i < frame_.cells.size(); ++i)
+    most = std::max(
+        most, known_.value(StateLanes<D>::density, i) * known_.value(StateLanes<D>::speed, i));
+  return most;
+}
+
 // From what is known of the fluid.
 template <int D>
 void LevelCoupling<D>::find_pressures(const StageScope& scope, bool solved) {
@@ -239,6 +249,9 @@ KeptArray<std::uint8_t> LevelCoupling<D>::fill_dry(Column& values) const {
   return known;
 }
 
+template double LevelCoupling<1>::highest_impedance() const;
+template double LevelCoupling<2>::highest_impedance() const;
+template double LevelCoupling<3>::highest_impedance() const;
 template void LevelCoupling<1>::tell_fluid_states(const StageScope&, bool);
 template void LevelCoupling<2>::tell_fluid_states(const StageScope&, bool);
 template void LevelCoupling<3>::tell_fluid_states(const StageScope&, bool);
