@@ -243,6 +243,12 @@ void LevelCoupling<D>::mean_over_cells(const StageScope& scope) {
     mass *= most_mass * (most_parts<D> / (1 << D)) / frame_.cell_volume;
 }
 
+template bool LevelCoupling<1>::on_any(const StageScope&, bool);
+template double LevelCoupling<1>::mass_of_heaviest() const;
+template bool LevelCoupling<2>::on_any(const StageScope&, bool);
+template double LevelCoupling<2>::mass_of_heaviest() const;
+template bool LevelCoupling<3>::on_any(const StageScope&, bool);
+template double LevelCoupling<3>::mass_of_heaviest() const;
 template void LevelCoupling<1>::book_surface_work(const StageScope&, const Column&);
 template void LevelCoupling<2>::book_surface_work(const StageScope&, const Column&);
 template void LevelCoupling<3>::book_surface_work(const StageScope&, const Column&);
