@@ -91,7 +91,7 @@ bool LevelCoupling<D>::settle(const StageScope& scope) {
   const std::size_t count = fluids.size();
   bool good = true;
   spoilt_.assign(amounts_.near.size(), 0);
-  for_each_cell_near([&](const Cell<D>& c, std::size_t i) {
+  for_each_cell_within(state_reach, [&](const Cell<D>& c, std::size_t i) {
     if (amounts_.near[i] == 0 || !(amounts_.volume[i] > 0)) return;
     if (amounts_.touched[i] == 0) return settle_scalars(i);
     // A gap that no fluid has reached: it waits, as if it were closed.

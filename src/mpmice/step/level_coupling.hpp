@@ -50,6 +50,11 @@ class LevelCoupling final : public Coupling {
   Verdict remove_burned(const StageScope& scope) override;
 
  private:
+  // From a rank's boxes cells are asked for: the pressure on walls in ghost layers of boxes (4) and
+  // two layers of cells without fluid before them; states and amounts where the parts of own
+  // particles lie and two layers before (both checked on ranks by every golden case).
+  static constexpr int pressure_reach = 7, state_reach = 4, farthest_asked = pressure_reach + 1;
+
   void list_sets(const StageScope& scope);
   void share_blocks(const StageScope& scope);
   void mark_own_cells(const StageScope& scope);
@@ -250,6 +255,13 @@ class LevelCoupling final : public Coupling {
   void for_each_cell_near(F&& act) const {
     frame_.cells.for_each_cell(frame_.domain, act);
   }
+  // The same for those that lie at most so many cells from this rank's boxes.
+  template <class F>
+  void for_each_cell_within(int reach, F&& act) const {
+    for_each_cell_near([&](const Cell<D>& c, std::size_t i) {
+      if (distance_.empty() || distance_[i] <= reach) act(c, i);
+    });
+  }
   // The same for those of this rank.
   template <class F>
   void for_each_own_cell(F&& act) const {
@@ -261,8 +273,10 @@ class LevelCoupling final : public Coupling {
   Frame<D> frame_;
   std::unique_ptr<BlockSharers<D>> sharers_;  // null: this is the only rank
   CellMask own_;                              // 1: cells of this rank's boxes
-  std::array<mpm::Axis, D> axes_;             // of the corners
-  OccupiedCells<D> occupied_;                 // cells in which solids lie, or gaps that they keep
+  // Of each cell from these, up to farthest_asked; 255: farther. Empty: this is the only rank.
+  CellMask distance_;
+  std::array<mpm::Axis, D> axes_;  // of the corners
+  OccupiedCells<D> occupied_;      // cells in which solids lie, or gaps that they keep
   const ice::FluidPart* fluid_;
   const mpm::Mpm* solids_;
   std::shared_ptr<mpm::SolidLevels> step_;

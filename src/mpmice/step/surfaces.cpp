@@ -67,12 +67,23 @@ void LevelCoupling<D>::share_blocks(const StageScope& scope) {
                                                  frame_.room(), *scope.ranks);
 }
 
-// Cells of this rank's boxes: books count no others.
+// Cells of this rank's boxes: books count no others. And how far all others lie from these, as far
+// as any stage asks.
 template <int D>
 void LevelCoupling<D>::mark_own_cells(const StageScope& scope) {
   own_.assign(frame_.cells.size(), 0);
   for (const GridBox& box : scope.levels.front()->state().local_boxes())
     frame_.for_each_held(box.cells, [&](IntVec3, std::size_t i) { own_[i] = 1; });
+  distance_.clear();
+  if (scope.ranks->size() == 1) return;
+  constexpr std::uint8_t beyond = 255;
+  distance_.assign(frame_.cells.size(), beyond);
+  CellMask within = own_;
+  for (std::uint8_t reach = 0; reach <= farthest_asked; ++reach) {
+    if (reach > 0) dilate(frame_, 1, within);
+    for (std::size_t i = 0; i < within.size(); ++i)
+      if (within[i] != 0 && distance_[i] == beyond) distance_[i] = reach;
+  }
 }
 
 template <int D>

@@ -130,7 +130,7 @@ template <int D>
 void LevelCoupling<D>::press_on_walls(const Column& rho, const Column& sound,
                                       const std::array<Column, D>& u, double dt) {
   fields_.wall_pressure = fields_.pressure;
-  for_each_cell_near([&](const Cell<D>& c, std::size_t i) {
+  for_each_cell_within(pressure_reach, [&](const Cell<D>& c, std::size_t i) {
     if (!wet(i) || !(fields_.area[i] > 0)) return;
     const double size = length_of_smooth(i);
     double whole = 0, du = 0;
