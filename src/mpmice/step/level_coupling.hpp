@@ -99,8 +99,6 @@ class LevelCoupling final : public Coupling {
     double temperature = 0, capacity = 0;
   };
   FluidHeat heat_of(std::size_t i) const;
-  CellMask cells_that_exchange() const;
-  void exchange_with(const StageScope& scope, int kind, double drag, double heat);
   Verdict share_small_cells(const StageScope& scope);
   // What burns (burning.cpp), of surfaces (burn_surfaces.cpp).
   Verdict burn(const StageScope& scope);
