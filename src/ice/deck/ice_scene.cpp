@@ -203,14 +203,6 @@ void place_added_heat(IceScene& s, std::vector<Fault>& faults) {
   }
 }
 
-// As the fluids are counted; none where a solid has the surface.
-std::optional<ConvectiveExchange> among_fluids(std::optional<ConvectiveExchange> of, int solids) {
-  if (!of || of->fluid < solids || of->solid < solids) return {};
-  of->fluid -= solids;
-  of->solid -= solids;
-  return of;
-}
-
 }  // namespace
 
 bool IceScene::one_velocity() const {
@@ -250,10 +242,8 @@ IceScene read_ice_scene(const Deck& deck, const Scene& scene, std::vector<Fault>
   s.exchange = read_exchange(root, s.solids + count);
   s.momentum_of_all = s.exchange.momentum;
   s.heat_of_all = s.exchange.heat;
-  s.convective_of_all = s.exchange.convective;
   s.exchange.momentum = s.exchange.momentum.of(s.solids, count);
   s.exchange.heat = s.exchange.heat.of(s.solids, count);
-  s.exchange.convective = among_fluids(s.convective_of_all, s.solids);
   std::vector<std::string> names;
   for (const IceMaterial& m : s.materials) names.push_back(m.name);
   s.models = models::read_models(root, {names, names_of_solids(root)}, geometry, faults);

@@ -69,7 +69,6 @@ struct IceScene {
   std::vector<RefinementCriterion> criteria;
   ExchangeSettings exchange;                      // among the fluids
   PairCoefficients momentum_of_all, heat_of_all;  // with the solids, as decks count
-  std::optional<ConvectiveExchange> convective_of_all;
   models::ModelList models;
   std::vector<models::AddedHeat> added_heat;
   DrivingForce driving_force;

@@ -12,7 +12,7 @@ namespace {
 // A solid with each fluid. Convective exchange counts all that is in front and behind, not half of
 // each: K l per area instead of K l/4.
 FilmCoefficients films_of(const ice::IceScene& ice, int solid) {
-  const auto& convective = ice.convective_of_all;
+  const auto& convective = ice.exchange.convective;
   FilmCoefficients films;
   for (int m = ice.solids; m < ice.solids + static_cast<int>(ice.materials.size()); ++m) {
     const bool whole = convective && convective->between(solid, m);
