@@ -85,6 +85,9 @@ void LevelCoupling<D>::bound_velocities(const StageScope& scope, int kind) {
   step_->level(step_->count() - 1).include_velocities(kind, up, down);
 }
 
+template LevelCoupling<1>::FluidHeat LevelCoupling<1>::heat_of(std::size_t) const;
+template LevelCoupling<2>::FluidHeat LevelCoupling<2>::heat_of(std::size_t) const;
+template LevelCoupling<3>::FluidHeat LevelCoupling<3>::heat_of(std::size_t) const;
 template void LevelCoupling<1>::exchange(const StageScope&);
 template void LevelCoupling<2>::exchange(const StageScope&);
 template void LevelCoupling<3>::exchange(const StageScope&);

@@ -216,12 +216,11 @@ void find_faces(const Frame<D>& frame, SolidSet<D>& s, bool moved, KeptArray<std
 template <int D>
 inline constexpr double most_parts = 1024 << D;
 
-// The cells of the 2^D-ths of particle p that stand half way between its middle and each corner.
-template <int D>
-std::array<Cell<D>, corners_of_particle<D>> cells_of_parts(const Frame<D>& frame,
-                                                           const CornerColumns<D>& corners,
-                                                           const ParticleSet& set, std::size_t p) {
-  std::array<Cell<D>, corners_of_particle<D>> cells;
+// act(place in the arrays): for a 2^D-th of particle p half way between its middle and each corner.
+template <int D, class F>
+void for_each_part(const Frame<D>& frame, const CornerColumns<D>& corners, const ParticleSet& set,
+                   std::size_t p, F&& act) {
+  Cell<D> cells[corners_of_particle<D>];
   for (std::size_t a = 0; a < D; ++a) {
     const int d = frame.direction[a];
     const double middle = set.coordinate(d)[p], origin = frame.anchor[d], width = frame.spacing[d];
@@ -230,15 +229,7 @@ std::array<Cell<D>, corners_of_particle<D>> cells_of_parts(const Frame<D>& frame
       place[k] = std::floor((0.5 * (corners[k][a][p] + middle) - origin) / width);
     for (std::size_t k = 0; k < corners.size(); ++k) cells[k][a] = static_cast<int>(place[k]);
   }
-  return cells;
-}
-
-// act(place in the arrays) for each of them.
-template <int D, class F>
-void for_each_part(const Frame<D>& frame, const CornerColumns<D>& corners, const ParticleSet& set,
-                   std::size_t p, F&& act) {
-  for (const Cell<D>& c : cells_of_parts<D>(frame, corners, set, p))
-    act(frame.cells.index(frame.inside(c)));
+  for (const Cell<D>& c : cells) act(frame.cells.index(frame.inside(c)));
 }
 
 }  // namespace sluice::mpmice

@@ -5,8 +5,9 @@
 // into), or, where solids take more than half of that cell, the next one along the largest
 // component of the normal: the two share what they hold (redistribute.cpp). Fluid stands at the
 // centre of its cell, as conduction and friction between cells have it.
-// Behind: the cells of the parts of the particle whose face it is. That is a layer of about one
-// cell, wherever the surface lies in its own, and there is solid in each of them.
+// Behind: the nodes around the middle of the particle whose face it is, with hat functions. They
+// hold what particles around them hold, and there is solid at each of them wherever the surface
+// lies in its cell.
 #pragma once
 #include "mpmice/step/solid_sets.hpp"
 
@@ -29,21 +30,37 @@ std::vector<SurfaceContact<D>> surface_contacts(const Frame<D>& frame, const Sol
                                                 const CellAmounts<D>& fluid,
                                                 const std::vector<SolidSet<D>>& sets, int kind);
 
-// `cell`, which stands for itself or is the image `own` of the domain, as one counts from `cell`:
-// on across periodic sides, at the side where the domain ends.
+// A node of the grid, the low corner of a cell, and its share of a particle.
 template <int D>
-Cell<D> seen_cell(const Frame<D>& frame, const Cell<D>& cell, Cell<D> own) {
-  for (std::size_t d = 0; d < D; ++d)
-    if (frame.periodic[d]) own[d] = cell[d];
-  return own;
-}
+struct NodeShare {
+  std::size_t node;  // place of that cell in the arrays
+  double weight;
+};
 
-// Where the middle of particle p stands along the d-th direction, cells.
+// The nodes of the cell in which the middle of particle p stands, weights of hat functions there.
 template <int D>
-double middle_in_cells(const Frame<D>& frame, const ParticleSet& set, std::size_t p,
-                       std::size_t d) {
-  const int of = frame.direction[d];
-  return (set.coordinate(of)[p] - frame.anchor[of]) / frame.spacing[of];
+std::array<NodeShare<D>, 1 << D> nodes_around(const Frame<D>& frame, const ParticleSet& set,
+                                              std::size_t p) {
+  Cell<D> low;
+  std::array<double, D> share;
+  for (std::size_t d = 0; d < D; ++d) {
+    const int of = frame.direction[d];
+    const double x = (set.coordinate(of)[p] - frame.anchor[of]) / frame.spacing[of];
+    low[d] = static_cast<int>(std::floor(x));
+    share[d] = x - std::floor(x);
+  }
+  std::array<NodeShare<D>, 1 << D> nodes;
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    Cell<D> node = low;
+    nodes[n].weight = 1;
+    for (std::size_t d = 0; d < D; ++d) {
+      const int up = static_cast<int>(n >> d & 1);
+      node[d] += up;
+      nodes[n].weight *= up != 0 ? share[d] : 1 - share[d];
+    }
+    nodes[n].node = frame.cells.index_to_add(frame.wrapped(node));
+  }
+  return nodes;
 }
 
 // The cell in which it stands.

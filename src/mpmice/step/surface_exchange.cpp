@@ -14,7 +14,10 @@ namespace {
 constexpr double most_contacts = 1024;
 
 // Lanes of what is behind.
-constexpr int mass_lane = 0, heat_lane = 1, place_lane = 2;
+constexpr int mass_lane = 0, heat_lane = 1, velocity_lane = 2;
+
+// Of the heaviest particles, so many have room in the sums of a node.
+constexpr double most_particles = 1024;
 
 // How far heat comes in a time with k/(rho c): as if what lies there had met at its beginning.
 double reach_of_heat(double k, double capacity, double time) {
@@ -133,8 +136,8 @@ void SurfaceExchange<D>::look_at_fluid(std::size_t contact) {
   }
 }
 
-// Cells in which the middles of particles lie that may have parts behind a surface: one cell to the
-// particle that has the face, one to its parts, one to others with parts there.
+// Cells in which the middles of particles lie that may count at a node behind a surface: one cell to
+// the particle that has the face, one to its nodes, one to others there.
 template <int D>
 CellMask SurfaceExchange<D>::cells_that_exchange() const {
   CellMask mask(frame_.cells.size(), 0);
@@ -145,34 +148,23 @@ CellMask SurfaceExchange<D>::cells_that_exchange() const {
   return mask;
 }
 
-// Sums over the parts of particles.
+// What particles have at nodes.
 template <int D>
 void SurfaceExchange<D>::add_solid(const SolidSet<D>& s) {
-  const CornerColumns<D> x = corner_columns<D>(frame_, *s.columns, *s.next);
   const double* m = s.set->column(static_cast<std::size_t>(s.columns->mass));
   const double* T = s.next->column(static_cast<std::size_t>(s.columns->temperature));
-  const auto lane = [&](int first, std::size_t d) {
-    return sums_.lane(first + static_cast<int>(d));
-  };
+  std::array<const double*, D> v;
+  for (std::size_t d = 0; d < D; ++d)
+    v[d] = s.next->column(static_cast<std::size_t>(s.columns->velocity + frame_.direction[d]));
   for (std::size_t p = 0; p < s.set->size(); ++p) {
     if (meets_[frame_.cells.index(cell_of_middle<D>(frame_, *s.next, p))] == 0) continue;
-    const double share = m[p] / most_.mass / most_parts<D>;
-    const std::uint64_t mass = to_sum(share), heat = to_sum(share * (T[p] / most_.temperature));
-    std::array<std::uint64_t, D> moving;
-    for (std::size_t d = 0; d < D; ++d) {
-      const auto v = static_cast<std::size_t>(s.columns->velocity + frame_.direction[d]);
-      moving[d] = to_sum(share * (s.next->column(v)[p] / most_.speed));
-    }
-    for (const Cell<D>& c : cells_of_parts<D>(frame_, x, *s.next, p)) {
-      const Cell<D> own = frame_.inside(c), seen = seen_cell<D>(frame_, c, own);
-      const std::size_t i = frame_.cells.index(own);
-      lane(mass_lane, 0)[i] += mass;
-      lane(heat_lane, 0)[i] += heat;
-      for (std::size_t d = 0; d < D; ++d) {
-        const double at = middle_in_cells<D>(frame_, *s.next, p, d) - seen[d];
-        lane(place_lane, d)[i] += to_sum(share * at);
-        lane(place_lane + D, d)[i] += moving[d];
-      }
+    for (const NodeShare<D>& at : nodes_around<D>(frame_, *s.next, p)) {
+      const double share = at.weight * (m[p] / most_.mass / most_particles);
+      sums_.lane(mass_lane)[at.node] += to_sum(share);
+      sums_.lane(heat_lane)[at.node] += to_sum(share * (T[p] / most_.temperature));
+      for (std::size_t d = 0; d < D; ++d)
+        sums_.lane(velocity_lane + static_cast<int>(d))[at.node] +=
+            to_sum(share * (v[d][p] / most_.speed));
     }
   }
 }
@@ -180,7 +172,7 @@ void SurfaceExchange<D>::add_solid(const SolidSet<D>& s) {
 template <int D>
 void SurfaceExchange<D>::find_solid(const StageScope& scope) {
   meets_ = cells_that_exchange();
-  sums_.begin(frame_.cells, place_lane + 2 * D);
+  sums_.begin(frame_.cells, velocity_lane + D);
   for (const SolidSet<D>& s : sets_)
     if (s.kind == kind_) add_solid(s);
   sums_.sum_over_ranks(*scope.ranks);
@@ -191,12 +183,9 @@ void SurfaceExchange<D>::find_solid(const StageScope& scope) {
       to[i] = solid_mass_[i] > 0 ? to[i] / solid_mass_[i] * scale : 0.0;
   };
   mean(heat_lane, most_.temperature, solid_temperature_);
-  for (int d = 0; d < D; ++d) {
-    mean(place_lane + d, 1, solid_place_[static_cast<std::size_t>(d)]);
-    mean(place_lane + D + d, most_.speed, solid_velocity_[static_cast<std::size_t>(d)]);
-  }
-  const double to_density = most_.mass * (most_parts<D> / (1 << D)) / frame_.cell_volume;
-  for (double& mass : solid_mass_) mass *= to_density;
+  for (int d = 0; d < D; ++d)
+    mean(velocity_lane + d, most_.speed, solid_velocity_[static_cast<std::size_t>(d)]);
+  for (double& mass : solid_mass_) mass *= most_.mass * most_particles / frame_.cell_volume;
 }
 
 template <int D>
@@ -212,54 +201,39 @@ void SurfaceExchange<D>::find_pairs(const StageScope& scope) {
   most_.heat = all.maximum(heat) * most_contacts;
 }
 
-// A contact with the cells behind it: one that holds several parts counts once.
+// A contact with the nodes behind it.
 template <int D>
 void SurfaceExchange<D>::pair_up(std::size_t contact, double time) {
   const SurfaceContact<D>& c = contacts_[contact];
-  const SolidSet<D>& s = sets_[c.set];
-  const auto cells = cells_of_parts<D>(frame_, corner_columns<D>(frame_, *s.columns, *s.next),
-                                       *s.next, c.particle);
-  for (std::size_t k = 0; k < cells.size(); ++k) {
-    const auto first = std::find(cells.begin(), cells.end(), cells[k]);
-    if (first != cells.begin() + static_cast<std::ptrdiff_t>(k)) continue;
-    const Cell<D> own = frame_.inside(cells[k]);
-    const std::size_t i = frame_.cells.index(own);
-    if (!(solid_mass_[i] > 0)) continue;
-    const auto parts = std::count(first, cells.end(), cells[k]);
-    const double w = static_cast<double>(parts) / (1 << D);
-    const double behind =
-        solid_resistance(c, depth(c, seen_cell<D>(frame_, cells[k], own), i), time);
-    Pair pair{static_cast<std::uint32_t>(contact), i, w, 0};
+  const double behind = solid_resistance(c, time);
+  for (const NodeShare<D>& at : nodes_around<D>(frame_, *sets_[c.set].next, c.particle)) {
+    if (!(at.weight > 0) || !(solid_mass_[at.node] > 0)) continue;
+    Pair pair{static_cast<std::uint32_t>(contact), at.node, 0};
     for (std::size_t m = 0; m < fluids_; ++m) {
-      const double f = share_[contact * fluids_ + m];
-      pair.drag += w * c.area * f * films_.drag[m] * (c.width / 4);
-      heat_.push_back(f > 0 ? w * c.area * heat_conductance(contact, m, behind, time) : 0.0);
+      const double f = share_[contact * fluids_ + m], part = at.weight * c.area;
+      pair.drag += part * f * films_.drag[m] * (c.width / 4);
+      heat_.push_back(f > 0 ? part * heat_conductance(contact, m, behind, time) : 0.0);
     }
     pairs_.push_back(pair);
   }
 }
 
-// d_s: from the surface back to the mean of what lies in the cell.
-template <int D>
-double SurfaceExchange<D>::depth(const SurfaceContact<D>& c, const Cell<D>& seen,
-                                 std::size_t cell) const {
-  double sum = 0;
-  for (std::size_t d = 0; d < D; ++d)
-    sum += c.normal[d] * frame_.spacing[frame_.direction[d]] *
-           (c.place[d] - (seen[d] + solid_place_[d][cell]));
-  return std::max(sum, 0.0);
-}
-
 // d_s/k_s.
 template <int D>
-double SurfaceExchange<D>::solid_resistance(const SurfaceContact<D>& c, double depth,
-                                            double time) const {
+double SurfaceExchange<D>::solid_resistance(const SurfaceContact<D>& c, double time) const {
   const double k = solid_.conductivity;
   if (!(k > 0) || !(solid_.specific_heat > 0)) return 0;
   const SolidSet<D>& s = sets_[c.set];
+  double depth = 0;
+  for (std::size_t d = 0; d < D; ++d) {
+    const int of = frame_.direction[d];
+    depth += c.normal[d] * (frame_.anchor[of] + frame_.spacing[of] * c.place[d] -
+                            s.next->coordinate(of)[c.particle]);
+  }
   const double m = s.set->column(static_cast<std::size_t>(s.columns->mass))[c.particle],
                V = s.next->column(static_cast<std::size_t>(s.columns->volume))[c.particle];
-  return std::min(depth, reach_of_heat(k, m / V * solid_.specific_heat, time)) / k;
+  const double reach = reach_of_heat(k, m / V * solid_.specific_heat, time);
+  return std::min(std::max(depth, 0.0), reach) / k;
 }
 
 // d_g/k_g of one fluid, over its share f of the surface.

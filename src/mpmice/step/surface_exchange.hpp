@@ -1,23 +1,23 @@
 // Momentum and heat that pass through the surface of one kind of solid in a step.
 //
-// Each contact of the surface (surface_contacts.hpp) joins a cell g of the fluid with the cells s
-// behind it that hold parts of its particle, with the share w of the parts that lie there. With A
-// the contact's area, l the width of the cell across it, and f the fluid's share of its cell:
-//   per area:  h = f K l/4 of momentum; of heat  1/(1/(f K_h l/4) + d_g/k_g + d_s/k_s), W/m^2 K
-//   G = w A h,  S_g, S_s: sums of G over all pairs of the cell
+// Each contact of the surface (surface_contacts.hpp) joins a cell g of the fluid with the nodes s
+// around the middle of its particle, with their share w of it. With A the contact's area, l the
+// width of the cell across it, and f the fluid's share of its cell:
+//   per area:  h = f K l/4 of momentum; of heat  1/(1/(f K_h l/4) + d_g/(f k_g) + d_s/k_s), W/m^2 K
+//   G = w A h,  S_g, S_s: sums of G over all pairs of the cell, of the node
 //   kappa = G/(1/dt + S_g/C_g + S_s/C_s)
 //   I = kappa (u_g - u_s) with C the masses M;  Q = kappa (T_g - T_s) with C the heat capacities
 // A coefficient per volume acts as it did in a cell of which the surface leaves one half to the
 // fluid: K (1/2) (1/2) V is A (K l/4). d_g, d_s: from the surface to the centre of the cell in
-// front and to the middle of what is behind, or as far as heat has come since the run began,
+// front and to the middle of the particle, or as far as heat has come since the run began,
 // sqrt(pi a t) (of the half spaces that touch at t = 0; a = k/rho c). Media that do not conduct
-// have one temperature in their cell.
+// have one temperature in their cell, or around their node.
 // Each pair has the share G/S of either capacity, so that no temperature or velocity passes that of
 // the other side for any K and any number of pairs; for one pair it is the implicit exchange.
 //
-// Of the particles with parts in s each gets
-//   of velocity  dv = sum_s w I_s/M_s,
-//   of temperature  dT = sum_s w (Q_s/C_s + a_s (T_s - T)),  a_s = sum kappa/C_s <= 1
+// M_s, u_s, T_s are sums over particles with hat functions S, and what a node gets each of them gets
+//   of velocity  dv = sum_s S I_s/M_s,
+//   of temperature  dT = sum_s S (Q_s/C_s + a_s (T_s - T)),  a_s = sum kappa/C_s <= 1
 // That is a relaxation towards the temperature in front: no particle leaves the range of the two.
 // What friction costs a pair goes to the fluid, and to particles what one motion of several costs.
 #pragma once
@@ -59,21 +59,20 @@ class SurfaceExchange {
   void run(const StageScope& scope);
 
  private:
-  // A contact and one cell behind it; heat: of each fluid, in a column of its own.
+  // A contact and one node behind it; heat: of each fluid, in a column of its own.
   struct Pair {
     std::uint32_t contact;
-    std::size_t solid;  // place of the cell
-    double share;       // w
+    std::size_t solid;  // place of the node
     double drag;        // G
   };
   struct Scales {
-    double mass = 1e-300, speed = 1e-300, temperature = 1e-300;  // of particles and fluid
+    double mass = 1e-300, speed = 1e-100, temperature = 1e-300;  // of particles and fluid
     double fluid_mass = 1e-300, fluid_capacity = 1e-300, drag = 1e-300, heat = 1e-300;
   };
   // Lanes of what passes; -1: none.
   struct Lanes {
     int heat_of_fluid = -1, momentum = -1, energy = -1;        // of cells in front
-    int heat = -1, relaxation = -1, impulse = -1, given = -1;  // of cells behind
+    int heat = -1, relaxation = -1, impulse = -1, given = -1;  // of nodes behind
     int count = 0;
   };
 
@@ -85,8 +84,7 @@ class SurfaceExchange {
   void add_solid(const SolidSet<D>& s);
   void find_pairs(const StageScope& scope);
   void pair_up(std::size_t contact, double time);
-  double depth(const SurfaceContact<D>& c, const Cell<D>& seen, std::size_t cell) const;
-  double solid_resistance(const SurfaceContact<D>& c, double depth, double time) const;
+  double solid_resistance(const SurfaceContact<D>& c, double time) const;
   double fluid_resistance(std::size_t contact, std::size_t m, double time) const;
   double heat_conductance(std::size_t contact, std::size_t m, double behind, double time) const;
   void sum_conductances(const StageScope& scope);
@@ -94,17 +92,17 @@ class SurfaceExchange {
   void pass_heat(std::size_t pair, double dt);
   void pass_drag(std::size_t pair, double dt);
   void give_to_fluid();
-  // Of one mass in a cell: kick, temperature gained, share of relaxation, energy beyond u.kick.
+  // Of one mass at a node: kick, temperature gained, share of relaxation, energy beyond u.kick.
   struct Gain {
     std::array<double, D> kick{};
     double warm = 0, relaxation = 0, energy = 0;
   };
-  Gain gain_of(std::size_t cell) const;
+  Gain gain_of(std::size_t node) const;
   void give_to_particles(const StageScope& scope);
   void give_to_set(SolidSet<D>& s, ExactSum& heated, ExactSum& moved) const;
   void book_rigid(const StageScope& scope);
-  double inverse_mass(std::size_t cell) const;
-  double inverse_capacity(std::size_t cell) const;
+  double inverse_mass(std::size_t node) const;
+  double inverse_capacity(std::size_t node) const;
   double value(int lane, std::size_t cell, double scale) const;
   double unit_of_heat() const;
   double unit_of_impulse() const;
@@ -125,10 +123,9 @@ class SurfaceExchange {
   std::vector<double> share_, temperature_, capacity_, mass_;
   std::vector<std::array<double, D>> velocity_;
   CellMask meets_;  // cells in which the middles of particles lie that count
-  // Behind, by cell: mass per cell volume, temperature, velocity, mean middle of the particles
-  // (cells from the low corner).
+  // Behind, by node: mass per cell volume, temperature, velocity.
   Column solid_mass_, solid_temperature_;
-  std::array<Column, D> solid_velocity_, solid_place_;
+  std::array<Column, D> solid_velocity_;
   std::vector<Pair> pairs_;
   std::vector<double> heat_;                          // G, by pair and fluid
   Column drag_in_front_, drag_behind_, heat_behind_;  // sums of G

@@ -1,4 +1,4 @@
-// What passes the surface, and who gets it: each pair gives the same integer to both of its cells.
+// What passes the surface, and who gets it: each pair gives the same integer to both of its sides.
 #include <algorithm>
 #include <cmath>
 
@@ -15,13 +15,13 @@ constexpr double most_cells = 8;
 }  // namespace
 
 template <int D>
-double SurfaceExchange<D>::inverse_mass(std::size_t cell) const {
-  return solid_.rigid ? 0.0 : 1 / solid_mass_[cell];
+double SurfaceExchange<D>::inverse_mass(std::size_t node) const {
+  return solid_.rigid ? 0.0 : 1 / solid_mass_[node];
 }
 
 template <int D>
-double SurfaceExchange<D>::inverse_capacity(std::size_t cell) const {
-  return solid_.rigid ? 0.0 : 1 / (solid_mass_[cell] * solid_.specific_heat);
+double SurfaceExchange<D>::inverse_capacity(std::size_t node) const {
+  return solid_.rigid ? 0.0 : 1 / (solid_mass_[node] * solid_.specific_heat);
 }
 
 template <int D>
@@ -136,18 +136,18 @@ void SurfaceExchange<D>::give_to_fluid() {
 }
 
 template <int D>
-typename SurfaceExchange<D>::Gain SurfaceExchange<D>::gain_of(std::size_t cell) const {
+typename SurfaceExchange<D>::Gain SurfaceExchange<D>::gain_of(std::size_t node) const {
   Gain gain;
-  if (!(solid_mass_[cell] > 0)) return gain;
-  const double unit = unit_of_impulse(), inverse = 1 / solid_mass_[cell];
-  gain.energy = value(lanes_.given, cell, unit * most_.speed) * inverse;
+  if (!(solid_mass_[node] > 0)) return gain;
+  const double unit = unit_of_impulse(), inverse = 1 / solid_mass_[node];
+  gain.energy = value(lanes_.given, node, unit * most_.speed) * inverse;
   for (std::size_t d = 0; d < D && lanes_.impulse >= 0; ++d) {
-    gain.kick[d] = value(lanes_.impulse + static_cast<int>(d), cell, unit) * inverse;
-    gain.energy -= gain.kick[d] * solid_velocity_[d][cell];
+    gain.kick[d] = value(lanes_.impulse + static_cast<int>(d), node, unit) * inverse;
+    gain.energy -= gain.kick[d] * solid_velocity_[d][node];
   }
   if (lanes_.heat >= 0 && solid_.specific_heat > 0) {
-    gain.warm = value(lanes_.heat, cell, unit_of_heat()) * inverse_capacity(cell);
-    gain.relaxation = value(lanes_.relaxation, cell, 1);
+    gain.warm = value(lanes_.heat, node, unit_of_heat()) * inverse_capacity(node);
+    gain.relaxation = value(lanes_.relaxation, node, 1);
   }
   return gain;
 }
@@ -166,7 +166,6 @@ void SurfaceExchange<D>::give_to_particles(const StageScope& scope) {
 
 template <int D>
 void SurfaceExchange<D>::give_to_set(SolidSet<D>& s, ExactSum& heated, ExactSum& moved) const {
-  const CornerColumns<D> x = corner_columns<D>(frame_, *s.columns, *s.next);
   const double c = solid_.specific_heat;
   const double* mass = s.set->column(static_cast<std::size_t>(s.columns->mass));
   double* T = s.next->column(static_cast<std::size_t>(s.columns->temperature));
@@ -175,14 +174,13 @@ void SurfaceExchange<D>::give_to_set(SolidSet<D>& s, ExactSum& heated, ExactSum&
     v[d] = s.next->column(static_cast<std::size_t>(s.columns->velocity + frame_.direction[d]));
   for (std::size_t p = 0; p < s.set->size(); ++p) {
     if (meets_[frame_.cells.index(cell_of_middle<D>(frame_, *s.next, p))] == 0) continue;
-    constexpr double part = 1.0 / (1 << D);
     Gain all;
-    for_each_part<D>(frame_, x, *s.next, p, [&](std::size_t cell) {
-      const Gain gain = gain_of(cell);
-      for (std::size_t d = 0; d < D; ++d) all.kick[d] += part * gain.kick[d];
-      all.warm += part * (gain.warm + gain.relaxation * (solid_temperature_[cell] - T[p]));
-      all.energy += part * gain.energy;
-    });
+    for (const NodeShare<D>& at : nodes_around<D>(frame_, *s.next, p)) {
+      const Gain gain = gain_of(at.node);
+      for (std::size_t d = 0; d < D; ++d) all.kick[d] += at.weight * gain.kick[d];
+      all.warm += at.weight * (gain.warm + gain.relaxation * (solid_temperature_[at.node] - T[p]));
+      all.energy += at.weight * gain.energy;
+    }
     // What the kick itself is, k^2/2 beside u.k; what is left is heat.
     for (std::size_t d = 0; d < D; ++d) {
       const double k = all.kick[d];
