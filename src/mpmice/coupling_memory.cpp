@@ -68,7 +68,7 @@ double bytes_per_cell(const MpmIce& both) {
   const int sums = (D + 1) + (2 * D + 1) + std::max(amounts, D + 4);
   const int products = both.burns().empty() ? 0 : fluids;
   // SurfaceExchange: what is behind, sums of conductances, lanes.
-  const int exchange = (2 + 2 * D) + (fluids + 3) + std::max(2 + 2 * D, fluids + 4 + 2 * D);
+  const int exchange = (2 + D) + (fluids + 3) + (fluids + 4 + 2 * D);
   const int temporary = exchanges(both) ? exchange : 2 * D + 3;
   constexpr int flags = 9;  // bytes
   return 8.0 * (fields + sums + 2 * (amounts + 1) + products + temporary) + flags;
