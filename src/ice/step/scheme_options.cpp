@@ -25,7 +25,7 @@ GridOptions grid_options(const Scene& scene) {
   return g;
 }
 
-// As the fluids are counted; none where one of the solids, which decks count first, has the surface.
+// As the fluids are counted; none where a solid, which decks count first, has the surface.
 std::optional<ConvectiveExchange> among_fluids(std::optional<ConvectiveExchange> of, int solids) {
   if (!of || of->fluid < solids || of->solid < solids) return {};
   of->fluid -= solids;

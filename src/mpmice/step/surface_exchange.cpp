@@ -136,8 +136,8 @@ void SurfaceExchange<D>::look_at_fluid(std::size_t contact) {
   }
 }
 
-// Cells in which the middles of particles lie that may count at a node behind a surface: one cell to
-// the particle that has the face, one to its nodes, one to others there.
+// Cells in which the middles of particles lie that may count at a node behind a surface: one cell
+// to the particle that has the face, one to its nodes, one to others there.
 template <int D>
 CellMask SurfaceExchange<D>::cells_that_exchange() const {
   CellMask mask(frame_.cells.size(), 0);

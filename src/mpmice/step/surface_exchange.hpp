@@ -15,7 +15,8 @@
 // Each pair has the share G/S of either capacity, so that no temperature or velocity passes that of
 // the other side for any K and any number of pairs; for one pair it is the implicit exchange.
 //
-// M_s, u_s, T_s are sums over particles with hat functions S, and what a node gets each of them gets
+// M_s, u_s, T_s are sums over particles with hat functions S, and what a node gets each of them
+// gets
 //   of velocity  dv = sum_s S I_s/M_s,
 //   of temperature  dT = sum_s S (Q_s/C_s + a_s (T_s - T)),  a_s = sum kappa/C_s <= 1
 // That is a relaxation towards the temperature in front: no particle leaves the range of the two.
