@@ -1,6 +1,8 @@
 // Which effects a scene calls for, and why.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "ice/fluid_part.hpp"
 #include "ice/step/scheme_options.hpp"
 
@@ -61,7 +63,8 @@ Effect viscous_stress(const IceScene& ice) {
 Effect conduction(const IceScene& ice) {
   Effect e = by_material("heat conduction", "thermal_conductivity", ice, &IceMaterial::conductivity,
                          &IceMaterial::conductivity_where);
-  if (const auto& x = ice.exchange.convective; x && ice.materials.size() > 1) {
+  const auto& x = ice.exchange.convective;
+  if (x && ice.materials.size() > 1 && std::min(x->fluid, x->solid) >= ice.solids) {
     if (!e.on) e.line = x->where;
     e.on = true;
     e.reason += fmt::format(", convective exchange of materials {} and {}", x->fluid, x->solid);

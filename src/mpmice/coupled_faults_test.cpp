@@ -54,6 +54,26 @@ TEST(BurningDecks, NameWhatTheyAreMadeOf) {
               HasSubstr("'-1' is out of range"));
 }
 
+TEST(ConvectiveExchange, NamesAFluidAndWhatHasTheSurface) {
+  const std::string exchange = "MaterialProperties/exchange_properties/";
+  const auto of = [&](const char* fluid, const char* solid) {
+    std::vector<std::string> tags = {exchange + "do_convective_heat_transfer=true"};
+    if (fluid[0] != 0) tags.push_back(exchange + "convective_fluid=" + fluid);
+    if (solid[0] != 0) tags.push_back(exchange + "convective_solid=" + solid);
+    try {
+      const CoupledRun run(CoupledDeck{}, tags);
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_THAT(of("0", "1"), AllOf(HasSubstr("<convective_fluid>: material 0 is a solid"),
+                                  HasSubstr("the fluids are 1 to 1: solids are counted first")));
+  EXPECT_THAT(of("1", "1"), HasSubstr("are both 1: a material has no surface with itself"));
+  EXPECT_THAT(of("2", "0"), HasSubstr("<convective_fluid>: there is no material 2"));
+  EXPECT_THAT(of("1", ""), HasSubstr("<do_convective_heat_transfer> needs <convective_solid>"));
+}
+
 TEST(SolidsBesideAFluid, TakePartAllTheTime) {
   const auto of = [](const char* tags) {
     CoupledDeck deck;

@@ -49,7 +49,8 @@ OccupiedCells<D> cells_of_pieces(const Frame<D>& frame, const mpm::MpmScene& sce
 bool exchanges(const MpmIce& both) {
   const ice::IceScene& ice = both.fluid().part().scene();
   for (int k = 0; k < static_cast<int>(both.solids().scene().materials.size()); ++k)
-    if (ice.momentum_of_all(k, ice.solids) > 0 || ice.heat_of_all(k, ice.solids) > 0) return true;
+    for (int m = ice.solids; m < ice.solids + static_cast<int>(ice.materials.size()); ++m)
+      if (ice.momentum_of_all(k, m) > 0 || ice.heat_of_all(k, m) > 0) return true;
   return false;
 }
 
@@ -66,7 +67,9 @@ double bytes_per_cell(const MpmIce& both) {
   if (!o.transport.viscous) fields -= D;  // no friction
   const int sums = (D + 1) + (2 * D + 1) + std::max(amounts, D + 4);
   const int products = both.burns().empty() ? 0 : fluids;
-  const int temporary = exchanges(both) ? 3 * D + 6 + D : 2 * D + 3;
+  // SurfaceExchange: what is behind, sums of conductances, lanes.
+  const int exchange = (2 + D) + (fluids + 3) + (fluids + 4 + 2 * D);
+  const int temporary = exchanges(both) ? exchange : 2 * D + 3;
   constexpr int flags = 9;  // bytes
   return 8.0 * (fields + sums + 2 * (amounts + 1) + products + temporary) + flags;
 }

@@ -45,6 +45,7 @@ SUBJECTS = {
         "flow": "Flow past bodies and between plates",
         "shocks": "Shocks and sound against solids",
         "motion": "Bodies that move with the fluid",
+        "heat": "Heat through the surfaces of solids",
         "burning": "Burning solids",
         "implicit": "Semi-implicit pressure",
     },

@@ -129,17 +129,47 @@ void warn_of_no_exchange(const DeckNode& material, const DeckNode* exchange,
                 "write <heat> with a coefficient per pair, or 0 for each");
 }
 
+// True: the deck has it, and both of its materials.
+bool check_convective(const DeckNode& exchange, std::vector<Fault>& faults) {
+  const DeckNode* convective = exchange.child("do_convective_heat_transfer");
+  if (convective == nullptr || convective->text != "true") return false;
+  bool both = true;
+  for (const char* needed : {"convective_fluid", "convective_solid"}) {
+    if (exchange.child(needed) != nullptr) continue;
+    both = false;
+    add_error(faults, convective->where,
+              fmt::format("<do_convective_heat_transfer> needs <{}>", needed));
+  }
+  return both;
+}
+
 void check_models(const DeckNode& exchange, const std::vector<const DeckNode*>& materials,
                   std::vector<Fault>& faults) {
   if (const DeckNode* model = exchange.child("Model"))
     check_surface(*model, "fluidMatlIndex", "solidMatlIndex", materials, true, faults);
   check_surface(exchange, "convective_fluid", "convective_solid", materials, false, faults);
-  const DeckNode* convective = exchange.child("do_convective_heat_transfer");
-  if (convective == nullptr || convective->text != "true") return;
-  for (const char* needed : {"convective_fluid", "convective_solid"})
-    if (exchange.child(needed) == nullptr)
-      add_error(faults, convective->where,
-                fmt::format("<do_convective_heat_transfer> needs <{}>", needed));
+  check_convective(exchange, faults);
+}
+
+// Beside solids, which are counted first: what has the surface may be one of them.
+void check_convective_beside_solids(const DeckNode& exchange, int solids, int materials,
+                                    std::vector<Fault>& faults) {
+  if (!check_convective(exchange, faults)) return;
+  for (const char* tag : {"convective_fluid", "convective_solid"})
+    check_index(exchange, tag, materials, faults);
+  const auto fluid = integer_of(&exchange, "convective_fluid"),
+             solid = integer_of(&exchange, "convective_solid");
+  if (!fluid || !solid || *fluid < 0 || *fluid >= materials) return;
+  const Location& where = exchange.child("convective_fluid")->where;
+  if (*fluid < solids)
+    add_error(
+        faults, where, fmt::format("<convective_fluid>: material {} is a solid", *fluid),
+        fmt::format("the fluids are {} to {}: solids are counted first", solids, materials - 1));
+  else if (*fluid == *solid)
+    add_error(faults, where,
+              fmt::format("<convective_fluid> and <convective_solid> are both {}: a material has "
+                          "no surface with itself",
+                          *fluid));
 }
 
 }  // namespace
@@ -252,8 +282,8 @@ TagSpec exchange_tag() {
                         .at_most(1),
                     tag("useSlipCoeffs", "false: no slip").boolean().by_default("true")}),
            tag("do_convective_heat_transfer",
-               "heat exchange between a surface and the fluid in the adjacent cell, with the "
-               "coefficient of the two times the spacing")
+               "heat exchange between a surface and the fluid in front of it with the coefficient "
+               "of the two times the spacing per area, without it a quarter of that")
                .boolean(),
            tag("convective_fluid", "the fluid of the exchange").integer().at_least(0),
            tag("convective_solid", "the material with the surface").integer().at_least(0),
@@ -277,7 +307,11 @@ void check_ice_exchange(const DeckNode& root, std::vector<Fault>& faults) {
     check_count(*coefficients, "heat", materials, faults);
   }
   if (materials > 1 && !nodes.empty()) warn_of_no_exchange(*nodes.front(), exchange, faults);
-  if (exchange != nullptr && solids == 0) check_models(*exchange, nodes, faults);
+  if (exchange == nullptr) return;
+  if (solids == 0)
+    check_models(*exchange, nodes, faults);
+  else
+    check_convective_beside_solids(*exchange, solids, materials, faults);
 }
 
 }  // namespace sluice::ice

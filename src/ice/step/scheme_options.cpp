@@ -25,6 +25,14 @@ GridOptions grid_options(const Scene& scene) {
   return g;
 }
 
+// As the fluids are counted; none where a solid, which decks count first, has the surface.
+std::optional<ConvectiveExchange> among_fluids(std::optional<ConvectiveExchange> of, int solids) {
+  if (!of || of->fluid < solids || of->solid < solids) return {};
+  of->fluid -= solids;
+  of->solid -= solids;
+  return of;
+}
+
 MaterialOptions material_options(const IceScene& ice) {
   MaterialOptions m;
   m.fluid = ice.materials.front().fluid;
@@ -36,7 +44,7 @@ MaterialOptions material_options(const IceScene& ice) {
   if (ice.materials.size() > 1) {
     if (ice.exchange.slip && ice.exchange.slip->use_slip_coefficients)
       m.multi_velocity_exchange = ice.exchange.slip;
-    m.convective = ice.exchange.convective;
+    m.convective = among_fluids(ice.exchange.convective, ice.solids);
   }
   if (ice.models.mixed) {
     const models::MixedGas& gas = *ice.models.mixed;

@@ -107,7 +107,6 @@ class LevelCoupling final : public Coupling {
   void find_overlaps();
   void add_forces_on(const SolidSet<D>& s, std::vector<mpm::CornerForce>& forces) const;
   bool exchanges(int kind) const;
-  bool agree_on_motion(const StageScope& scope);
   // The largest velocities of a kind, up and down.
   std::array<Vec3, 2> bounds_of_velocities(int kind) const;
   void book_outside(const StageScope& scope);
@@ -133,8 +132,6 @@ class LevelCoupling final : public Coupling {
     double temperature = 0, capacity = 0;
   };
   FluidHeat heat_of(std::size_t i) const;
-  CellMask cells_that_exchange() const;
-  void exchange_with(const StageScope& scope, int kind, double drag, double heat);
   static void share_reason(const StageScope& scope);
   void refresh_amounts(const StageScope& scope);
   void share_small_cells();
@@ -297,11 +294,6 @@ class LevelCoupling final : public Coupling {
   CellSums<D> means_;           // over surfaces, lanes of SurfaceLanes
   SurfaceScales scales_;        // of its values
   bool may_be_light_ = false;   // may any wall be light in this step
-  // By kind, where fluid and solid exchange: the largest temperature and velocity.
-  struct ExchangeScales {
-    double temperature = 1e-300, velocity = 1e-300;
-  };
-  std::vector<ExchangeScales> exchange_scales_;
   CouplingBooks books_;
   Rates rates_;                               // of all cells that solids touch
   std::optional<Cell<D>> stuck_;              // a cell of this rank that closes with fluid in it

@@ -29,37 +29,6 @@ bool LevelCoupling<D>::stays_near() const {
   return true;
 }
 
-// Does no solid move too far; what exchange has to know of all. Collective.
-template <int D>
-bool LevelCoupling<D>::agree_on_motion(const StageScope& scope) {
-  exchange_scales_.assign(solids_->scene().materials.size(), {});
-  for (const SolidSet<D>& s : sets_) {
-    if (!exchanges(s.kind)) continue;
-    ExchangeScales& most = exchange_scales_[static_cast<std::size_t>(s.kind)];
-    const auto include = [&](int column, double& to) {
-      const double* values = s.next->column(static_cast<std::size_t>(column));
-      for (std::size_t p = 0; p < s.set->size(); ++p) to = std::max(to, std::fabs(values[p]));
-    };
-    include(s.columns->temperature, most.temperature);
-    for (const int d : frame_.direction) include(s.columns->velocity + d, most.velocity);
-  }
-  Reduction all;
-  const auto far = all.add_any(!stays_near());
-  std::vector<std::array<Reduction::Maximum, 2>> slots;
-  for (std::size_t k = 0; k < exchange_scales_.size(); ++k)
-    if (exchanges(static_cast<int>(k)))
-      slots.push_back({all.add_maximum(exchange_scales_[k].temperature),
-                       all.add_maximum(exchange_scales_[k].velocity)});
-  scope.ranks->reduce(all);
-  std::size_t n = 0;
-  for (std::size_t k = 0; k < exchange_scales_.size(); ++k) {
-    if (!exchanges(static_cast<int>(k))) continue;
-    exchange_scales_[k] = {all.maximum(slots[n][0]), all.maximum(slots[n][1])};
-    ++n;
-  }
-  return !all.any(far);
-}
-
 template <int D>
 bool LevelCoupling<D>::on_any(const StageScope& scope, bool here) {
   Reduction all;
@@ -70,7 +39,7 @@ bool LevelCoupling<D>::on_any(const StageScope& scope, bool here) {
 
 template <int D>
 Verdict LevelCoupling<D>::find_swept_volumes(const StageScope& scope) {
-  if (!agree_on_motion(scope)) {
+  if (on_any(scope, !stays_near())) {
     *scope.reason = fmt::format(
         "a solid moves by more than {} cells, or by more than {} though it began slowly",
         Frame<D>::most_move, Frame<D>::slow_move);

@@ -1,0 +1,122 @@
+#include "mpmice/step/surface_contacts.hpp"
+
+#include "mpmice/geometry/halving_plane.hpp"
+#include "mpmice/geometry/pieces.hpp"
+
+namespace sluice::mpmice {
+namespace {
+
+constexpr double small_volume = 0.5;  // as in redistribute.cpp
+
+template <int D>
+class Contacts {
+ public:
+  Contacts(const Frame<D>& frame, const SolidFields<D>& solids, const CellAmounts<D>& fluid)
+      : frame_(frame), solids_(solids), fluid_(fluid) {
+    for (std::size_t d = 0; d < D; ++d) edge_[d] = frame.spacing[frame.direction[d]];
+  }
+
+  // False: there is no fluid in front of it.
+  bool find(const Piece<D>& piece, SurfaceContact<D>& to) const {
+    double area = 0;
+    for (std::size_t d = 0; d < D; ++d) {
+      to.normal[d] = piece.area[d] * frame_.face_area(static_cast<int>(d));
+      area += to.normal[d] * to.normal[d];
+    }
+    area = std::sqrt(area);
+    if (!(area > 0) || !(piece.s > 0)) return false;
+    for (double& n : to.normal) n /= area;
+    const Cell<D> c = frame_.wrapped(piece.cell);
+    if (!frame_.in_domain(c)) return false;  // on a side of the domain
+    to.area = area / frame_.cell_volume;
+    to.width = width_across<D>(to.normal, edge_);
+    for (std::size_t d = 0; d < D; ++d) to.place[d] = piece.cell[d] + piece.arm[d] / piece.s;
+    return find_fluid(c, piece.cell, to);
+  }
+
+ private:
+  bool holds_fluid(std::size_t i) const {
+    return fluid_.near[i] != 0 && fluid_.volume[i] > 0 && fluid_.mass_of_all(i) > 0;
+  }
+
+  // `seen`: the same cell as the piece counts it, across periodic sides too.
+  bool find_fluid(const Cell<D>& c, const Cell<D>& seen, SurfaceContact<D>& to) const {
+    const std::size_t i = frame_.cells.index(c);
+    const double V = fluid_.volume[i];
+    to.fluid = i;
+    if (!(V >= small_volume) && take_next(c, seen, to)) return true;
+    if (!holds_fluid(i)) return false;
+    to.to_fluid = V >= small_volume ? distance(seen, to) : 0.5 * V * to.width;
+    return true;
+  }
+
+  // The cell before a small one, where it holds more.
+  bool take_next(const Cell<D>& c, const Cell<D>& seen, SurfaceContact<D>& to) const {
+    std::size_t along = 0;
+    for (std::size_t d = 1; d < D; ++d)
+      if (std::fabs(to.normal[d]) > std::fabs(to.normal[along])) along = d;
+    const int step = to.normal[along] > 0 ? 1 : -1;
+    Cell<D> next = c, next_seen = seen;
+    next[along] += step;
+    next_seen[along] += step;
+    next = frame_.wrapped(next);
+    if (!frame_.in_domain(next)) return false;
+    const std::size_t i = frame_.cells.index(c), j = frame_.cells.index(next),
+                      face = step > 0 ? frame_.cells.cell_above(i, static_cast<int>(along)) : i;
+    const bool open = solids_.covered_next[along][face] < 1;
+    if (!open || !holds_fluid(j) || !(fluid_.volume[j] > fluid_.volume[i])) return false;
+    to.fluid = j;
+    to.to_fluid = distance(next_seen, to);
+    return true;
+  }
+
+  // From the piece to the centre of a cell along the normal.
+  double distance(const Cell<D>& cell, const SurfaceContact<D>& to) const {
+    double sum = 0;
+    for (std::size_t d = 0; d < D; ++d)
+      sum += to.normal[d] * edge_[d] * (cell[d] + 0.5 - to.place[d]);
+    return std::max(sum, 0.0);
+  }
+
+  const Frame<D>& frame_;
+  const SolidFields<D>& solids_;
+  const CellAmounts<D>& fluid_;
+  std::array<double, D> edge_{};
+};
+
+}  // namespace
+
+template <int D>
+std::vector<SurfaceContact<D>> surface_contacts(const Frame<D>& frame, const SolidFields<D>& solids,
+                                                const CellAmounts<D>& fluid,
+                                                const std::vector<SolidSet<D>>& sets, int kind) {
+  const Contacts<D> contacts(frame, solids, fluid);
+  std::vector<SurfaceContact<D>> found;
+  for (std::size_t n = 0; n < sets.size(); ++n) {
+    const SolidSet<D>& s = sets[n];
+    if (s.kind != kind) continue;
+    for_each_piece<D>(s.faces, When::end, 0, s.faces.size(),
+                      [&](std::size_t i, int, const Piece<D>& piece) {
+                        const std::uint32_t p = s.faces.particle[i];
+                        if (s.faces.is_inner(i) || (!s.filled.empty() && !(s.filled[p] > 0)))
+                          return;
+                        SurfaceContact<D> contact;
+                        contact.set = static_cast<std::uint32_t>(n);
+                        contact.particle = p;
+                        if (contacts.find(piece, contact)) found.push_back(contact);
+                      });
+  }
+  return found;
+}
+
+template std::vector<SurfaceContact<1>> surface_contacts(const Frame<1>&, const SolidFields<1>&,
+                                                         const CellAmounts<1>&,
+                                                         const std::vector<SolidSet<1>>&, int);
+template std::vector<SurfaceContact<2>> surface_contacts(const Frame<2>&, const SolidFields<2>&,
+                                                         const CellAmounts<2>&,
+                                                         const std::vector<SolidSet<2>>&, int);
+template std::vector<SurfaceContact<3>> surface_contacts(const Frame<3>&, const SolidFields<3>&,
+                                                         const CellAmounts<3>&,
+                                                         const std::vector<SolidSet<3>>&, int);
+
+}  // namespace sluice::mpmice
