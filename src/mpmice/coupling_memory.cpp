@@ -65,12 +65,16 @@ double bytes_per_cell(const MpmIce& both) {
   static_assert(sizeof(SolidFields<D>) % sizeof(Column) == 0);
   int fields = static_cast<int>(sizeof(SolidFields<D>) / sizeof(Column));
   if (!o.transport.viscous) fields -= D;  // no friction
-  const int sums = (D + 1) + (2 * D + 1) + std::max(amounts, D + 4);
+  // Sums: of free cells, at one time, swept (with the numbers of facet groups and theta of both),
+  // over surfaces, what the last step left; amounts or states that are shared.
+  const int rubs = o.transport.viscous ? D : 0;
+  const int geometry = 2 + 2 * D + 3 * D + (D == 3 ? 16 : 0) + 2;
+  const int sums = geometry + (4 + D + rubs) + 1 + std::max(amounts, D + 4);
   const int products = both.burns().empty() ? 0 : fluids;
   // SurfaceExchange: what is behind, sums of conductances, lanes.
   const int exchange = (2 + D) + (fluids + 3) + (fluids + 4 + 2 * D);
   const int temporary = exchanges(both) ? exchange : 2 * D + 3;
-  constexpr int flags = 9;  // bytes
+  constexpr int flags = 10;  // bytes
   return 8.0 * (fields + sums + 2 * (amounts + 1) + products + temporary) + flags;
 }
 
