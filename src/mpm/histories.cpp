@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "mpm/step/solid_step.hpp"
+#include "mpm/step/step_sums.hpp"
 
 namespace sluice::mpm {
 namespace {

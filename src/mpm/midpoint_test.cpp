@@ -7,7 +7,7 @@
 
 #include "framework/base/json.hpp"
 #include "mpm/nodes/node_sums.hpp"
-#include "mpm/step/midpoint_stage.hpp"
+#include "mpm/step/midpoint_motion.hpp"
 #include "mpm/test_support/solid_run.hpp"
 #include "mpm/test_support/text_run.hpp"
 #include "mpm/transfer/impulses_from_grid.hpp"

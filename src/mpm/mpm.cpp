@@ -7,7 +7,7 @@
 #include "mpm/effects.hpp"
 #include "mpm/histories.hpp"
 #include "mpm/levels/solid_levels.hpp"
-#include "mpm/step/solid_step.hpp"
+#include "mpm/step/step_sums.hpp"
 
 namespace sluice::mpm {
 

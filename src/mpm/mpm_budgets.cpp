@@ -6,7 +6,7 @@
 #include "framework/run/levels/particle_cloud.hpp"
 #include "mpm/mpm.hpp"
 #include "mpm/step/cohesive_zones.hpp"
-#include "mpm/step/solid_step.hpp"
+#include "mpm/step/step_sums.hpp"
 
 namespace sluice::mpm {
 

@@ -267,7 +267,8 @@ void SolidParticles::store_on_grid(const StageScope& scope,
     StageScope own = scope;
     std::vector<std::vector<double>> maxima = {(*scope.maxima)[l]};
     own.levels = {scope.levels[l]};
-    step.set_spacings(scope.levels[l]->level().spacing, scope.levels[l]->level().spacing);
+    const Vec3 spacing = scope.levels[l]->level().spacing;
+    step.spacings() = {spacing, spacing};
     own.maxima = &maxima;
     store_node_fields(*scene_, *solids_, step, own, by_level[l]);
   }

@@ -90,9 +90,8 @@ class Watched final : public Mpm {
  private:
   void look(SolidLevels& levels, const StageScope& scope) const {
     const std::vector<Body>& bodies = levels.level(0).bodies();
-    if (bodies[0].surfaces.blocks() > 0) ++seen_.gathered;
-    const Level& level = scope.levels.front()->level();
-    const SurfaceUnits units = surface_units(level, false);
+    const ContactStage* contact = levels.level(0).contact();
+    if (contact != nullptr && contact->surfaces().sums(0).blocks() > 0) ++seen_.gathered;
     const BlockShape shape = bodies[0].table.shape();
     for (int b = 0; b < bodies[0].table.count(); ++b) {
       const IntVec3 block = bodies[0].table.block(b);
@@ -105,7 +104,7 @@ class Watched final : public Mpm {
         if (node.y < 0) return;
         ++seen_.meetings;
         for (std::size_t m = 0; m < 2; ++m)
-          compare(surface_at(bodies[m].surfaces.sums(numbers[m]) + n * lanes, units),
+          compare(contact->surfaces().at({static_cast<int>(m), numbers[m]}, n),
                   by_formula(scope.particles->store(static_cast<int>(m)),
                              bodies[m].carried->columns, spacing * to_real(node)));
       });

@@ -6,7 +6,7 @@
 #include "framework/base/lowest_text.hpp"
 #include "framework/run/levels/particle_cloud.hpp"
 #include "mpm/mpm.hpp"
-#include "mpm/step/solid_step.hpp"
+#include "mpm/step/step_sums.hpp"
 
 namespace sluice::mpm {
 

@@ -9,7 +9,7 @@
 #include "mpm/grains/choose_slots.hpp"
 #include "mpm/grains/clusters.hpp"
 #include "mpm/grains/gather_all.hpp"
-#include "mpm/step/solid_step.hpp"
+#include "mpm/step/step_sums.hpp"
 #include "mpm/transfer/dispatch.hpp"
 #include "mpm/transfer/to_grid.hpp"
 

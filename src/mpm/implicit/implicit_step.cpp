@@ -11,7 +11,7 @@
 #include "mpm/implicit/step_books.hpp"
 #include "mpm/step/book_leaving.hpp"
 #include "mpm/step/rates.hpp"
-#include "mpm/step/solid_step.hpp"
+#include "mpm/step/body.hpp"
 
 namespace sluice::mpm {
 namespace {

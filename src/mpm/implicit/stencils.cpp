@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "mpm/shape/weights.hpp"
-#include "mpm/step/solid_step.hpp"
+#include "mpm/step/body.hpp"
 #include "mpm/transfer/dispatch.hpp"
 
 namespace sluice::mpm {

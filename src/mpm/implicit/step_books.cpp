@@ -2,7 +2,7 @@
 
 #include "framework/base/exact_sum.hpp"
 #include "mpm/material/base/tensor.hpp"
-#include "mpm/step/solid_step.hpp"
+#include "mpm/step/step_sums.hpp"
 
 namespace sluice::mpm {
 namespace {

@@ -27,7 +27,7 @@ double binomial(int n, int k) {
 Verdict SolidLevels::filter_velocities(const StageScope& scope) {
   std::vector<double> most(solids_->materials.size());
   for (const auto& step : steps_) {
-    const std::vector<double> own = step->take_velocities();
+    const std::vector<double> own = step->filter().take_velocities();
     for (std::size_t k = 0; k < most.size(); ++k) most[k] = std::max(most[k], own[k]);
   }
   Reduction reduction;
@@ -35,14 +35,14 @@ Verdict SolidLevels::filter_velocities(const StageScope& scope) {
   for (const double m : most) slots.push_back(reduction.add_maximum(m));
   scope.ranks->reduce(reduction);
   for (std::size_t k = 0; k < most.size(); ++k) most[k] = reduction.maximum(slots[k]);
-  for (const auto& step : steps_) step->begin_filter(most);
+  for (const auto& step : steps_) step->filter().begin(most);
   for (int r = 2; r <= solids_->xpic_order; ++r) {
-    for (int l = 0; l < count(); ++l) level(l).sum_filtered(scope_of(scope, l), r == 2);
-    join_sums(scope, &Body::mapped);
-    for (const auto& step : steps_) step->finish_filter();
-    spread_velocities(&Body::filtered);
+    for (int l = 0; l < count(); ++l) level(l).filter().sum(level(l).work(), r == 2);
+    join_sums(scope, passed_of);
+    for (const auto& step : steps_) step->filter().finish();
+    spread_velocities(filtered_of);
     const double factor = (r % 2 == 0 ? -1 : 1) * binomial(solids_->xpic_order, r);
-    for (const auto& step : steps_) step->add_filtered(factor);
+    for (const auto& step : steps_) step->filter().add(factor);
   }
   return Verdict::good;
 }
@@ -78,24 +78,24 @@ Verdict SolidLevels::agree_on(const StageScope& scope, std::vector<KindRates>& b
 
 // New velocities of particles to nodes, once more.
 void SolidLevels::map_all_back(const StageScope& scope, std::span<const KindRates> bounds) {
-  for (int l = 0; l < count(); ++l) level(l).sum_back(scope_of(scope, l), bounds);
-  join_sums(scope, &Body::mapped);
-  for (int l = 0; l < count(); ++l) level(l).finish_back(scope_of(scope, l));
-  spread_velocities(&Body::mapped);
+  for (int l = 0; l < count(); ++l)
+    level(l).mapped().sum(level(l).work(), level(l).spacings(), bounds);
+  join_sums(scope, mapped_of);
+  for (int l = 0; l < count(); ++l) level(l).mapped().finish();
+  spread_velocities(mapped_of);
 }
 
 // MUSL: new velocities of particles go to the nodes once more, and velocity gradients are taken
 // from those (D. Sulsky, S.-J. Zhou, H. L. Schreyer, Comput. Phys. Commun. 87 (1995) 236).
 // Gradients of hats do not vanish with their weight: from v* of nodes that have hardly any mass
 // they would have no bound (docs/theory/mpm_transfers.md). The midpoint transfer does so at the
-// middle of the step, and with spins (step/midpoint_stage.cpp).
+// middle of the step, and with spins (step/midpoint_motion.cpp).
 Verdict SolidLevels::map_back(const StageScope& scope) {
   std::vector<KindRates> bounds(solids_->materials.size());
   std::string fault;
   for (int l = 0; l < count(); ++l) {
-    const StageScope own_scope = scope_of(scope, l);
     const std::vector<KindRates> own =
-        solids_->midpoint() ? level(l).kick_all(own_scope, fault) : level(l).move_all(own_scope);
+        level(l).particles().first_pass(scope_of(scope, l), level(l).work(), fault);
     for (std::size_t k = 0; k < bounds.size(); ++k) bounds[k].add(own[k]);
   }
   if (agree_on(scope, bounds, fault) == Verdict::reject) return Verdict::reject;
@@ -111,12 +111,14 @@ Verdict SolidLevels::start_spins(const StageScope& scope) {
   for (int pass = 0; pass < passes; ++pass) {
     std::vector<KindRates> bounds(solids_->materials.size());
     for (int l = 0; l < count(); ++l) {
-      const std::vector<KindRates> own = level(l).hold_start(scope_of(scope, l), pass > 0);
+      const std::vector<KindRates> own =
+          level(l).particles().hold_start(scope_of(scope, l), level(l).work(), pass > 0);
       for (std::size_t k = 0; k < bounds.size(); ++k) bounds[k].add(own[k]);
     }
     if (agree_on(scope, bounds, {}) == Verdict::reject) return Verdict::reject;
     map_all_back(scope, bounds);
-    for (int l = 0; l < count(); ++l) level(l).take_spins(scope_of(scope, l));
+    for (int l = 0; l < count(); ++l)
+      level(l).particles().take_spins(scope_of(scope, l), level(l).work());
   }
   return Verdict::good;
 }

@@ -54,7 +54,7 @@ Verdict SolidLevels::begin(const StageScope& scope) {
   }
   maxima_.assign(steps_.size(), {all});
   for (const auto& step : steps_)
-    step->set_spacings(present_.back().spacing, present_.front().spacing);
+    step->spacings() = {present_.back().spacing, present_.front().spacing};
   const Verdict verdict = on_levels(scope, &SolidStep::begin);
   if (count() > 1)
     for (int m = 0; m < static_cast<int>(solids_->materials.size()); ++m) {
@@ -72,7 +72,7 @@ void SolidLevels::add_corner_forces(
   std::vector<double> most(kinds);
   for (std::size_t l = 0; l < forces.size(); ++l)
     for (std::size_t m = 0; m < kinds; ++m) {
-      level(static_cast<int>(l)).add_corner_forces(static_cast<int>(m), forces[l][m]);
+      level(static_cast<int>(l)).effects().corners().add(static_cast<int>(m), forces[l][m]);
       for (const CornerForce& f : forces[l][m])
         for (int d = 0; d < 3; ++d) {
           const double size = std::fabs(f.force[d]);
@@ -102,26 +102,27 @@ Verdict SolidLevels::to_grid(const StageScope& scope) {
 // Images join their nodes; coarse nodes under a finer level join the fine ones there; from the
 // finest level on ranks agree, and hanging nodes join the coarse ones around them.
 Verdict SolidLevels::share_sums(const StageScope& scope) {
-  join_sums(scope, &Body::nodes);
+  join_sums(scope, nodes_of);
   return Verdict::good;
 }
 
-void SolidLevels::join_sums(const StageScope& scope, NodeLanes Body::*group) {
+void SolidLevels::join_sums(const StageScope& scope, NodeGroup group) {
   for (const auto& step : steps_) step->fold(group);
   for (int m = 0; m < static_cast<int>(solids_->materials.size()); ++m)
     for (int l = 0; l + 1 < count(); ++l) {
-      Body &coarse = level(l).body(m), &fine = level(l + 1).body(m);
-      interfaces_[l]->to_fine(coarse.table, coarse.*group, fine.table, fine.*group);
+      interfaces_[l]->to_fine(level(l).body(m).table, group(level(l), m),
+                              level(l + 1).body(m).table, group(level(l + 1), m));
     }
   for (int l = count() - 1; l >= 0; --l) {
     level(l).share_sums(scope_of(scope, l), group);
     if (l == 0) break;
     const CompositeNodes& joint = *interfaces_[l - 1];
     for (int m = 0; m < static_cast<int>(solids_->materials.size()); ++m) {
-      Body &coarse = level(l - 1).body(m), &fine = level(l).body(m);
-      joint.add_parents(fine.table, fine.*group, coarse.table, coarse.*group);
-      joint.to_coarse(fine.table, fine.*group, coarse.table, coarse.*group,
-                      [&](int block) { return level(l).exchange().is_home(fine.table, block); });
+      BlockTable &coarse = level(l - 1).body(m).table, &fine = level(l).body(m).table;
+      NodeLanes &to = group(level(l - 1), m), &from = group(level(l), m);
+      joint.add_parents(fine, from, coarse, to);
+      joint.to_coarse(fine, from, coarse, to,
+                      [&](int block) { return level(l).nodes().booked(fine, block); });
     }
   }
 }
@@ -130,44 +131,47 @@ Verdict SolidLevels::move_nodes(const StageScope& scope) {
   if (on_levels(scope, &SolidStep::move_nodes) == Verdict::reject) return Verdict::reject;
   push_transmitting(scope);
   if (count() == 1) return Verdict::good;
-  spread_velocities(&Body::nodes);
+  spread_velocities(nodes_of);
   if (solids_->contact_heats() && solids_->prescribed_file.empty()) {
-    spread(&Body::friction);
-    for (const auto& step : steps_) step->unfold_friction();
+    spread(friction_of);
+    for (const auto& step : steps_) step->effects().friction()->unfold();
   }
   return Verdict::good;
 }
 
 void SolidLevels::push_transmitting(const StageScope& scope) {
   for (int m = 0; m < static_cast<int>(solids_->materials.size()); ++m) {
-    if (!level(0).transmits(m)) continue;
+    if (!level(0).effects().transmitted().transmits(m)) continue;
     MassAndImpulse sums;
     for (const auto& step : steps_)
-      for (std::size_t s = 0; s < sums.size(); ++s) sums[s].merge(step->transmitted(m)[s]);
+      for (std::size_t s = 0; s < sums.size(); ++s)
+        sums[s].merge(step->effects().transmitted().sums(m)[s]);
     Reduction all;
     std::array<Reduction::Sum, 4> slots;
     for (std::size_t s = 0; s < sums.size(); ++s) slots[s] = all.add_sum(sums[s]);
     scope.ranks->reduce(all);
     std::array<double, 4> total;
     for (std::size_t s = 0; s < sums.size(); ++s) total[s] = all.sum(slots[s]).value();
-    for (const auto& step : steps_) step->push(m, total[0], {total[1], total[2], total[3]});
+    for (std::size_t l = 0; l < steps_.size(); ++l)
+      steps_[l]->effects().transmitted().push(m, total[0], {total[1], total[2], total[3]},
+                                              present_[l].active);
   }
 }
 
-void SolidLevels::spread_velocities(NodeLanes Body::*group) {
+void SolidLevels::spread_velocities(NodeGroup group) {
   spread(group);
   for (const auto& step : steps_) step->unfold(group);
 }
 
-void SolidLevels::spread(NodeLanes Body::*group) {
+void SolidLevels::spread(NodeGroup group) {
   for (int m = 0; m < static_cast<int>(solids_->materials.size()); ++m) {
     for (int l = 0; l + 1 < count(); ++l) {
-      Body &coarse = level(l).body(m), &fine = level(l + 1).body(m);
-      interfaces_[l]->from_coarse(fine.table, fine.*group, coarse.table, coarse.*group);
+      interfaces_[l]->from_coarse(level(l + 1).body(m).table, group(level(l + 1), m),
+                                  level(l).body(m).table, group(level(l), m));
     }
     for (int l = count() - 2; l >= 0; --l) {
-      Body &coarse = level(l).body(m), &fine = level(l + 1).body(m);
-      interfaces_[l]->from_fine(coarse.table, coarse.*group, fine.table, fine.*group);
+      interfaces_[l]->from_fine(level(l).body(m).table, group(level(l), m),
+                                level(l + 1).body(m).table, group(level(l + 1), m));
     }
   }
 }
@@ -189,7 +193,8 @@ void SolidLevels::heat_by_losses(const StageScope& scope) {
     const double wanted = sums[first + Of::heat_wanted], taken = sums[first + Of::heat_taken];
     const double share =
         wanted > 0 ? std::clamp((sums[first + Of::lost] - taken) / wanted, 0.0, 1.0) : 0.0;
-    for (const auto& step : steps_) step->give_heat(static_cast<int>(m), share, scope.step.dt);
+    for (const auto& step : steps_)
+      step->effects().losses()->give_heat(step->work(), static_cast<int>(m), share, scope.step.dt);
     const double given = taken + share * wanted - sums[first + Of::heat_before];
     sums[first + Of::lost_heat] += given;
     sums[StepSums::lost_heat] += given;
@@ -206,11 +211,11 @@ Verdict SolidLevels::commit(const StageScope& scope) {
     for (int l = 0; l < count(); ++l) {
       // Those of other parts of a component come after.
       std::vector<double>& all = (*maxima)[l];
-      const std::vector<double>& own = level(l).new_rates();
+      const std::vector<double>& own = level(l).outcome().rates;
       all.resize(std::max(all.size(), own.size()));
       std::copy(own.begin(), own.end(), all.begin());
-      travel = std::max(travel, level(l).travel());
-      left |= level(l).any_left();
+      travel = std::max(travel, level(l).outcome().travel);
+      left |= level(l).outcome().left;
     }
     strayed_ += travel;
     const bool split =

@@ -52,9 +52,9 @@ class SolidLevels {
   StageScope scope_of(const StageScope& scope, int level);
   void look_at_levels(const StageScope& scope);
   // Sums of a group of lanes joined over images, levels and ranks; velocities spread the other way.
-  void join_sums(const StageScope& scope, NodeLanes Body::*group);
-  void spread_velocities(NodeLanes Body::*group);
-  void spread(NodeLanes Body::*group);
+  void join_sums(const StageScope& scope, NodeGroup group);
+  void spread_velocities(NodeGroup group);
+  void spread(NodeGroup group);
   static Verdict agree_on(const StageScope& scope, std::vector<KindRates>& bounds,
                           const std::string& fault);
   void heat_by_losses(const StageScope& scope);

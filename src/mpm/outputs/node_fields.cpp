@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "mpm/nodes/node_sums.hpp"
-#include "mpm/transfer/values_to_grid.hpp"
+#include "mpm/step/mean_on_nodes.hpp"
 
 namespace sluice::mpm {
 namespace {
@@ -63,9 +63,10 @@ void for_each_full_node(const BlockTable& table, const NodeLanes& nodes,
 
 class BodyFields {
  public:
-  BodyFields(const Scene& scene, SolidStep& step, const StageScope& scope, int body,
-             GridFields& fields)
+  BodyFields(const Scene& scene, const MpmScene& solids, SolidStep& step, const StageScope& scope,
+             int body, GridFields& fields)
       : scene_(scene),
+        solids_(solids),
         step_(step),
         scope_(scope),
         number_(body),
@@ -134,11 +135,14 @@ class BodyFields {
 
   using Store = std::function<void(IntVec3, double weight, const double* means)>;
   void mean(int weight, int first, int count, const Store& store) {
-    const std::vector<NodeMean> means = step_.mean_on_nodes(scope_, number_, weight, first, count);
+    const std::vector<NodeMean> means =
+        mean_on_nodes(solids_, step_.nodes(), step_.body(number_), number_, step_.work(),
+                      *scope_.ranks, {weight, first, count});
     for (const NodeMean& m : means) store(m.node, m.weight, m.mean.data());
   }
 
   const Scene& scene_;
+  const MpmScene& solids_;
   SolidStep& step_;
   const StageScope& scope_;
   int number_;
@@ -156,14 +160,14 @@ std::vector<Label> node_labels() {
           l.temperature,  l.heating,        l.displacement,   l.concentration};
 }
 
-void store_node_fields(const Scene& scene, const MpmScene& /*solids*/, SolidStep& step,
+void store_node_fields(const Scene& scene, const MpmScene& solids, SolidStep& step,
                        const StageScope& scope, GridFields& fields) {
   step.begin(scope);
   step.to_grid(scope);
   step.fold();
   step.share_sums(scope);
   for (std::size_t b = 0; b < step.bodies().size(); ++b)
-    BodyFields(scene, step, scope, static_cast<int>(b), fields).store();
+    BodyFields(scene, solids, step, scope, static_cast<int>(b), fields).store();
 }
 
 }  // namespace sluice::mpm

@@ -7,14 +7,27 @@
 // heat. Time steps count with it: the speed of sound becomes Q + sqrt(Q^2 + c^2) where
 // q = rho Q |tr D| h.
 #pragma once
-#include "mpm/step/solid_step.hpp"
+#include "mpm/step/solid_effect.hpp"
 
 namespace sluice::mpm {
 
-// Particles at, ..., at + n - 1 after their law: q, energy, dT/dt in `heating`, and the speed that
-// limits the next time step, m/s.
-void add_viscosity(const MpmScene& solids, const Body& body, const BlockWork& work, std::size_t at,
-                   int n, double dt, Vec3 spacing, const GridAtParticles& read, double* heating,
-                   double* wave_speed);
+class ArtificialViscosity final : public SolidEffect {
+ public:
+  // Keeps references.
+  ArtificialViscosity(const MpmScene& solids, const std::vector<Carried>& carried,
+                      const Level& level)
+      : solids_(&solids), carried_(&carried), level_(&level) {}
+  // Where a material carries q.
+  static bool possible(const std::vector<Carried>& carried);
+
+  void give(const BlockWork& work, ParticlesToGrid& columns) const override;
+  // q, energy, heating, and the speed that limits the next time step.
+  void to_particles(const Chunk& chunk) override;
+
+ private:
+  const MpmScene* solids_;
+  const std::vector<Carried>* carried_;
+  const Level* level_;
+};
 
 }  // namespace sluice::mpm

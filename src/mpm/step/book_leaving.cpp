@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "framework/base/reduction.hpp"
-#include "mpm/step/solid_step.hpp"
+#include "mpm/step/step_sums.hpp"
 
 namespace sluice::mpm {
 namespace {

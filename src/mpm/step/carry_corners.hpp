@@ -4,7 +4,8 @@
 #include <optional>
 
 #include "mpm/material/base/material.hpp"
-#include "mpm/step/solid_step.hpp"
+#include "mpm/step/body.hpp"
+#include "mpm/transfer/from_grid.hpp"
 
 namespace sluice::mpm {
 

@@ -6,7 +6,6 @@
 #include "framework/particle/particle_map.hpp"
 #include "mpm/nodes/node_sums.hpp"
 #include "mpm/shape/weights.hpp"
-#include "mpm/step/solid_step.hpp"
 
 namespace sluice::mpm {
 namespace {
@@ -98,9 +97,15 @@ void add_cohesive_energy(const ParticleStore& points, Totals& to) {
     }
 }
 
-CohesiveZones::CohesiveZones(const MpmScene& solids, const Level& level, const BlockShape& shape)
-    : solids_(&solids), level_(level), shape_(shape) {
-  for (int d = 0; d < 3; ++d) axes_[static_cast<std::size_t>(d)] = axis_of(level, d);
+CohesiveZones::CohesiveZones(const MpmScene& solids, const std::vector<ParticleKind>& kinds,
+                             const LevelNodes& nodes, std::vector<Body>& bodies)
+    : solids_(&solids),
+      kinds_(&kinds),
+      nodes_(&nodes),
+      bodies_(&bodies),
+      most_(solids.materials.size()),
+      lanes_(solids.materials.size()) {
+  for (int d = 0; d < 3; ++d) axes_[static_cast<std::size_t>(d)] = axis_of(nodes.level, d);
   double stiffest = 0;  // of all points of all ranks: what stands in the deck
   for (const CohesiveZone& zone : solids.cohesive_zones)
     for (const CohesivePoint& point : zone.points)
@@ -108,35 +113,38 @@ CohesiveZones::CohesiveZones(const MpmScene& solids, const Level& level, const B
   stiffness_scale_ = scale_for(stiffest);
 }
 
-void CohesiveZones::begin(ParticleCloud& cloud, const std::vector<ParticleKind>& kinds) {
+void CohesiveZones::begin(const StageScope& scope) {
   work_.clear();
   most_.assign(solids_->materials.size(), 0.0);
   for (std::size_t z = 0; z < solids_->cohesive_zones.size(); ++z) {
     const std::size_t kind = solids_->materials.size() + z;
-    ParticleStore& store = cloud.store(static_cast<int>(kind));
-    const std::vector<std::size_t> advanced = kinds[kind].advanced_columns();
-    for (int b = 0; b < store.box_count(level_.index); ++b) {
-      const ParticleSet& set = store.set(level_.index, b);
-      ParticleSet& next = store.next(level_.index, b);
+    ParticleStore& store = scope.particles->store(static_cast<int>(kind));
+    const std::vector<std::size_t> advanced = (*kinds_)[kind].advanced_columns();
+    for (int b = 0; b < store.box_count(nodes_->level.index); ++b) {
+      const ParticleSet& set = store.set(nodes_->level.index, b);
+      ParticleSet& next = store.next(nodes_->level.index, b);
       next.make_room(set, advanced);
-      work_.push_back({&solids_->cohesive_zones[z], &set, &next});
-      for (std::size_t p = 0; p < set.size(); ++p)
-        for (const Column side : {below, above}) {
-          double& most = most_[static_cast<std::size_t>(material_of(set, side, p))];
-          const Vec3 f = vector_of(set, force, p);
-          for (int d = 0; d < 3; ++d) most = std::max(most, std::fabs(f[d]));
-        }
+      add_points(z, set, next);
     }
   }
 }
 
+void CohesiveZones::add_points(std::size_t zone, const ParticleSet& set, ParticleSet& next) {
+  work_.push_back({&solids_->cohesive_zones[zone], &set, &next});
+  for (std::size_t p = 0; p < set.size(); ++p)
+    for (const Column side : {below, above}) {
+      double& most = most_[static_cast<std::size_t>(material_of(set, side, p))];
+      const Vec3 f = vector_of(set, force, p);
+      for (int d = 0; d < 3; ++d) most = std::max(most, std::fabs(f[d]));
+    }
+}
+
 template <class Act>
-void CohesiveZones::around(Vec3 place, const NodeBoundary& boundary, int material,
-                           Act&& act) const {
+void CohesiveZones::around(Vec3 place, int material, Act&& act) const {
   AxisWeights<2> weights[3];
-  IntVec3 first = level_.domain.lower, size{1, 1, 1};
+  IntVec3 first = nodes_->level.domain.lower, size{1, 1, 1};
   for (int d = 0; d < 3; ++d) {
-    if (!level_.active[static_cast<std::size_t>(d)]) continue;
+    if (!nodes_->level.active[static_cast<std::size_t>(d)]) continue;
     const double x = place[d];
     Linear::weights<false>(axes_[static_cast<std::size_t>(d)], &x, 0, 1, weights[d]);
     first[d] = weights[d].first[0];
@@ -149,30 +157,30 @@ void CohesiveZones::around(Vec3 place, const NodeBoundary& boundary, int materia
         double S = 1;
         for (int d = 0; d < 3; ++d)
           if (size[d] == 2) S *= weights[d].w[at[d] - first[d]][0];
-        act(boundary.image(at, material).of, S);
+        act(nodes_->boundary->image(at, material).of, S);
       }
 }
 
-void CohesiveZones::add_nodes(const NodeBoundary& boundary, std::vector<Body>& bodies) const {
+void CohesiveZones::add_nodes() {
   for (const Work& w : work_)
     for (std::size_t p = 0; p < w.set->size(); ++p)
       for (const Column side : {below, above}) {
         const int m = material_of(*w.set, side, p);
-        BlockTable& table = bodies[static_cast<std::size_t>(m)].table;
-        around(w.set->position(p), boundary, m,
-               [&](IntVec3 node, double) { table.find_or_add(shape_.block_of(node)); });
+        BlockTable& table = (*bodies_)[static_cast<std::size_t>(m)].table;
+        around(w.set->position(p), m,
+               [&](IntVec3 node, double) { table.find_or_add(nodes_->shape.block_of(node)); });
       }
 }
 
 // mass(lanes of a node) in any unit: nodes, S M, and the sum of these.
 template <class Mass>
-CohesiveZones::Shares CohesiveZones::shares_of(Vec3 place, const NodeBoundary& boundary,
-                                               const Body& body, int material, Mass&& mass) const {
+CohesiveZones::Shares CohesiveZones::shares_of(Vec3 place, int material, Mass&& mass) const {
+  const Body& body = (*bodies_)[static_cast<std::size_t>(material)];
   Shares s;
-  around(place, boundary, material, [&](IntVec3 node, double S) {
-    const int block = body.table.find(shape_.block_of(node));
+  around(place, material, [&](IntVec3 node, double S) {
+    const int block = body.table.find(nodes_->shape.block_of(node));
     if (block < 0) return;
-    const int lane = shape_.place(node) * lanes;
+    const int lane = nodes_->shape.place(node) * lanes;
     const double share = S * mass(body.nodes.sums(block) + lane);
     if (!(share > 0)) return;
     const auto n = static_cast<std::size_t>(s.count++);
@@ -184,22 +192,33 @@ CohesiveZones::Shares CohesiveZones::shares_of(Vec3 place, const NodeBoundary& b
   return s;
 }
 
-void CohesiveZones::give(const Work& w, std::size_t p, const Shares& s, double sign,
-                         Body& body) const {
+void CohesiveZones::push(const Work& w, std::size_t p, const Shares& s, double sign, int material) {
+  const auto m = static_cast<std::size_t>(material);
+  const Body& body = (*bodies_)[m];
   const Vec3 f = (sign * body.units.force) * vector_of(*w.set, force, p);
   const double k = stiffness_scale_ * w.set->column(area)[p] * cohesive_stiffness(*w.zone);
   for (std::size_t n = 0; n < static_cast<std::size_t>(s.count); ++n) {
     const double share = s.share[n] / s.sum;
-    std::int64_t* node = body.cohesive.sums(s.block[n]) + s.lane[n];
+    std::int64_t* node = lanes_[m].sums(s.block[n]) + s.lane[n];
     add_rounded(node, Four{share * k, 0.0, 0.0, 0.0});
     add_rounded(node + force_lane, Four{share * f.x, share * f.y, share * f.z, 0.0});
   }
 }
 
-void CohesiveZones::to_grid(const NodeBoundary& boundary, std::vector<Body>& bodies) {
-  for (Body& body : bodies) {
-    body.cohesive.clear();
-    body.cohesive.fit(body.table);
+// Cohesive forces follow the masses of nodes, so that these are shared before.
+void CohesiveZones::on_sums() {
+  give_all();
+  for (std::size_t m = 0; m < lanes_.size(); ++m) {
+    NodeLanes* const group = &lanes_[m];
+    nodes_->exchange->share((*bodies_)[m].table, std::span(&group, 1));
+  }
+  take();
+}
+
+void CohesiveZones::give_all() {
+  for (std::size_t m = 0; m < lanes_.size(); ++m) {
+    lanes_[m].clear();
+    lanes_[m].fit((*bodies_)[m].table);
   }
   const auto mass = [](const std::int64_t* node) {
     return node[count_lane] != 0 ? sum_in(node, 0) : 0.0;
@@ -207,25 +226,23 @@ void CohesiveZones::to_grid(const NodeBoundary& boundary, std::vector<Body>& bod
   for (const Work& w : work_)
     for (std::size_t p = 0; p < w.set->size(); ++p) {
       const int b = material_of(*w.set, below, p), a = material_of(*w.set, above, p);
-      Body &bottom = bodies[static_cast<std::size_t>(b)],
-           &top = bodies[static_cast<std::size_t>(a)];
       const Vec3 place = w.set->position(p);
-      const Shares sb = shares_of(place, boundary, bottom, b, mass);
-      const Shares sa = shares_of(place, boundary, top, a, mass);
+      const Shares sb = shares_of(place, b, mass), sa = shares_of(place, a, mass);
       if (sb.count == 0 || sa.count == 0) continue;
-      give(w, p, sb, 1, bottom);
-      give(w, p, sa, -1, top);
+      push(w, p, sb, 1, b);
+      push(w, p, sa, -1, a);
     }
 }
 
 // Also what the points ask of the time step, dt <= 2/omega. By Gershgorin's circles in the sum over
 // two materials, omega^2 <= 2 max_i k_i/M_i, with k_i = sum over points of K A w_i.
-void CohesiveZones::take(std::vector<Body>& bodies) {
+void CohesiveZones::take() {
   double largest = 0;  // k/M
-  for (Body& body : bodies)
+  for (std::size_t m = 0; m < lanes_.size(); ++m) {
+    Body& body = (*bodies_)[m];
     for (int b = 0; b < body.table.count(); ++b)
       for (int n = 0; n < block_nodes; ++n) {
-        const std::int64_t* from = body.cohesive.sums(b) + n * lanes;
+        const std::int64_t* from = lanes_[m].sums(b) + n * lanes;
         if (from[count_lane] == 0) continue;
         std::int64_t* node = body.nodes.sums(b) + n * lanes;
         for (int d = 0; d < 3; ++d)
@@ -234,13 +251,14 @@ void CohesiveZones::take(std::vector<Body>& bodies) {
         const double mass = sum_in(node, 0) / body.units.mass;
         largest = std::max(largest, sum_in(from, stiffness_lane) / stiffness_scale_ / mass);
       }
+  }
   rate_ = 0.5 * std::sqrt(2 * largest);
 }
 
 // v* of a material around a place; false: the material is not there.
-bool CohesiveZones::read(Vec3 place, const NodeBoundary& boundary, const Body& body, int material,
-                         Vec3& velocity) const {
-  const Shares s = shares_of(place, boundary, body, material, [](const std::int64_t* node) {
+bool CohesiveZones::read(Vec3 place, int material, Vec3& velocity) const {
+  const Body& body = (*bodies_)[static_cast<std::size_t>(material)];
+  const Shares s = shares_of(place, material, [](const std::int64_t* node) {
     return node[count_lane] != 0 ? as_real(node[3]) : 0.0;
   });
   velocity = body.units.reference;
@@ -258,9 +276,11 @@ void CohesiveZones::advance_point(const Work& w, std::size_t p, Vec3 way_b, Vec3
   for (int d = 0; d < 3; ++d) {
     const double x = set.coordinate(d)[p];
     next.coordinate(d)[p] = x + middle[d];
-    travel_ = std::max(travel_, std::fabs(middle[d]) / level_.spacing[d]);
-    const double low = level_.anchor[d] + level_.domain.lower[d] * level_.spacing[d];
-    const double high = level_.anchor[d] + level_.domain.upper[d] * level_.spacing[d];
+    travel_ = std::max(travel_, std::fabs(middle[d]) / nodes_->level.spacing[d]);
+    const double low =
+        nodes_->level.anchor[d] + nodes_->level.domain.lower[d] * nodes_->level.spacing[d];
+    const double high =
+        nodes_->level.anchor[d] + nodes_->level.domain.upper[d] * nodes_->level.spacing[d];
     left_ |= !(x + middle[d] >= low && x + middle[d] < high);
   }
   put(next, way_above, p, vector_of(set, way_above, p) + way_a);
@@ -281,8 +301,7 @@ void CohesiveZones::advance_point(const Work& w, std::size_t p, Vec3 way_b, Vec3
       set.column(work)[p] + 0.5 * dot(vector_of(set, force, p) + f, after - before);
 }
 
-void CohesiveZones::advance(const NodeBoundary& boundary, const std::vector<Body>& bodies,
-                            double dt) {
+void CohesiveZones::after_nodes(const NodeStep& step, NodeBooks& /*books*/) {
   travel_ = 0;
   left_ = false;
   for (const Work& w : work_)
@@ -291,14 +310,19 @@ void CohesiveZones::advance(const NodeBoundary& boundary, const std::vector<Body
       bool held = true;
       for (const Column side : {below, above}) {
         const int m = material_of(*w.set, side, p);
-        held &= read(w.set->position(p), boundary, bodies[static_cast<std::size_t>(m)], m,
-                     v[side - below]);
+        held &= read(w.set->position(p), m, v[side - below]);
       }
       if (!held) v[0] = v[1] = Vec3{};
       for (int d = 0; d < 3; ++d)
-        if (!level_.active[static_cast<std::size_t>(d)]) v[0][d] = v[1][d] = 0;
-      advance_point(w, p, dt * v[0], dt * v[1], held);
+        if (!nodes_->level.active[static_cast<std::size_t>(d)]) v[0][d] = v[1][d] = 0;
+      advance_point(w, p, step.dt * v[0], step.dt * v[1], held);
     }
+}
+
+void CohesiveZones::limit(StepReport& report) const {
+  report.rate = std::max(report.rate, rate_);
+  report.travel = std::max(report.travel, travel_);
+  report.left |= left_;
 }
 
 }  // namespace sluice::mpm

@@ -14,14 +14,12 @@
 
 #include "framework/run/component/component.hpp"
 #include "framework/run/levels/particle_cloud.hpp"
-#include "mpm/boundary/node_boundary.hpp"
 #include "mpm/loads/cohesive_law.hpp"
-#include "mpm/nodes/node_blocks.hpp"
 #include "mpm/shape/axis.hpp"
+#include "mpm/step/level_nodes.hpp"
+#include "mpm/step/solid_effect.hpp"
 
 namespace sluice::mpm {
-
-struct Body;
 
 // What points carry: the kinds of particles behind those of the materials, in the deck's order.
 ParticleKind cohesive_kind(const MpmScene& solids, std::size_t zone);
@@ -31,26 +29,25 @@ void start_cohesive(const MpmScene& solids, std::size_t zone, const Level& level
 // Work that separating the points of a zone has taken, J.
 void add_cohesive_energy(const ParticleStore& points, Totals& to);
 
-class CohesiveZones {
+class CohesiveZones final : public SolidEffect {
  public:
-  CohesiveZones(const MpmScene& solids, const Level& level, const BlockShape& shape);
+  // Keeps references.
+  CohesiveZones(const MpmScene& solids, const std::vector<ParticleKind>& kinds,
+                const LevelNodes& nodes, std::vector<Body>& bodies);
 
-  // Points in their boxes: room for their next state.
-  void begin(ParticleCloud& cloud, const std::vector<ParticleKind>& kinds);
-  // The largest component of a force on a material, of this rank's points.
-  double most_force(int material) const { return most_[static_cast<std::size_t>(material)]; }
-  // Nodes around the points, where sums are wanted.
-  void add_nodes(const NodeBoundary& boundary, std::vector<Body>& bodies) const;
-  // Forces and stiffness into the lanes Body::cohesive, by masses that all ranks agree on; of those
-  // lanes, once ranks agree on them, the forces into the nodes.
-  void to_grid(const NodeBoundary& boundary, std::vector<Body>& bodies);
-  void take(std::vector<Body>& bodies);
-  // From velocities after the step, as finish_block() leaves them: the next state of the points.
-  void advance(const NodeBoundary& boundary, const std::vector<Body>& bodies, double dt);
-
-  double rate() const { return rate_; }      // of the time step, 1/s
-  double travel() const { return travel_; }  // farthest way of a point, cells
-  bool any_left() const { return left_; }    // the domain
+  // Points in their boxes.
+  void begin(const StageScope& scope) override;
+  // The points of a zone in one box, in this step; where their next state will stand.
+  void add_points(std::size_t zone, const ParticleSet& set, ParticleSet& next);
+  double most_force(int body) const override { return most_[static_cast<std::size_t>(body)]; }
+  // Nodes around the points.
+  void add_nodes() override;
+  // Forces and stiffness by masses that all ranks agree on; once ranks agree on them too, the
+  // forces into the nodes.
+  void on_sums() override;
+  // From velocities after the step: the next state of the points.
+  void after_nodes(const NodeStep& step, NodeBooks& books) override;
+  void limit(StepReport& report) const override;
 
  private:
   struct Work {
@@ -70,22 +67,24 @@ class CohesiveZones {
   // act(node, S) for the nodes around a place; of one beyond a periodic side, that which it is the
   // image of.
   template <class Act>
-  void around(Vec3 place, const NodeBoundary& boundary, int material, Act&& act) const;
+  void around(Vec3 place, int material, Act&& act) const;
   template <class Mass>
-  Shares shares_of(Vec3 place, const NodeBoundary& boundary, const Body& body, int material,
-                   Mass&& mass) const;
-  void give(const Work& work, std::size_t p, const Shares& shares, double sign, Body& body) const;
-  bool read(Vec3 place, const NodeBoundary& boundary, const Body& body, int material,
-            Vec3& velocity) const;
+  Shares shares_of(Vec3 place, int material, Mass&& mass) const;
+  void give_all();
+  void push(const Work& work, std::size_t p, const Shares& shares, double sign, int material);
+  void take();
+  bool read(Vec3 place, int material, Vec3& velocity) const;
   // By the ways of the materials below and above in the step.
   void advance_point(const Work& work, std::size_t p, Vec3 way_b, Vec3 way_a, bool held);
 
   const MpmScene* solids_;
-  Level level_;
-  BlockShape shape_;
+  const std::vector<ParticleKind>* kinds_;
+  const LevelNodes* nodes_;
+  std::vector<Body>* bodies_;
   std::array<Axis, 3> axes_;
   std::vector<Work> work_;
-  std::vector<double> most_;  // by material
+  std::vector<double> most_;      // by material
+  std::vector<NodeLanes> lanes_;  // by material, sums: stiffness, -, -, - | force
   double stiffness_scale_ = 1;
   double rate_ = 0, travel_ = 0;
   bool left_ = false;

@@ -67,6 +67,7 @@ bool files_give_velocities(const MpmScene& solids) {
                      [](const SolidMaterial& m) { return file_gives(m, "p.velocity"); });
 }
 
+// Table: a row for each column, with the scenes that need it.
 Carried carried_by(const Scene& scene, const MpmScene& solids, const SolidMaterial& material) {
   Carried c;
   int next = 0;

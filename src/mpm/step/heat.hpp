@@ -12,26 +12,11 @@
 // equal. The transfers are those of the momentum: -V k grad T stands for a row of the stress.
 // Of a concentration C per mass the same with C for T, m D for V k and 1 for c_v.
 #pragma once
-#include "framework/run/component/step_shape.hpp"
-#include "mpm/boundary/node_boundary.hpp"
-#include "mpm/nodes/node_exchange.hpp"
-#include "mpm/step/columns.hpp"
+#include "mpm/step/level_nodes.hpp"
 #include "mpm/step/outside_forces.hpp"
+#include "mpm/step/solid_effect.hpp"
 
 namespace sluice::mpm {
-
-struct Body;
-struct BlockWork;
-
-// What a step of solids lends for it.
-struct HeatLoan {
-  const StageScope* scope;
-  std::vector<Body>* bodies;
-  const std::vector<BlockWork>* work;
-  NodeExchange* exchange;
-  const NodeBoundary* boundary;
-  const OutsideForces* outside;
-};
 
 // What spreads.
 struct Spreading {
@@ -44,19 +29,21 @@ struct Spreading {
 };
 extern const Spreading heat_spreads, concentration_spreads;
 
-class Heat {
+class Heat final : public SolidEffect {
  public:
   // Can it move in this scene.
   static bool possible(const MpmScene& solids, const Spreading& what = heat_spreads);
-  Heat(const Scene& scene, const MpmScene& solids, const Level& level,
+  // Keeps references.
+  Heat(const Scene& scene, const MpmScene& solids, const LevelNodes& nodes,
+       std::vector<Body>& bodies, const std::vector<BlockWork>& work, const OutsideForces& outside,
        const Spreading& what = heat_spreads);
 
   // Finds the rates of this step; collective.
-  void conduct(const HeatLoan& loan);
-  // dT/dt of the particles of a set, K/s; null: none this step.
-  const double* rates(int kind, int box) const;
-  // Heat of loads into the particles of a set, W; null: none this step.
-  const double* sources(int kind, int box) const;
+  void before_particles(const StageScope& scope, NodeBooks& books) override;
+  // The column of heat by loads, where it is saved.
+  void moved(const Chunk& chunk) override;
+  // T <- T + dt dT/dt; a concentration within the bounds of the material.
+  void to_particles(const Chunk& chunk) override;
 
  private:
   // Beside the particles of one set.
@@ -72,29 +59,41 @@ class Heat {
   Scratch& scratch(int kind, int box) {
     return scratch_[static_cast<std::size_t>(kind)][static_cast<std::size_t>(box)];
   }
-  void make_room(const HeatLoan& loan, bool conducts);
+  void make_room(bool conducts);
   // Do loads bring heat into the particles.
-  bool is_heated(const HeatLoan& loan, const BlockWork& work) const;
-  Ranges find_ranges(const HeatLoan& loan);
-  void to_nodes(const HeatLoan& loan, const Ranges& ranges);
+  bool is_heated(const BlockWork& work) const;
+  void find_loads(const BlockWork& work, double time, Ranges& ranges);
+  void share_ranges(Communicator& ranks, Ranges& ranges) const;
+  Ranges find_ranges(const StageScope& scope);
+  double rate_of_conduction(const Ranges& ranges) const;
+  void to_nodes(const Ranges& ranges);
+  void agree(std::size_t kind, const SumUnits& units);
   // The largest |V k dT/dx_d| of each kind.
-  std::vector<double> find_gradients(const HeatLoan& loan);
-  void find_fluxes(const HeatLoan& loan, const Ranges& ranges, const std::vector<double>& bound);
-  void take_part(const HeatLoan& loan, double dt);
-  void meet(const HeatLoan& loan);
-  void set_sides(const HeatLoan& loan);
-  void to_particles(const HeatLoan& loan, double dt);
+  std::vector<double> find_gradients(const StageScope& scope);
+  void find_fluxes(const Ranges& ranges, const std::vector<double>& bound);
+  void take_part(double dt);
+  void meet();
+  void set_sides();
+  void find_rates(double dt);
   bool side_value(IntVec3 node, int material, double& value) const;
   double inner_temperature(const Body& body, IntVec3 node, const SolidBoundary& side) const;
 
+  struct Flux {
+    NodeLanes nodes;  // sums of Q_i where forces stand
+    SumUnits units;
+  };
+
   const Spreading* what_;
   const Scene* scene_;
+  const LevelNodes* space_;
+  std::vector<Body>* bodies_;
+  const std::vector<BlockWork>* work_;
+  const OutsideForces* outside_;
   const MpmScene* solids_;
-  Level level_;
   bool active_ = false;
   double reference_ = 0;
-  std::vector<NodeLanes> nodes_, flux_;  // by kind: T - T_ref, -, -, M | dT/dt, T at first, -, 1
-  std::vector<SumUnits> flux_units_;
+  std::vector<NodeLanes> nodes_;  // by kind: T - T_ref, -, -, M | dT/dt, T at first, -, 1
+  std::vector<Flux> flux_;        // by kind
   std::vector<std::vector<Scratch>> scratch_;
 };
 

@@ -11,6 +11,7 @@ Label declare(const char* name, ValueType type, const char* unit, const char* de
   return declare_label({name, type, Centring::particle, unit, definition});
 }
 
+// Table: a row for each label.
 SolidLabels declare_all() {
   using enum ValueType;
   SolidLabels l;

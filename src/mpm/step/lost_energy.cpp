@@ -1,33 +1,10 @@
-// What transfer and integration take from the energy of particles becomes heat of them.
-//
-// A particle gives its share of mass to nodes, and its stress pushes them. Of a step, with any
-// velocity u of nodes,
-//
-//   P = sum m S dv . u + dk V sigma : sum u (x) grad S
-//   loss = P - (change of its kinetic energy, its spin's too) - (U+ - U)
-//
-// adds up to the energy account's T + R, as M dv is the impulse of all stress on a node. Taken
-// are the velocities by which energy passes: u = (v + vh)/2, v as particles gave it, vh those of
-// which L is taken, v* where nothing is mapped back. Of v* alone some particles would lose for
-// ever what others win, without any loss of all.
-//
-// Of a wave that still swings with the step: forces of one time work on velocities half a step
-// before and behind. With v and the first half of the change of kinetic energy in the interval
-// before, and vh, the second half and U+ - U in the interval behind, it does not. A particle keeps
-//
-//   B = loss of all intervals so far, and what is open of the next one
-//   G = max(-D, g) for g < 0, phi g for g > 0,   g = loss of all intervals - E
-//
-// with E = m sum_ed (L - W)_ed^2 <r_d^2>/2, kinetic energy within a cell, which nodes have and
-// particles do not. G is heat; D is that of the artificial viscosity. A gain takes heat back, but
-// no more than what these two have given: no particle is cooled below the temperature that its
-// deformation gives it. What a particle where it crosses kinks of shape functions loses others win:
-// phi <= 1, one for each body, is such that all its heat is what the body has lost, and no more.
+#include "mpm/step/lost_energy.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 #include "mpm/nodes/node_sums.hpp"
-#include "mpm/step/thread_report.hpp"
+#include "mpm/step/outside_forces.hpp"
 
 namespace sluice::mpm {
 namespace {
@@ -64,28 +41,38 @@ constexpr int row[6] = {0, 1, 2, 1, 0, 0}, column[6] = {0, 1, 2, 2, 2, 1};
 
 }  // namespace
 
-// Of velocities, and of spins where there are: minus both halves of the change of kinetic energy.
-void SolidStep::begin_losses(const BlockWork& w, std::size_t at, int n,
-                             const ImpulsesAtParticles& got) const {
-  const Body& body = bodies_[static_cast<std::size_t>(w.kind)];
-  const Columns& c = body.carried->columns;
+LostEnergy::LostEnergy(const MpmScene& solids, const LevelNodes& nodes,
+                       const std::vector<Body>& bodies, const MappedBack* mapped)
+    : solids_(&solids), nodes_(&nodes), bodies_(&bodies), mapped_(mapped) {}
+
+void LostEnergy::begin(const StageScope& /*scope*/) {
+  const auto threads = static_cast<std::size_t>(nodes_->team->size());
+  if (reads_.size() != threads) reads_.assign(threads, Reads(nodes_->shape));
+}
+
+void LostEnergy::after_nodes(const NodeStep& step, NodeBooks& /*books*/) {
+  kick_ = step.kick;
+}
+
+void LostEnergy::moved(const Chunk& chunk) {
+  const Columns& c = chunk.columns();
   if (c.lost_energy < 0) return;
-  const auto old = [&](int of) { return w.set->column(static_cast<std::size_t>(of)) + at; };
-  const auto made = [&](int of) { return w.next->column(static_cast<std::size_t>(of)) + at; };
-  double *first = made(c.lost_energy), *second = made(c.lost_heat);
-  const double* mass = old(c.mass);
+  const int n = chunk.n;
+  double *first = chunk.made(c.lost_energy), *second = chunk.made(c.lost_heat);
+  const double* mass = chunk.old(c.mass);
   std::fill_n(first, n, 0.0);
   std::fill_n(second, n, 0.0);
   for (int d = 0; d < 3; ++d) {
-    const double *v = old(c.velocity + d), *to_v = made(c.velocity + d);
-    const double reference = body.units.reference[d];
+    const double *v = chunk.old(c.velocity + d), *to_v = chunk.made(c.velocity + d);
+    const double reference = chunk.body->units.reference[d];
     for (int p = 0; p < n; ++p) {
       const double half = 0.5 * mass[p] * (to_v[p] - v[p]);
       first[p] -= half * (v[p] - reference);
       second[p] -= half * (to_v[p] - reference);
     }
     if (c.spin < 0) continue;
-    const double *spin = old(c.spin + d), *to_spin = made(c.spin + d), *inertia = got.inertia[d];
+    const double *spin = chunk.old(c.spin + d), *to_spin = chunk.made(c.spin + d);
+    const double* inertia = chunk.buffers->impulses.inertia[d];
     for (int p = 0; p < n; ++p) {
       const double half = 0.5 * mass[p] * inertia[p] * (to_spin[p] - spin[p]);
       first[p] -= half * spin[p];
@@ -94,37 +81,40 @@ void SolidStep::begin_losses(const BlockWork& w, std::size_t at, int n,
   }
 }
 
-// Windows of the nodes at the start of the step, with the velocities of both halves.
-void SolidStep::load_losses(const BlockWork& w, ThreadReport& report) const {
-  const Body& body = bodies_[static_cast<std::size_t>(w.kind)];
-  Window &nodes = report.loss_nodes, &mapped = report.loss_mapped;
-  nodes.load(w.lowest, w.highest, body.table, body.nodes);
+void LostEnergy::load(const BlockWork& w, int thread) {
+  const Body& body = (*bodies_)[static_cast<std::size_t>(w.kind)];
+  if (body.carried->columns.lost_energy < 0) return;
+  Reads& reads = reads_[static_cast<std::size_t>(thread)];
+  reads.nodes.load(w.lowest, w.highest, body.table, body.nodes);
   double shift[3] = {};
-  if (solids_->maps_back()) {
-    mapped.load(w.lowest, w.highest, body.table, body.mapped);
-    for (int d = 0; d < 3; ++d) shift[d] = body.mapped_units.reference[d] - body.units.reference[d];
+  const Window* moved = nullptr;
+  if (mapped_ != nullptr) {
+    reads.mapped.load(w.lowest, w.highest, body.table, mapped_->of(w.kind));
+    const Vec3 from = mapped_->units(w.kind).reference;
+    for (int d = 0; d < 3; ++d) shift[d] = from[d] - body.units.reference[d];
+    moved = &reads.mapped;
   }
-  const Window* moved = solids_->maps_back() ? &mapped : nullptr;
-  to_work(nodes, moved, shift, true, report.loss_before);
-  to_work(nodes, moved, shift, false, report.loss_after);
+  to_work(reads.nodes, moved, shift, true, reads.before);
+  to_work(reads.nodes, moved, shift, false, reads.after);
 }
 
 // Adds the halves of P.
-void SolidStep::add_works(const BlockWork& w, std::size_t at, int n, ThreadReport& report) const {
-  const Body& body = bodies_[static_cast<std::size_t>(w.kind)];
-  const Columns& c = body.carried->columns;
-  const auto old = [&](int of) { return w.set->column(static_cast<std::size_t>(of)) + at; };
-  const double *mass = old(c.mass), *volume = old(c.volume);
-  const double* q = c.viscous >= 0 ? old(c.viscous) : nullptr;
-  GridAtParticles& read = report.loss_read;
+void LostEnergy::add_works(const Chunk& chunk, Reads& reads) const {
+  const Body& body = *chunk.body;
+  const BlockWork& w = *chunk.work;
+  const Columns& c = chunk.columns();
+  const int n = chunk.n;
+  const double *mass = chunk.old(c.mass), *volume = chunk.old(c.volume);
+  const double* q = c.viscous >= 0 ? chunk.old(c.viscous) : nullptr;
+  GridAtParticles& read = reads.at;
   for (const bool after : {false, true}) {
-    double* to = w.next->column(static_cast<std::size_t>(after ? c.lost_heat : c.lost_energy)) + at;
+    double* to = chunk.made(after ? c.lost_heat : c.lost_energy);
     read_velocities(solids_->basis, body.grid, places_of(*w.set, c), shape_of(*w.set, c),
-                    static_cast<int>(at), n, after ? report.loss_after : report.loss_before, read);
-    if (solids_->axisymmetric) add_hoop_rate(*w.set, body.units.reference.x, at, n, read);
+                    static_cast<int>(chunk.at), n, after ? reads.after : reads.before, read);
+    if (solids_->axisymmetric) add_hoop_rate(*w.set, body.units.reference.x, chunk.at, n, read);
     alignas(64) double power[chunk_size] = {};
     for (int e = 0; e < 6; ++e) {
-      const double* sigma = old(c.stress + e);
+      const double* sigma = chunk.old(c.stress + e);
       const double *one = read.L[3 * row[e] + column[e]], *other = read.L[3 * column[e] + row[e]];
       if (e < 3)
         for (int p = 0; p < n; ++p)
@@ -138,50 +128,45 @@ void SolidStep::add_works(const BlockWork& w, std::size_t at, int n, ThreadRepor
 }
 
 // E of particles, J; of affine velocities, which hold it, what it gained instead.
-void SolidStep::find_inner(const BlockWork& w, std::size_t at, int n, const GridAtParticles& read,
-                           double* within, double* gained) const {
-  const Body& body = bodies_[static_cast<std::size_t>(w.kind)];
-  const Columns& c = body.carried->columns;
+void LostEnergy::find_inner(const Chunk& chunk, double* within, double* gained) const {
+  const Columns& c = chunk.columns();
+  const int n = chunk.n;
   std::fill_n(within, n, 0.0);
   std::fill_n(gained, n, 0.0);
   for (int e = 0; e < 9; ++e) {
-    const double moment = body.energy_units.moment[e % 3];
+    const double moment = chunk.body->energy_units.moment[e % 3];
     if (c.affine >= 0) {
-      const double* C = w.set->column(static_cast<std::size_t>(c.affine + e)) + at;
-      const double* to_C = w.next->column(static_cast<std::size_t>(c.affine + e)) + at;
+      const double *C = chunk.old(c.affine + e), *to_C = chunk.made(c.affine + e);
       for (int p = 0; p < n; ++p) gained[p] += moment * (to_C[p] * to_C[p] - C[p] * C[p]);
       continue;
     }
-    const double *L = read.L[e], *turned = read.L[3 * (e % 3) + e / 3];
+    const double *L = chunk.read().L[e], *turned = chunk.read().L[3 * (e % 3) + e / 3];
     const bool spins = c.spin >= 0;
     for (int p = 0; p < n; ++p) {
       const double rate = spins ? 0.5 * (L[p] + turned[p]) : L[p];
       within[p] += moment * (rate * rate);
     }
   }
-  const double* mass = w.set->column(static_cast<std::size_t>(c.mass)) + at;
+  const double* mass = chunk.old(c.mass);
   for (int p = 0; p < n; ++p) {
     within[p] *= 0.5 * mass[p];
     gained[p] *= 0.5 * mass[p];
   }
 }
 
-// Losses of particles that have their new state; where their heat will stand, g or -D.
-void SolidStep::settle_losses(const BlockWork& w, const StageScope& scope, std::size_t at, int n,
-                              ThreadReport& report) const {
-  const Body& body = bodies_[static_cast<std::size_t>(w.kind)];
-  const Columns& c = body.carried->columns;
-  add_works(w, at, n, report);
-  const auto old = [&](int of) { return w.set->column(static_cast<std::size_t>(of)) + at; };
-  const auto made = [&](int of) { return w.next->column(static_cast<std::size_t>(of)) + at; };
-  const double *energy = old(c.energy), *new_energy = made(c.energy);
-  const double *before = old(c.lost_energy), *heat = old(c.lost_heat);
-  const double* viscous = c.viscous_heat >= 0 ? made(c.viscous_heat) : nullptr;
-  double *to = made(c.lost_energy), *to_heat = made(c.lost_heat);
+void LostEnergy::to_particles(const Chunk& chunk) {
+  const Columns& c = chunk.columns();
+  if (c.lost_energy < 0) return;
+  const int n = chunk.n;
+  add_works(chunk, reads_[static_cast<std::size_t>(chunk.thread)]);
+  const double *energy = chunk.old(c.energy), *new_energy = chunk.made(c.energy);
+  const double *before = chunk.old(c.lost_energy), *heat = chunk.old(c.lost_heat);
+  const double* viscous = c.viscous_heat >= 0 ? chunk.made(c.viscous_heat) : nullptr;
+  double *to = chunk.made(c.lost_energy), *to_heat = chunk.made(c.lost_heat);
   alignas(64) double within[chunk_size], gained[chunk_size];
-  find_inner(w, at, n, report.read, within, gained);
+  find_inner(chunk, within, gained);
   alignas(64) double wanted[chunk_size], taken[chunk_size], all[chunk_size];
-  const bool first = scope.dt_before == 0;
+  const bool first = chunk.scope->dt_before == 0;
   for (int p = 0; p < n; ++p) {
     const double closing = to[p] - 0.5 * gained[p], opening = to_heat[p] - 0.5 * gained[p];
     const double loss = first ? 0.0 : before[p] + closing;
@@ -194,20 +179,20 @@ void SolidStep::settle_losses(const BlockWork& w, const StageScope& scope, std::
     taken[p] = std::min(0.0, to_heat[p]);
   }
   using Of = BodyEnergySums;
-  BodyEnergySums& sums = report.books.bodies[static_cast<std::size_t>(w.kind)];
-  const double unit = body.energy_units.energy;
+  BodyEnergySums& sums = chunk.sums();
+  const double unit = chunk.body->energy_units.energy;
   add_rounded(wanted, n, unit, sums[Of::heat_wanted]);
   add_rounded(taken, n, unit, sums[Of::heat_taken]);
   add_rounded(all, n, unit, sums[Of::lost]);
   add_rounded(heat, n, unit, sums[Of::heat_before]);
 }
 
-// G and the temperature of it; `share`: phi.
-void SolidStep::give_heat(int kind, double share, double dt) {
-  const Body& body = bodies_[static_cast<std::size_t>(kind)];
+void LostEnergy::give_heat(std::span<const BlockWork> work, int kind, double share,
+                           double dt) const {
+  const Body& body = (*bodies_)[static_cast<std::size_t>(kind)];
   const Columns& c = body.carried->columns;
   const double capacity = body.material->constants.specific_heat;
-  for (const BlockWork& w : work_) {
+  for (const BlockWork& w : work) {
     if (w.kind != kind) continue;
     const auto made = [&](int of) { return w.next->column(static_cast<std::size_t>(of)); };
     const double* mass = w.set->column(static_cast<std::size_t>(c.mass));

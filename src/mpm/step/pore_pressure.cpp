@@ -1,9 +1,9 @@
 // What particles take from the nodes of water: their pressure, their water's velocity, its energy;
 // and the fastest waves of both.
+#include <algorithm>
 #include <cmath>
 
 #include "mpm/step/pore_water.hpp"
-#include "mpm/step/solid_step.hpp"
 
 namespace sluice::mpm {
 
@@ -32,28 +32,35 @@ void add_water_to_waves(const SolidMaterial& material, const Columns& c, const P
   }
 }
 
-void PoreWater::load(const BlockWork& w, const Body& body, Reads& reads) const {
-  reads.window.load(w.lowest, w.highest, body.table, water_[static_cast<std::size_t>(w.kind)]);
+void PoreWater::load(const BlockWork& w, int thread) {
+  const auto k = static_cast<std::size_t>(w.kind);
+  if (in(w.kind))
+    reads_[static_cast<std::size_t>(thread)].window.load(w.lowest, w.highest, (*bodies_)[k].table,
+                                                         water_[k]);
 }
 
-void PoreWater::advance(const BlockWork& w, const Body& body, std::size_t at, int n, double dt,
-                        const GridAtParticles& solid, Reads& reads) const {
+void PoreWater::to_particles(const Chunk& chunk) {
+  if (!in(chunk.kind())) return;
+  const BlockWork& w = *chunk.work;
+  const Body& body = *chunk.body;
   const Columns& c = body.carried->columns;
   const PoreWaterConstants& water = *body.material->water;
+  const GridAtParticles& solid = chunk.read();
+  const std::size_t at = chunk.at;
+  const int n = chunk.n;
+  const double dt = chunk.dt();
+  Reads& reads = reads_[static_cast<std::size_t>(chunk.thread)];
   GridAtParticles& read = reads.at;
   read_window(solids_->basis, body.grid, places_of(*w.set, c), shape_of(*w.set, c),
               static_cast<int>(at), n, false, reads.window, read);
-  const auto from = [&](int column) {
-    return w.set->column(static_cast<std::size_t>(column)) + at;
-  };
-  const auto to = [&](int column) { return w.next->column(static_cast<std::size_t>(column)) + at; };
   for (int d = 0; d < 3; ++d) {
-    const double* v = from(c.water_velocity + d);
-    double* next = to(c.water_velocity + d);
+    const double* v = chunk.old(c.water_velocity + d);
+    double* next = chunk.made(c.water_velocity + d);
     for (int q = 0; q < n; ++q) next[q] = v[q] + read.dv[d][q];
   }
-  const double *V_0 = from(c.volume_0), *V = from(c.volume), *p = from(c.pore_pressure);
-  double *next = to(c.pore_pressure), *energy = to(c.energy);
+  const double *V_0 = chunk.old(c.volume_0), *V = chunk.old(c.volume),
+               *p = chunk.old(c.pore_pressure);
+  double *next = chunk.made(c.pore_pressure), *energy = chunk.made(c.energy);
   for (int q = 0; q < n; ++q) {
     const double pores = porosity(water, V_0[q], V[q]);
     const double rate = (1 - pores) * (solid.L[0][q] + solid.L[4][q] + solid.L[8][q]) +
@@ -63,8 +70,9 @@ void PoreWater::advance(const BlockWork& w, const Body& body, std::size_t at, in
   }
   if (c.filtered_pressure >= 0) {
     const double* acted = acting(w, c) + at;
-    std::copy_n(acted, n, to(c.filtered_pressure));
+    std::copy_n(acted, n, chunk.made(c.filtered_pressure));
   }
+  add_water_to_waves(*body.material, c, *w.set, *w.next, at, n, chunk.buffers->wave_speed);
 }
 
 }  // namespace sluice::mpm

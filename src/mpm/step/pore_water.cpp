@@ -6,7 +6,6 @@
 
 #include "framework/base/reduction.hpp"
 #include "mpm/nodes/node_sums.hpp"
-#include "mpm/step/solid_step.hpp"
 #include "mpm/transfer/values_to_grid.hpp"
 
 namespace sluice::mpm {
@@ -23,9 +22,12 @@ void raise(double& bound, double value) {
 
 }  // namespace
 
-PoreWater::PoreWater(const MpmScene& solids, const Level& level)
+PoreWater::PoreWater(const MpmScene& solids, const LevelNodes& nodes, std::vector<Body>& bodies,
+                     const std::vector<BlockWork>& work)
     : solids_(&solids),
-      level_(level),
+      nodes_(&nodes),
+      bodies_(&bodies),
+      work_(&work),
       bounds_(solids.materials.size()),
       units_(solids.materials.size()),
       water_(solids.materials.size()),
@@ -57,10 +59,10 @@ void PoreWater::look_at(const BlockWork& w, const Columns& c, Bounds& b) {
   }
 }
 
-void PoreWater::begin(const WaterLoan& loan) {
-  std::vector<Body>& bodies = *loan.bodies;
+void PoreWater::begin(const StageScope& scope) {
+  std::vector<Body>& bodies = *bodies_;
   std::fill(bounds_.begin(), bounds_.end(), Bounds{});
-  for (const BlockWork& w : *loan.work) {
+  for (const BlockWork& w : *work_) {
     if (!in(w.kind)) continue;
     std::vector<Scratch>& boxes = scratch_[static_cast<std::size_t>(w.kind)];
     boxes.resize(std::max(boxes.size(), static_cast<std::size_t>(w.box) + 1));
@@ -68,10 +70,12 @@ void PoreWater::begin(const WaterLoan& loan) {
     for (std::vector<double>* beside : {&s.filtered, &s.full, &s.drag, &s.zero})
       beside->resize(w.set->size());
   }
-  const ThreadTeam& team = *loan.scope->levels.front()->team();
+  const ThreadTeam& team = *nodes_->team;
+  if (reads_.size() != static_cast<std::size_t>(team.size()))
+    reads_.assign(static_cast<std::size_t>(team.size()), Reads(nodes_->shape));
   std::vector<std::vector<Bounds>> by_thread(static_cast<std::size_t>(team.size()), bounds_);
-  team.for_each(loan.work->size(), [&](std::size_t n, int thread) {
-    const BlockWork& w = (*loan.work)[n];
+  team.for_each(work_->size(), [&](std::size_t n, int thread) {
+    const BlockWork& w = (*work_)[n];
     const auto k = static_cast<std::size_t>(w.kind);
     if (in(w.kind))
       look_at(w, bodies[k].carried->columns, by_thread[static_cast<std::size_t>(thread)][k]);
@@ -85,41 +89,40 @@ void PoreWater::begin(const WaterLoan& loan) {
       for (const std::vector<Bounds>& of : by_thread) raise(bounds_[k].*bound, of[k].*bound);
       slots.push_back(reduction.add_maximum(bounds_[k].*bound));
     }
-  loan.scope->ranks->reduce(reduction);
+  scope.ranks->reduce(reduction);
   std::size_t slot = 0;
   for (std::size_t k = 0; k < bounds_.size(); ++k) {
     for (const auto bound : all) bounds_[k].*bound = reduction.maximum(slots[slot++]);
-    bodies[k].pore_pull = bounds_[k].volume * bounds_[k].pressure;
   }
 }
 
 // All ranks and images agree on the sums.
-void PoreWater::share(const WaterLoan& loan, int kind, NodeLanes& sums, bool vectors) const {
-  Body& body = (*loan.bodies)[static_cast<std::size_t>(kind)];
+void PoreWater::share(int kind, NodeLanes& sums, bool vectors) const {
+  Body& body = (*bodies_)[static_cast<std::size_t>(kind)];
   if (vectors)
-    loan.boundary->fold(kind, body.table, sums);
+    nodes_->boundary->fold(kind, body.table, sums);
   else
-    loan.boundary->fold_scalars(kind, body.table, sums);
+    nodes_->boundary->fold_scalars(kind, body.table, sums);
   NodeLanes* const groups[] = {&sums};
-  loan.exchange->share(body.table, groups);
+  nodes_->exchange->share(body.table, groups);
 }
 
 // act(work, body, window) for all blocks of particles with water; what it added to the
 // window goes to `sums`.
 template <class Act>
-void PoreWater::sum(const WaterLoan& loan, std::vector<NodeLanes>& sums, Act&& act) const {
+void PoreWater::sum(std::vector<NodeLanes>& sums, Act&& act) const {
   for (std::size_t k = 0; k < sums.size(); ++k) {
     sums[k].clear();
-    if (in(static_cast<int>(k))) sums[k].fit((*loan.bodies)[k].table);
+    if (in(static_cast<int>(k))) sums[k].fit((*bodies_)[k].table);
   }
-  const ThreadTeam& team = *loan.scope->levels.front()->team();
+  const ThreadTeam& team = *nodes_->team;
   std::vector<Window> windows(static_cast<std::size_t>(team.size()),
-                              Window(loan.bodies->front().table.shape(), reach_of(solids_->basis)));
-  team.for_each(loan.work->size(), [&](std::size_t n, int thread) {
-    const BlockWork& w = (*loan.work)[n];
+                              Window(bodies_->front().table.shape(), reach_of(solids_->basis)));
+  team.for_each(work_->size(), [&](std::size_t n, int thread) {
+    const BlockWork& w = (*work_)[n];
     if (!in(w.kind)) return;
     const auto k = static_cast<std::size_t>(w.kind);
-    const Body& body = (*loan.bodies)[k];
+    const Body& body = (*bodies_)[k];
     Window& window = windows[static_cast<std::size_t>(thread)];
     window.begin(w.lowest, w.highest);
     act(w, body, window);
@@ -142,12 +145,12 @@ static void to_pressures(const BlockTable& table, double mass_unit, double produ
   }
 }
 
-void PoreWater::filter(const WaterLoan& loan) {
+void PoreWater::add_nodes() {
   if (!solids_->filters_pore_pressure) return;
   std::vector<std::vector<std::vector<double>>> product(scratch_.size());  // m_s p
   for (std::size_t k = 0; k < product.size(); ++k)
     for (const Scratch& s : scratch_[k]) product[k].emplace_back(s.full.size());
-  sum(loan, scalars_, [&](const BlockWork& w, const Body& body, Window& window) {
+  sum(scalars_, [&](const BlockWork& w, const Body& body, Window& window) {
     const auto k = static_cast<std::size_t>(w.kind);
     const Columns& c = body.carried->columns;
     const double *m = column(w, c.mass), *p = column(w, c.pore_pressure);
@@ -162,31 +165,37 @@ void PoreWater::filter(const WaterLoan& loan) {
   for (std::size_t k = 0; k < scalars_.size(); ++k) {
     const int kind = static_cast<int>(k);
     if (!in(kind)) continue;
-    share(loan, kind, scalars_[k], false);
-    Body& body = (*loan.bodies)[k];
-    to_pressures(body.table, scale_for(bounds_[k].mass),
+    share(kind, scalars_[k], false);
+    const BlockTable& table = (*bodies_)[k].table;
+    to_pressures(table, scale_for(bounds_[k].mass),
                  scale_for(bounds_[k].mass * bounds_[k].pressure), scalars_[k]);
-    loan.boundary->unfold_scalars(kind, body.table, scalars_[k]);
+    nodes_->boundary->unfold_scalars(kind, table, scalars_[k]);
   }
-  const ThreadTeam& team = *loan.scope->levels.front()->team();
-  std::vector<Reads> reads(static_cast<std::size_t>(team.size()),
-                           Reads(loan.bodies->front().table.shape()));
-  team.for_each(loan.work->size(), [&](std::size_t n, int thread) {
-    const BlockWork& w = (*loan.work)[n];
-    if (!in(w.kind)) return;
-    const auto k = static_cast<std::size_t>(w.kind);
-    const Body& body = (*loan.bodies)[k];
-    const Columns& c = body.carried->columns;
-    Reads& read = reads[static_cast<std::size_t>(thread)];
-    read.window.load(w.lowest, w.highest, body.table, scalars_[k]);
-    double* to = scratch_[k][static_cast<std::size_t>(w.box)].filtered.data();
-    for (std::size_t at = w.run.begin; at < w.run.end; at += chunk_size) {
-      const int count = static_cast<int>(std::min<std::size_t>(chunk_size, w.run.end - at));
-      read_window(solids_->basis, body.grid, places_of(*w.set, c), shape_of(*w.set, c),
-                  static_cast<int>(at), count, false, read.window, read.at);
-      std::copy_n(read.at.u[0], count, to + at);
-    }
+  nodes_->team->for_each(work_->size(), [&](std::size_t n, int thread) {
+    const BlockWork& w = (*work_)[n];
+    if (in(w.kind)) filter_at(w, reads_[static_cast<std::size_t>(thread)]);
   });
+}
+
+// p~ at the particles of a block.
+void PoreWater::filter_at(const BlockWork& w, Reads& read) {
+  const auto k = static_cast<std::size_t>(w.kind);
+  const Body& body = (*bodies_)[k];
+  const Columns& c = body.carried->columns;
+  read.window.load(w.lowest, w.highest, body.table, scalars_[k]);
+  double* to = scratch_[k][static_cast<std::size_t>(w.box)].filtered.data();
+  for (std::size_t at = w.run.begin; at < w.run.end; at += chunk_size) {
+    const int count = static_cast<int>(std::min<std::size_t>(chunk_size, w.run.end - at));
+    read_window(solids_->basis, body.grid, places_of(*w.set, c), shape_of(*w.set, c),
+                static_cast<int>(at), count, false, read.window, read.at);
+    std::copy_n(read.at.u[0], count, to + at);
+  }
+}
+
+void PoreWater::give(const BlockWork& w, ParticlesToGrid& columns) const {
+  if (in(w.kind))
+    columns.pore_pressure =
+        acting(w, (*bodies_)[static_cast<std::size_t>(w.kind)].carried->columns);
 }
 
 // Lanes become M_w, v_w | F_w, 1 where there is water; else all zero.
@@ -204,10 +213,11 @@ static void to_reals(std::int64_t* node, const SumUnits& units) {
   for (int l = 0; l < lanes; ++l) node[l] = as_bits(real[l]);
 }
 
-void PoreWater::to_nodes(const WaterLoan& loan) {
+// M_w, v_w | F_w of the water.
+void PoreWater::give_water() {
   double slopes = 0;
   for (int d = 0; d < 3; ++d)
-    if (level_.active[static_cast<std::size_t>(d)]) slopes += 1 / level_.spacing[d];
+    if (nodes_->level.active[static_cast<std::size_t>(d)]) slopes += 1 / nodes_->level.spacing[d];
   for (std::size_t k = 0; k < units_.size(); ++k) {
     const Bounds& b = bounds_[k];
     units_[k] = {scale_for(b.water),
@@ -215,7 +225,7 @@ void PoreWater::to_nodes(const WaterLoan& loan) {
                  scale_for(b.volume * b.pressure * slopes),
                  {}};
   }
-  sum(loan, water_, [&](const BlockWork& w, const Body& body, Window& window) {
+  sum(water_, [&](const BlockWork& w, const Body& body, Window& window) {
     const Columns& c = body.carried->columns;
     const double* zero = scratch(w.kind, w.box).zero.data();
     ParticlesToGrid p;
@@ -229,33 +239,43 @@ void PoreWater::to_nodes(const WaterLoan& loan) {
     add_to_window(solids_->basis, body.grid, p, static_cast<int>(w.run.begin),
                   static_cast<int>(w.run.end), units_[static_cast<std::size_t>(w.kind)], window);
   });
-  const auto unit_of = [&](std::size_t k, bool drag) {
-    const PoreWaterConstants& water = *solids_->materials[k].water;
-    return scale_for(drag ? bounds_[k].drag : water.density * bounds_[k].volume);
-  };
-  sum(loan, scalars_, [&](const BlockWork& w, const Body& body, Window& window) {
+}
+
+double PoreWater::unit_of_scalar(std::size_t k, bool drag) const {
+  const PoreWaterConstants& water = *solids_->materials[k].water;
+  return scale_for(drag ? bounds_[k].drag : water.density * bounds_[k].volume);
+}
+
+// M_f, D.
+void PoreWater::give_scalars() {
+  sum(scalars_, [&](const BlockWork& w, const Body& body, Window& window) {
     const auto k = static_cast<std::size_t>(w.kind);
     const Columns& c = body.carried->columns;
     const Scratch& s = scratch(w.kind, w.box);
-    const ValueLane values[] = {{s.full.data(), unit_of(k, false)},
-                                {s.drag.data(), unit_of(k, true)}};
+    const ValueLane values[] = {{s.full.data(), unit_of_scalar(k, false)},
+                                {s.drag.data(), unit_of_scalar(k, true)}};
     add_values_to_window(solids_->basis, body.grid, places_of(*w.set, c), shape_of(*w.set, c),
                          values, static_cast<int>(w.run.begin), static_cast<int>(w.run.end),
                          window);
   });
+}
+
+void PoreWater::before_nodes() {
+  give_water();
+  give_scalars();
   for (std::size_t k = 0; k < water_.size(); ++k) {
     const int kind = static_cast<int>(k);
     if (!in(kind)) continue;
-    share(loan, kind, water_[k], true);
-    share(loan, kind, scalars_[k], false);
-    Body& body = (*loan.bodies)[k];
+    share(kind, water_[k], true);
+    share(kind, scalars_[k], false);
+    Body& body = (*bodies_)[k];
     for (NodeLanes* all : {&water_[k], &scalars_[k], &body.nodes}) all->fit(body.table);
     for (int b = 0; b < body.table.count(); ++b)
       for (int n = 0; n < block_nodes; ++n) {
         to_reals(water_[k].sums(b) + n * lanes, units_[k]);
         std::int64_t* node = scalars_[k].sums(b) + n * lanes;
-        const double full = sum_in(node, 0) / unit_of(k, false),
-                     drag = sum_in(node, 1) / unit_of(k, true);
+        const double full = sum_in(node, 0) / unit_of_scalar(k, false),
+                     drag = sum_in(node, 1) / unit_of_scalar(k, true);
         node[0] = as_bits(full);
         node[1] = as_bits(drag);
       }

@@ -30,19 +30,13 @@
 #include <vector>
 
 #include "framework/run/component/step_shape.hpp"
-#include "mpm/boundary/node_boundary.hpp"
-#include "mpm/nodes/node_exchange.hpp"
-#include "mpm/step/columns.hpp"
+#include "mpm/step/body.hpp"
+#include "mpm/step/level_nodes.hpp"
+#include "mpm/step/solid_effect.hpp"
 #include "mpm/transfer/from_grid.hpp"
 #include "mpm/transfer/window.hpp"
 
 namespace sluice::mpm {
-
-struct Body;
-struct BlockWork;
-struct NodeBooks;
-struct NodeImpulses;
-struct NodeStep;
 
 // Grains that fill all space would leave water no volume.
 inline constexpr double least_porosity = 1e-3;
@@ -68,51 +62,46 @@ void add_water_to_waves(const SolidMaterial& material, const Columns& columns,
                         const ParticleSet& set, const ParticleSet& now, std::size_t at, int n,
                         double* wave_speed);
 
-// What a step of solids lends for it.
-struct WaterLoan {
-  const StageScope* scope;
-  std::vector<Body>* bodies;
-  const std::vector<BlockWork>* work;
-  NodeExchange* exchange;
-  const NodeBoundary* boundary;
-};
-
-class PoreWater {
+class PoreWater final : public SolidEffect {
  public:
-  PoreWater(const MpmScene& solids, const Level& level);
+  // Keeps references.
+  PoreWater(const MpmScene& solids, const LevelNodes& nodes, std::vector<Body>& bodies,
+            const std::vector<BlockWork>& work);
   bool in(int kind) const {
     return solids_->materials[static_cast<std::size_t>(kind)].water.has_value();
   }
 
-  // Bounds of what particles give, Body::pore_pull too; collective.
-  void begin(const WaterLoan& loan);
-  // With the filter, p~ of all particles. Collective; may add blocks to tables.
-  void filter(const WaterLoan& loan);
-  // The pressure that acts, of the particles of a set.
-  const double* acting(const BlockWork& work, const Columns& columns) const;
-  // Sums on nodes, of all ranks; then velocities. Collective.
-  void to_nodes(const WaterLoan& loan);
+  // Bounds of what particles give.
+  void begin(const StageScope& scope) override;
+  double tension(int body) const override {
+    const Bounds& b = bounds_[static_cast<std::size_t>(body)];
+    return b.volume * b.pressure;
+  }
+  // With the filter, p~ of all particles; may add blocks to tables.
+  void add_nodes() override;
+  void give(const BlockWork& work, ParticlesToGrid& columns) const override;
+  // Sums on nodes, of all ranks; then velocities.
+  void before_nodes() override;
 
-  // Node n of a block after contact A, whose solid has M, v | f: v_s* takes the place of f.
-  void kick(const NodeStep& step, int kind, int block, int n, NodeImpulses& of,
-            std::int64_t* solid);
-  // Velocities that sides give (at the node `at`), books; lanes become v_w*, M_w | dv_w.
-  void finish(const NodeStep& step, const NodeBoundary& boundary, int kind, int block, int n,
-              IntVec3 at, bool side, bool booked, NodeBooks& books);
-  NodeLanes& lanes_of(int kind) { return water_[static_cast<std::size_t>(kind)]; }
+  // Both velocities of nodes after contact A, whose solids have M, v | f: v_s* replaces f.
+  void start_block(BlockMember of) override;
+  bool kick_block(const NodeStep& step, BlockMember of, BlockImpulses& impulses) override;
+  // Velocities that sides give, books; lanes become v_w*, M_w | dv_w.
+  void finish_block(const NodeStep& step, BlockMember of, bool side, bool booked,
+                    NodeBooks& books) override;
+  // What mirrors gave, and velocities to images.
+  void after_nodes(const NodeStep& step, NodeBooks& books) override;
+  void load(const BlockWork& work, int thread) override;
+  // Velocity and pressure, with what particles read of the solid; the fastest waves.
+  void to_particles(const Chunk& chunk) override;
 
+ private:
   // What a thread reads from the nodes of a block.
   struct Reads {
     explicit Reads(const BlockShape& shape) : window(shape, 1) {}
     Window window;
     GridAtParticles at;
   };
-  void load(const BlockWork& work, const Body& body, Reads& reads) const;
-  // Velocity and pressure of n particles from `at` on, with what they read of the solid.
-  void advance(const BlockWork& work, const Body& body, std::size_t at, int n, double dt,
-               const GridAtParticles& solid, Reads& reads) const;
-
- private:
   // Beside the particles of one set: p~, rho_w V, n rho_w V g/k, 0.
   struct Scratch {
     std::vector<double> filtered, full, drag, zero;
@@ -123,18 +112,32 @@ class PoreWater {
   const Scratch& scratch(int kind, int box) const {
     return scratch_[static_cast<std::size_t>(kind)][static_cast<std::size_t>(box)];
   }
-  void share(const WaterLoan& loan, int kind, NodeLanes& lanes, bool vectors) const;
+  // The pressure that acts, of the particles of a set.
+  const double* acting(const BlockWork& work, const Columns& columns) const;
+  void filter_at(const BlockWork& work, Reads& reads);
+  void give_water();
+  void give_scalars();
+  double unit_of_scalar(std::size_t kind, bool drag) const;
+  NodeLanes& lanes_of(int kind) { return water_[static_cast<std::size_t>(kind)]; }
+  void share(int kind, NodeLanes& lanes, bool vectors) const;
+  static void kick_node(const NodeStep& step, NodeImpulses& of, std::int64_t* solid,
+                        std::int64_t* water, const std::int64_t* scalars);
+  void finish_node(const NodeStep& step, int kind, IntVec3 at, bool side, bool booked,
+                   std::int64_t* node, NodeBooks& books) const;
   void look_at(const BlockWork& work, const Columns& columns, Bounds& bounds);
   template <class Act>
-  void sum(const WaterLoan& loan, std::vector<NodeLanes>& sums, Act&& act) const;
+  void sum(std::vector<NodeLanes>& sums, Act&& act) const;
 
   const MpmScene* solids_;
-  Level level_;
+  const LevelNodes* nodes_;
+  std::vector<Body>* bodies_;
+  const std::vector<BlockWork>* work_;
   std::vector<Bounds> bounds_;
   std::vector<SumUnits> units_;
   std::vector<NodeLanes> water_;    // by kind: M_w, v_w | F_w, 1; at last as finish() leaves them
   std::vector<NodeLanes> scalars_;  // M_f, D, or the sums of the filter
   std::vector<std::vector<Scratch>> scratch_;  // by kind and box
+  std::vector<Reads> reads_;                   // by thread
 };
 
 }  // namespace sluice::mpm

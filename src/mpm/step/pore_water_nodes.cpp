@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "mpm/nodes/node_sums.hpp"
+#include "mpm/step/mirror_books.hpp"
 #include "mpm/step/pore_water.hpp"
-#include "mpm/step/solid_step.hpp"
 
 namespace sluice::mpm {
 
@@ -20,10 +20,33 @@ void PhasePair::kick(double time, double a_solid, double a_water) {
   of_water = together + (1 - share) * apart;
 }
 
-void PoreWater::kick(const NodeStep& step, int kind, int block, int n, NodeImpulses& of,
-                     std::int64_t* solid) {
-  std::int64_t* water = lanes_of(kind).sums(block) + n * lanes;
-  const std::int64_t* scalars = scalars_[static_cast<std::size_t>(kind)].sums(block) + n * lanes;
+// A node on a mirror has no velocity normal to it.
+void PoreWater::start_block(BlockMember of) {
+  if (!in(of.body)) return;
+  const Body& body = (*bodies_)[static_cast<std::size_t>(of.body)];
+  std::int64_t* node = lanes_of(of.body).sums(of.block);
+  for_each_node(nodes_->shape, nodes_->lower(body.table, of.block), [&](int n, IntVec3 at) {
+    const std::array<bool, 3> on = nodes_->boundary->on_mirror(at, of.body);
+    for (int d = 0; d < 3; ++d)
+      if (on[static_cast<std::size_t>(d)]) node[n * lanes + 1 + d] = as_bits(0.0);
+  });
+}
+
+bool PoreWater::kick_block(const NodeStep& step, BlockMember of, BlockImpulses& impulses) {
+  if (!in(of.body)) return false;
+  const auto k = static_cast<std::size_t>(of.body);
+  std::int64_t* solid = (*bodies_)[k].nodes.sums(of.block);
+  std::int64_t* water = water_[k].sums(of.block);
+  const std::int64_t* scalars = scalars_[k].sums(of.block);
+  for (int n = 0; n < block_lanes; n += lanes)
+    if (solid[n + count_lane] != 0)
+      kick_node(step, impulses[static_cast<std::size_t>(n / lanes)], solid + n, water + n,
+                scalars + n);
+  return true;
+}
+
+void PoreWater::kick_node(const NodeStep& step, NodeImpulses& of, std::int64_t* solid,
+                          std::int64_t* water, const std::int64_t* scalars) {
   const double full = as_real(scalars[0]);
   PhasePair pair;
   pair.solid = as_real(solid[0]);
@@ -55,10 +78,21 @@ static void book(const NodeStep& step, int d, double mass, double before, double
   books.sums[StepSums::node_work].add((mass * (after - before) - impulse) * middle);
 }
 
-void PoreWater::finish(const NodeStep& step, const NodeBoundary& boundary, int kind, int block,
-                       int n, IntVec3 at, bool side, bool booked, NodeBooks& books) {
-  std::int64_t* node = lanes_of(kind).sums(block) + n * lanes;
-  if (node[count_lane] == 0) return;
+void PoreWater::finish_block(const NodeStep& step, BlockMember of, bool side, bool booked,
+                             NodeBooks& books) {
+  if (!in(of.body)) return;
+  const Body& body = (*bodies_)[static_cast<std::size_t>(of.body)];
+  const std::int64_t* solid = body.nodes.sums(of.block);
+  std::int64_t* water = lanes_of(of.body).sums(of.block);
+  for_each_node(nodes_->shape, nodes_->lower(body.table, of.block), [&](int n, IntVec3 at) {
+    if (solid[n * lanes + count_lane] != 0 && water[n * lanes + count_lane] != 0)
+      finish_node(step, of.body, at, side, booked, water + n * lanes, books);
+  });
+}
+
+void PoreWater::finish_node(const NodeStep& step, int kind, IntVec3 at, bool side, bool booked,
+                            std::int64_t* node, NodeBooks& books) const {
+  const NodeBoundary& boundary = *nodes_->boundary;
   const double mass = as_real(node[0]);
   const bool image = side && boundary.is_image(at, kind);
   const GivenVelocity given = side && !image ? boundary.at(at, kind) : GivenVelocity{};
@@ -79,6 +113,15 @@ void PoreWater::finish(const NodeStep& step, const NodeBoundary& boundary, int k
     node[4 + d] = as_bits(after - before);
   }
   node[3] = as_bits(mass);
+}
+
+void PoreWater::after_nodes(const NodeStep& /*step*/, NodeBooks& books) {
+  for (int m = 0; m < static_cast<int>(water_.size()); ++m) {
+    if (!in(m)) continue;
+    const Body& body = (*bodies_)[static_cast<std::size_t>(m)];
+    book_mirrored_changes(*nodes_, body, m, lanes_of(m), books);
+    nodes_->boundary->unfold(m, body.table, lanes_of(m));
+  }
 }
 
 }  // namespace sluice::mpm

@@ -169,7 +169,7 @@ template <int D>
 double LevelCoupling<D>::fastest_way(double dt) const {
   double width = 0;
   for (const int d : frame_.direction) width = std::max(width, frame_.spacing[d]);
-  return std::max(step_->level(step_->count() - 1).travel() * width / dt, 1e-300);
+  return std::max(step_->level(step_->count() - 1).outcome().travel * width / dt, 1e-300);
 }
 
 // Mass of the solids in cells beside fluid and their velocity, from a 2^D-th of each particle half

@@ -145,10 +145,10 @@ void LevelCoupling<D>::part_torn(const StageScope& scope) {
   }
   // Most steps show without a question that nothing parts on any rank.
   const mpm::SolidStep& solids = step_->level(step_->count() - 1);
-  bool may_part = solids.any_left();
+  bool may_part = solids.outcome().left;
   for (std::size_t k = 0; k < solids.bodies().size(); ++k)
     may_part |=
-        mpm::KindRates::from(std::span(solids.new_rates())
+        mpm::KindRates::from(std::span(solids.outcome().rates)
                                  .subspan(1 + k * static_cast<std::size_t>(mpm::KindRates::count)))
             .extent > 0.5 * torn_corner;  // else none is drawn out
   if (!may_part || !on_any(scope, !torn.empty() || !leaving.empty())) return;
