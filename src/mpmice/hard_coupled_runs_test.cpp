@@ -323,7 +323,7 @@ TEST(DiskInTwoGases, HeatPassesTheOpenFaces) {
 }
 
 // Velocity of the disk behind a shock of Mach 1.5, on 80 cells against 320. (Where a coefficient
-// binds the gas of its cells the drag falls with the cells: 3.59 and 2.97 m/s.)
+// binds the gas of its cells the drag falls with the cells: 3.72 and 2.99 m/s.)
 TEST(FullFoamDisk, MovesAlikeOnFinerGrids) {
   double found[2];
   for (const int n : {80, 320}) {
