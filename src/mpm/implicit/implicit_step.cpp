@@ -9,9 +9,9 @@
 #include "framework/run/component/event_ledger.hpp"
 #include "mpm/implicit/conduction.hpp"
 #include "mpm/implicit/step_books.hpp"
+#include "mpm/step/body.hpp"
 #include "mpm/step/book_leaving.hpp"
 #include "mpm/step/rates.hpp"
-#include "mpm/step/body.hpp"
 
 namespace sluice::mpm {
 namespace {
