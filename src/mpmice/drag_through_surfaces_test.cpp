@@ -42,7 +42,8 @@ struct Plate {
 TEST(DragThroughSurfaces, OfACoefficientIsThatOfACellCutInHalves) {
   Plate plate;
   plate.speed = 5;
-  const double time = 5e-4, eta = plate.K * Plate::dx / 4;
+  // A plate in planes of the grid flutters in the end (docs/theory/mpmice_coupling.md).
+  const double time = 2e-4, eta = plate.K * Plate::dx / 4;
   const CoupledRun run = plate.run(time);
   ASSERT_EQ(run.report().status, RunStatus::done) << run.report().message;
   const double rate = eta / Plate::dx * (1 / Plate::rho + 2 / Plate::rho_s);
