@@ -84,6 +84,29 @@ class Contacts {
   std::array<double, D> edge_{};
 };
 
+// Pieces of one face before the same cell are one contact, in the mean by area.
+template <int D>
+void join(std::vector<SurfaceContact<D>>& all, std::size_t first, const SurfaceContact<D>& more) {
+  for (std::size_t n = first; n < all.size(); ++n) {
+    SurfaceContact<D>& to = all[n];
+    if (to.fluid != more.fluid) continue;
+    const double part = more.area / (to.area + more.area);
+    const auto mean = [&](double& of, double other) { of += part * (other - of); };
+    mean(to.width, more.width);
+    mean(to.to_fluid, more.to_fluid);
+    double size = 0;
+    for (std::size_t d = 0; d < D; ++d) {
+      mean(to.normal[d], more.normal[d]);
+      mean(to.place[d], more.place[d]);
+      size += to.normal[d] * to.normal[d];
+    }
+    for (double& n_d : to.normal) n_d /= std::sqrt(size);
+    to.area += more.area;
+    return;
+  }
+  all.push_back(more);
+}
+
 }  // namespace
 
 template <int D>
@@ -95,6 +118,7 @@ std::vector<SurfaceContact<D>> surface_contacts(const Frame<D>& frame, const Sol
   for (std::size_t n = 0; n < sets.size(); ++n) {
     const SolidSet<D>& s = sets[n];
     if (s.kind != kind) continue;
+    std::size_t face = s.faces.size(), first = 0;  // the last one, and its first contact
     for_each_piece<D>(s.faces, When::end, 0, s.faces.size(),
                       [&](std::size_t i, int, const Piece<D>& piece) {
                         const std::uint32_t p = s.faces.particle[i];
@@ -103,7 +127,10 @@ std::vector<SurfaceContact<D>> surface_contacts(const Frame<D>& frame, const Sol
                         SurfaceContact<D> contact;
                         contact.set = static_cast<std::uint32_t>(n);
                         contact.particle = p;
-                        if (contacts.find(piece, contact)) found.push_back(contact);
+                        if (!contacts.find(piece, contact)) return;
+                        if (i != face) first = found.size();
+                        face = i;
+                        join(found, first, contact);
                       });
   }
   return found;

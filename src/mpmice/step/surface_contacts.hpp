@@ -24,7 +24,8 @@ struct SurfaceContact {
   std::array<double, D> place{};   // of the middle of the piece, cells
 };
 
-// Of all particles of one kind that has its outer faces at both ends of the step.
+// Of all particles of one kind that has its outer faces at both ends of the step; one for each face
+// and cell in front of it.
 template <int D>
 std::vector<SurfaceContact<D>> surface_contacts(const Frame<D>& frame, const SolidFields<D>& solids,
                                                 const CellAmounts<D>& fluid,
