@@ -50,16 +50,24 @@ std::array<NodeShare<D>, 1 << D> nodes_around(const Frame<D>& frame, const Parti
     low[d] = static_cast<int>(std::floor(x));
     share[d] = x - std::floor(x);
   }
+  // Most lie in one block with the others.
+  bool inside = true;
+  for (std::size_t d = 0; d < D; ++d)
+    inside &= low[d] >= frame.domain.lower[d] && low[d] + 1 < frame.domain.upper[d] &&
+              ((low[d] + 1) & (CellBlocks<D>::edge - 1)) != 0;
+  const std::size_t first = inside ? frame.cells.index_to_add(low) : 0;
   std::array<NodeShare<D>, 1 << D> nodes;
   for (std::size_t n = 0; n < nodes.size(); ++n) {
     Cell<D> node = low;
     nodes[n].weight = 1;
+    std::size_t further = 0;
     for (std::size_t d = 0; d < D; ++d) {
       const int up = static_cast<int>(n >> d & 1);
       node[d] += up;
       nodes[n].weight *= up != 0 ? share[d] : 1 - share[d];
+      further += up != 0 ? CellBlocks<D>::stride(static_cast<int>(d)) : 0;
     }
-    nodes[n].node = frame.cells.index_to_add(frame.wrapped(node));
+    nodes[n].node = inside ? first + further : frame.cells.index_to_add(frame.wrapped(node));
   }
   return nodes;
 }

@@ -65,9 +65,10 @@ void SurfaceExchange<D>::run(const StageScope& scope, CouplingBooks& books) {
   pass(scope);
   give_to_fluid();
   if (solid_.rigid) return book_rigid(books);
+  std::size_t n = 0;
   for (SolidSet<D>& s : sets_)
     if (s.kind == kind_)
-      give_to_set(s, books.of_exchange(mpm::StepSums::heat_from_fluid),
+      give_to_set(s, n++, books.of_exchange(mpm::StepSums::heat_from_fluid),
                   books.of_exchange(mpm::StepSums::exchange_gain));
 }
 
@@ -159,7 +160,10 @@ void SurfaceExchange<D>::add_solid(const SolidSet<D>& s) {
     v[d] = s.next->column(static_cast<std::size_t>(s.columns->velocity + frame_.direction[d]));
   for (std::size_t p = 0; p < s.set->size(); ++p) {
     if (meets_[frame_.cells.index(cell_of_middle<D>(frame_, *s.next, p))] == 0) continue;
-    for (const NodeShare<D>& at : nodes_around<D>(frame_, *s.next, p)) {
+    const Nodes& nodes =
+        near_.emplace_back(static_cast<std::uint32_t>(p), nodes_around<D>(frame_, *s.next, p))
+            .second;
+    for (const NodeShare<D>& at : nodes) {
       const double share = at.weight * (m[p] / most_.mass / most_particles);
       sums_.lane(mass_lane)[at.node] += to_sum(share);
       sums_.lane(heat_lane)[at.node] += to_sum(share * (T[p] / most_.temperature));
@@ -168,12 +172,15 @@ void SurfaceExchange<D>::add_solid(const SolidSet<D>& s) {
             to_sum(share * (v[d][p] / most_.speed));
     }
   }
+  ends_.push_back(near_.size());
 }
 
 template <int D>
 void SurfaceExchange<D>::find_solid(const StageScope& scope) {
   meets_ = cells_that_exchange();
   sums_.begin(frame_.cells, velocity_lane + D);
+  near_.clear();
+  ends_.assign(1, 0);
   for (const SolidSet<D>& s : sets_)
     if (s.kind == kind_) add_solid(s);
   sums_.sum_over_ranks(*scope.ranks);

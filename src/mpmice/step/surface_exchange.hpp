@@ -100,7 +100,8 @@ class SurfaceExchange {
     double warm = 0, relaxation = 0, energy = 0;
   };
   Gain gain_of(std::size_t node) const;
-  void give_to_set(SolidSet<D>& s, ExactSum& heated, ExactSum& moved) const;
+  // The n-th set of this kind.
+  void give_to_set(SolidSet<D>& s, std::size_t n, ExactSum& heated, ExactSum& moved) const;
   void book_rigid(CouplingBooks& books) const;
   double inverse_mass(std::size_t node) const;
   double inverse_capacity(std::size_t node) const;
@@ -124,6 +125,10 @@ class SurfaceExchange {
   std::vector<double> share_, temperature_, capacity_, mass_;
   std::vector<std::array<double, D>> velocity_;
   CellMask meets_;  // cells in which the middles of particles lie that count
+  // These particles, set after set of the kind, and where each set ends.
+  using Nodes = std::array<NodeShare<D>, 1 << D>;
+  std::vector<std::pair<std::uint32_t, Nodes>> near_;
+  std::vector<std::size_t> ends_;
   // Behind, by node: mass per cell volume, temperature, velocity.
   Column solid_mass_, solid_temperature_;
   std::array<Column, D> solid_velocity_;

@@ -152,17 +152,18 @@ typename SurfaceExchange<D>::Gain SurfaceExchange<D>::gain_of(std::size_t node) 
 }
 
 template <int D>
-void SurfaceExchange<D>::give_to_set(SolidSet<D>& s, ExactSum& heated, ExactSum& moved) const {
+void SurfaceExchange<D>::give_to_set(SolidSet<D>& s, std::size_t n, ExactSum& heated,
+                                     ExactSum& moved) const {
   const double c = solid_.specific_heat;
   const double* mass = s.set->column(static_cast<std::size_t>(s.columns->mass));
   double* T = s.next->column(static_cast<std::size_t>(s.columns->temperature));
   std::array<double*, D> v;
   for (std::size_t d = 0; d < D; ++d)
     v[d] = s.next->column(static_cast<std::size_t>(s.columns->velocity + frame_.direction[d]));
-  for (std::size_t p = 0; p < s.set->size(); ++p) {
-    if (meets_[frame_.cells.index(cell_of_middle<D>(frame_, *s.next, p))] == 0) continue;
+  for (std::size_t q = ends_[n]; q < ends_[n + 1]; ++q) {
+    const std::size_t p = near_[q].first;
     Gain all;
-    for (const NodeShare<D>& at : nodes_around<D>(frame_, *s.next, p)) {
+    for (const NodeShare<D>& at : near_[q].second) {
       const Gain gain = gain_of(at.node);
       for (std::size_t d = 0; d < D; ++d) all.kick[d] += at.weight * gain.kick[d];
       all.warm += at.weight * (gain.warm + gain.relaxation * (solid_temperature_[at.node] - T[p]));
