@@ -66,13 +66,18 @@ void FreeCells<D>::add(const SolidParticles<D>& particles, When when) {
     for (std::size_t d = 0; d < D; ++d) {
       std::fill_n(low[d], chunk, 1e300);
       std::fill_n(high[d], chunk, -1e300);
-      for (const auto& corner : x)
+      for (const auto& corner : x) {
+        const double* places = corner[d] + at;
         for (std::size_t q = 0; q < n; ++q) {
-          const double place =
-              (corner[d][at + q] - particles.units.origin[d]) * particles.units.inverse[d];
-          low[d][q] = std::min(low[d][q], place);
-          high[d][q] = std::max(high[d][q], place);
+          low[d][q] = places[q] < low[d][q] ? places[q] : low[d][q];
+          high[d][q] = places[q] > high[d][q] ? places[q] : high[d][q];
         }
+      }
+      const double origin = particles.units.origin[d], inverse = particles.units.inverse[d];
+      for (std::size_t q = 0; q < n; ++q) {
+        low[d][q] = (low[d][q] - origin) * inverse;
+        high[d][q] = (high[d][q] - origin) * inverse;
+      }
     }
     for (std::size_t q = 0; q < n; ++q) {
       std::array<double, D> from, to;

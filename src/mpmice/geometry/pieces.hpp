@@ -85,11 +85,11 @@ class CutSurface {
     Piece<D> piece{};
     const Kept* last = nullptr;
     for (const Kept& kept : pieces_) {
-      if (last == nullptr || kept.face != last->face || kept.facet != last->facet) {
-        FacetNodes<D> nodes = facet_nodes<D>(faces.start, kept.face, static_cast<int>(kept.facet));
-        count_from_own_cell<D>(nodes);
-        piece.n = area_vector<D>(nodes, faces.face[kept.face]);
-      }
+      if (last == nullptr || kept.face != last->face || kept.facet != last->facet)
+        // Differences of places are the same wherever these are counted from.
+        piece.n =
+            area_vector<D>(facet_nodes<D>(faces.start, kept.face, static_cast<int>(kept.facet)),
+                           faces.face[kept.face]);
       last = &kept;
       piece.cell = kept.cell;
       piece.s = kept.s;
