@@ -75,22 +75,18 @@ void share_sums(std::initializer_list<CellSums<D>*> all, Communicator& ranks) {
 
 template <int D>
 void CellSums<D>::fold(const PeriodicSides<D>& sides, int lane_of) {
+  if (!sides.any()) return;
   std::uint64_t* sums = lane(lane_of);
-  for (std::size_t d = 0; d < D; ++d) {
-    if (!sides.periodic[d]) continue;
-    const int low = sides.domain.lower[d], high = sides.domain.upper[d], n = high - low;
-    for (std::size_t b = 1; b <= cells_->block_count(); ++b) {
-      const CellBox<D> block = cells_->cells(b);
-      if (block.lower[d] >= low && block.upper[d] <= high) continue;
-      for_each_cell_of<D>(block, [&](Cell<D> c) {
-        if (c[d] >= low && c[d] < high) return;
-        std::uint64_t& beyond = sums[cells_->index(c)];
-        if (beyond == 0) return;
-        c[d] = low + ((c[d] - low) % n + n) % n;
-        sums[cells_->index_to_add(c)] += beyond;
-        beyond = 0;
-      });
-    }
+  for (std::size_t b = 1; b <= cells_->block_count(); ++b) {
+    const CellBox<D> block = cells_->cells(b);
+    if (!sides.any_beyond(block)) continue;
+    for_each_cell_of<D>(block, [&](const Cell<D>& c) {
+      std::uint64_t& beyond = sums[cells_->index(c)];
+      const Cell<D> image = sides.image(c);
+      if (beyond == 0 || image == c) return;
+      sums[cells_->index_to_add(image)] += beyond;
+      beyond = 0;
+    });
   }
 }
 

@@ -25,9 +25,8 @@ template <int D>
 std::vector<IndexBox> parts_to_start(const Frame<D>& frame, const Level& level,
                                      const Communicator& ranks) {
   if (ranks.size() == 1) return {level.domain};
-  std::vector<RankBox<D>> boxes;
-  for (const GridBox& box : level.boxes) boxes.push_back({frame.box(box.cells), box.owner});
-  const BlockSharers<D> sharers(std::move(boxes), frame.all_sides(), frame.room(), ranks);
+  const BlockSharers<D> sharers(boxes_of_ranks<D>(frame, level), frame.all_sides(), frame.room(),
+                                ranks);
   std::vector<IndexBox> parts;
   for (const CellBox<D>& block : sharers.cells()) {
     const CellBox<D> part = common<D>(block, frame.domain);

@@ -208,6 +208,14 @@ struct Frame {
   std::array<bool, D> repeats_{};  // the level's periodic directions
 };
 
+// The boxes of a level, of all ranks.
+template <int D>
+std::vector<RankBox<D>> boxes_of_ranks(const Frame<D>& frame, const Level& level) {
+  std::vector<RankBox<D>> boxes;
+  for (const GridBox& box : level.boxes) boxes.push_back({frame.box(box.cells), box.owner});
+  return boxes;
+}
+
 using Column = KeptArray<double>;
 
 // A cell of a box, or its low face along a direction, and the place in the arrays that it sees;

@@ -59,9 +59,7 @@ void LevelCoupling<D>::list_sets(const StageScope& scope) {
 // Who shares blocks follows from the boxes of the level.
 template <int D>
 void LevelCoupling<D>::share_blocks(const StageScope& scope) {
-  std::vector<RankBox<D>> boxes;
-  for (const GridBox& box : scope.levels.front()->level().boxes)
-    boxes.push_back({frame_.box(box.cells), box.owner});
+  std::vector<RankBox<D>> boxes = boxes_of_ranks<D>(frame_, scope.levels.front()->level());
   if (sharers_ == nullptr || !sharers_->fits(boxes))
     sharers_ = std::make_unique<BlockSharers<D>>(std::move(boxes), frame_.all_sides(),
                                                  frame_.room(), *scope.ranks);
