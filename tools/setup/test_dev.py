@@ -26,7 +26,8 @@ class CommandLine(unittest.TestCase):
                                 (["run", "nosuch.ups"], "no file 'nosuch.ups'"),
                                 (["setup", "nosuch"], "no package group 'nosuch'"),
                                 (["clean", "../x"], "not a preset"),
-                                (["verify", "nosuch"], "no part 'nosuch'")]:
+                                (["verify", "nosuch"], "no part 'nosuch'"),
+                                (["verify", "--limit", "soon"], "found 'soon', expected a whole")]:
             told = dev(*words)
             self.assertEqual(told.returncode, 2, words)
             self.assertIn(expected, told.stderr)

@@ -1,5 +1,5 @@
-# ./dev verify [PART...]: checks too long for ./dev test. Each part is tools/verify/PART.sh, at most
-# 30 minutes. A part that passed is kept for its commit under build/verify/COMMIT and not repeated;
+# ./dev verify [--limit MINUTES] [PART...]: checks too long for ./dev test. Each part is
+# tools/verify/PART.sh, at most 30 minutes on a machine that does nothing else. A part that passed is kept for its commit under build/verify/COMMIT and not repeated;
 # every result goes into docs/verification.md with commit and date.
 #
 # A part is run with SLUICE_ROOT, SLUICE (the executable), PYTHON and PART_DIR (an empty folder to
@@ -37,11 +37,18 @@ command_verify() {
   case ${1:-} in
     --list) list_verify_parts; return 0 ;;
     -h | --help)
-      echo "usage: ./dev verify [PART...]; without PART all of these, of at most 30 minutes each:"
+      echo "usage: ./dev verify [--limit MINUTES] [PART...]"
+      echo "Each part is stopped after MINUTES (30; more where the machine does other work beside)."
+      echo "Without PART all of these:"
       list_verify_parts
       return 0 ;;
+    --limit)
+      [[ ${2:-} =~ ^[1-9][0-9]*$ ]] ||
+        fail 2 "verify: --limit: found '${2:-nothing}', expected a whole number of minutes"
+      PART_LIMIT=$(($2 * 60))
+      parts=("${@:3}") ;;
   esac
-  (($# > 0)) || mapfile -t parts < <(verify_parts)
+  ((${#parts[@]} > 0)) || mapfile -t parts < <(verify_parts)
   for part in "${parts[@]}"; do
     [[ -f $SLUICE_ROOT/tools/verify/$part.sh ]] ||
       fail 2 "verify: no part '$part'; there are: $(verify_parts | paste -sd' ')"
