@@ -1,10 +1,10 @@
-// Counting the numbers that LevelCoupling keeps of a cell, and the cells that it keeps.
+// Counting the numbers that the coupling keeps of a cell, and the cells that it keeps.
 #include "mpmice/coupling_memory.hpp"
 
 #include <algorithm>
 
 #include "mpmice/mpmice.hpp"
-#include "mpmice/step/solid_fields.hpp"
+#include "mpmice/step/level_coupling.hpp"
 
 namespace sluice::mpmice {
 namespace {
@@ -46,36 +46,29 @@ OccupiedCells<D> cells_of_pieces(const Frame<D>& frame, const mpm::MpmScene& sce
   return cells;
 }
 
-bool exchanges(const MpmIce& both) {
-  const ice::IceScene& ice = both.fluid().part().scene();
-  for (int k = 0; k < static_cast<int>(both.solids().scene().materials.size()); ++k)
-    for (int m = ice.solids; m < ice.solids + static_cast<int>(ice.materials.size()); ++m)
-      if (ice.momentum_of_all(k, m) > 0 || ice.heat_of_all(k, m) > 0) return true;
-  return false;
-}
-
-// What a step keeps of a cell, as it is laid out in level_coupling.hpp, and the most that its
-// temporaries hold beside.
+// What a step keeps of a cell, as its classes lay it out, and the most that its temporaries hold
+// beside.
 template <int D>
 double bytes_per_cell(const MpmIce& both) {
-  const ice::SchemeOptions& o = both.fluid().part().options();
+  const ice::FluidPart& fluid = both.fluid().part();
+  const ice::SchemeOptions& o = fluid.options();
   const int fluids = static_cast<int>(o.materials.fluids.size());
-  const int amounts = 1 + o.grid.components + 3 * fluids +
-                      static_cast<int>(o.materials.scalars.size());  // and the volume
-  static_assert(sizeof(SolidFields<D>) % sizeof(Column) == 0);
-  int fields = static_cast<int>(sizeof(SolidFields<D>) / sizeof(Column));
-  if (!o.transport.viscous) fields -= D;  // no friction
+  const bool viscous = o.transport.viscous;
+  const int solids = SolidGeometry<D>::columns + OnSurfaces<D>::columns + MeanMotion<D>::columns;
+  const int walls = FluidStates<D>::columns + SmoothNormals<D>::columns + WallPressure<D>::columns +
+                    WallForces<D>::columns + (o.scheme.implicit ? LightWalls<D>::columns : 0) +
+                    (viscous ? WallFriction<D>::columns : -D - 1);  // no places, no viscosity
+  const int amounts = FluidAmounts<D>::columns(fluid) + 1;       // and the volume
   // Sums: of free cells, at one time, swept (with the numbers of facet groups and theta of both),
-  // over surfaces, what the last step left; amounts or states that are shared.
-  const int rubs = o.transport.viscous ? D : 0;
+  // over surfaces, what the last step left; the fluid's states, its amounts; of solids in cells.
   const int geometry = 2 + 2 * D + 3 * D + (D == 3 ? 16 : 0) + 2;
-  const int sums = geometry + (4 + D + rubs) + 1 + std::max(amounts, D + 4);
+  const int sums = geometry + SurfaceMeans<D>::lane_count(viscous) + 1 + FluidStates<D>::lanes +
+                   amounts + MeanMotion<D>::columns;
   const int products = both.burns().empty() ? 0 : fluids;
-  // SurfaceExchange: what is behind, sums of conductances, lanes.
-  const int exchange = (2 + D) + (fluids + 3) + (fluids + 4 + 2 * D);
-  const int temporary = exchanges(both) ? exchange : 2 * D + 3;
+  const bool exchanges = exchanges_through_surfaces(fluid, both.solids().material_count());
+  const int temporary = exchanges ? SurfaceExchange<D>::columns(fluids) : 2 * D + 3;
   constexpr int flags = 10;  // bytes
-  return 8.0 * (fields + sums + 2 * (amounts + 1) + products + temporary) + flags;
+  return 8.0 * (solids + walls + sums + 2 * amounts + 1 + products + temporary) + flags;
 }
 
 template <int D>

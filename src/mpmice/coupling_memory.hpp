@@ -1,4 +1,4 @@
-// The memory of the coupling's arrays: over one box around all solids, whole on every rank.
+// The memory of the coupling's arrays: over blocks of cells near solids.
 #pragma once
 #include "framework/grid/level.hpp"
 

@@ -1,5 +1,6 @@
 #include "mpmice/mpmice_state.hpp"
 
+#include "mpm/solids_beside_fluid.hpp"
 #include "mpmice/mpmice.hpp"
 #include "mpmice/step/coupling.hpp"
 
@@ -9,7 +10,8 @@ MpmIceState::MpmIceState(const MpmIce& both) : FluidState(both.fluid().part()), 
 
 void MpmIceState::initialise(Warehouse& state) const {
   FluidState::initialise(state);
-  start_fractions(state, both_->fluid().part(), both_->solids());
+  start_fractions(state, both_->fluid().part(), *both_->solids().particles(),
+                  mpm::kinds_beside_fluid(both_->solids()));
   both_->burning_cells().clear(state);
 }
 

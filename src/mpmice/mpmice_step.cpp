@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "mpm/levels/solid_levels.hpp"
+#include "mpm/solids_beside_fluid.hpp"
 #include "mpmice/coupling_memory.hpp"
 #include "mpmice/mpmice.hpp"
 #include "mpmice/step/coupling_on_levels.hpp"
@@ -10,43 +10,18 @@
 namespace sluice::mpmice {
 namespace {
 
-// Adds stages to a step, each a function of the solids or of the coupling.
-class Stages {
+// Adds the tasks of the coupling to a step.
+class Tasks {
  public:
-  using Solids = mpm::SolidLevels;
-  Stages(std::shared_ptr<Solids> solids, std::shared_ptr<CouplingOnLevels> coupling,
-         const mpm::MpmScene& scene)
-      : solids_(std::move(solids)), coupling_(std::move(coupling)), scene_(&scene) {}
-
-  void solids(StepShape& to, const char* name, Verdict (Solids::*act)(const StageScope&)) const {
-    to.stage(name,
-             [solids = solids_, act](const StageScope& scope) { return ((*solids).*act)(scope); });
-  }
-  void both(StepShape& to, const char* name,
-            Verdict (CouplingOnLevels::*act)(const StageScope&)) const {
-    to.stage(name, [coupling = coupling_, act](const StageScope& scope) {
-      return ((*coupling).*act)(scope);
+  explicit Tasks(std::shared_ptr<CouplingOnLevels> coupling) : coupling_(std::move(coupling)) {}
+  void operator()(StepShape& to, const char* name, CouplingTask task) const {
+    to.stage(name, [coupling = coupling_, task](const StageScope& scope) {
+      return coupling->run(task, scope);
     });
-  }
-  void press_on_solids(StepShape& to) const {
-    both(to, "force of the fluid on solids", &CouplingOnLevels::press_on_solids);
-  }
-  void move_solids(StepShape& to) const {
-    solids(to, "particles to grid", &Solids::to_grid);
-    solids(to, "sums of images and ranks", &Solids::share_sums);
-    solids(to, "nodes: contact, forces, contact, boundary", &Solids::move_nodes);
-    if (scene_->transfer == mpm::Transfer::xpic)
-      solids(to, "filtered velocities (XPIC)", &Solids::filter_velocities);
-    if (scene_->midpoint())
-      solids(to, "new velocities; to grid at the middle of the step", &Solids::map_back);
-    solids(to, "grid to particles, deformation, stress", &Solids::from_grid);
-    both(to, "volumes that solids sweep", &CouplingOnLevels::find_swept_volumes);
   }
 
  private:
-  std::shared_ptr<Solids> solids_;
   std::shared_ptr<CouplingOnLevels> coupling_;
-  const mpm::MpmScene* scene_;
 };
 
 }  // namespace
@@ -58,54 +33,64 @@ MpmIceStep::MpmIceStep(const MpmIce& both)
 // system needs, and again in each pass, pressed on by what was solved for: what the fluid loses to
 // a surface the solid gets, whatever the solver's tolerance. Rigid solids do not feel it.
 void MpmIceStep::declare_stages(StepShape& shape) const {
-  using mpm::SolidLevels;
-  const mpm::MpmScene& scene = both_->solids().scene();
-  const ice::Ice& fluid = both_->fluid();
-  const auto solids = both_->solids().make_step();
-  const auto coupling = std::make_shared<CouplingOnLevels>(
-      both_->run_scene(), fluid.part(), both_->solids(), solids, both_->burns(),
-      both_->burn_reductions(), both_->burning_cells());
-  const Stages stages(solids, coupling, scene);
-  stages.solids(shape, "bounds of the sums", &SolidLevels::begin);
-  if (scene.midpoint() && mpm::files_give_velocities(scene))
-    stages.solids(shape, "spins of the start", &SolidLevels::start_spins);
-  stages.both(shape, "surfaces of solids, pressure on them", &CouplingOnLevels::find_surfaces);
-  const auto& kinds = scene.materials;
-  const bool rigid = std::all_of(kinds.begin(), kinds.end(), [](const auto& m) { return m.rigid; });
-  const bool implicit = fluid.part().options().scheme.implicit;
+  using Task = CouplingTask;
+  const ice::FluidPart& fluid = both_->fluid().part();
+  const std::shared_ptr<solids::CoupledSolids> solids =
+      mpm::make_solids_beside_fluid(both_->solids());
+  const Tasks task(std::make_shared<CouplingOnLevels>(both_->run_scene(), fluid, solids,
+                                                      both_->burns(), both_->burn_reductions(),
+                                                      both_->burning_cells()));
+  const auto& kinds = solids->kinds();
+  const bool rigid = std::all_of(kinds.begin(), kinds.end(), [](const auto& k) { return k.rigid; });
+  const bool implicit = fluid.options().scheme.implicit;
+  const auto push_solids = [&](StepShape& to) {
+    task(to, "force of the fluid on solids", Task::push_solids);
+  };
+  const auto move_solids = [&](StepShape& to) {
+    solids->declare_motion(to);
+    task(to, "volumes that solids sweep", Task::sweep_volumes);
+    task(to, "solids as the fluid sees them", Task::write_fluid_inputs);
+  };
   // What the solids book in a pass, the next one books anew.
   const auto before = std::make_shared<std::vector<double>>();
+
+  solids->declare_start(shape);
+  task(shape, "cells near solids", Task::find_cells);
+  task(shape, "surfaces of solids, fluid beside them", Task::find_surfaces);
+  task(shape, "pressure and friction on surfaces", Task::press_on_walls);
   if (implicit)
     shape.stage("sums before solids move", [before](const StageScope& scope) {
       *before = *scope.sums;
       return Verdict::good;
     });
-  if (!(implicit && rigid)) stages.press_on_solids(shape);
-  stages.move_solids(shape);
+  if (!(implicit && rigid)) push_solids(shape);
+  move_solids(shape);
   if (implicit)
     declare_passes(shape, [&](StepShape& pass) {
-      stages.both(pass, "pressure on solids", &CouplingOnLevels::renew_pressures);
-      if (rigid) return stages.both(pass, "pressure on walls", &CouplingOnLevels::tell_pressures);
+      task(pass, "pressure on solids", Task::renew_pressures);
+      if (rigid) return task(pass, "pressure on walls", Task::write_fluid_inputs);
       pass.stage("sums before solids move", [before](const StageScope& scope) {
         *scope.sums = *before;
         return Verdict::good;
       });
-      stages.solids(pass, "bounds of the sums", &SolidLevels::begin);
-      stages.press_on_solids(pass);
-      stages.move_solids(pass);
+      solids->declare_pass(pass);
+      push_solids(pass);
+      move_solids(pass);
     });
   else
     shape.sweep("step of the fluid");
-  if (implicit && rigid) stages.press_on_solids(shape);
-  stages.both(shape, "small cells, exchange, state of the fluid", &CouplingOnLevels::finish_cells);
-  if (implicit)
-    stages.both(shape, "work pressure beside solids", &CouplingOnLevels::keep_work_pressure);
+  if (implicit && rigid) push_solids(shape);
+  task(shape, "separation of particles", Task::part_solids);
+  task(shape, "small cells share with their neighbours", Task::share_small_cells);
+  if (exchanges_through_surfaces(fluid, both_->solids().material_count()))
+    task(shape, "exchange of momentum and heat", Task::exchange);
+  if (!both_->burns().empty()) task(shape, "burning of solids", Task::burn);
+  task(shape, "state of the fluid beside solids", Task::settle);
+  if (implicit) task(shape, "work pressure beside solids", Task::keep_work_pressure);
   shape.stage("energies of solids", judge_step);
   shape.commit();
-  stages.both(shape, "limits of the next step", &CouplingOnLevels::limit_step);
-  stages.solids(shape, "take over", &SolidLevels::commit);
-  if (!both_->burns().empty())
-    stages.both(shape, "burned particles go", &CouplingOnLevels::remove_burned);
+  solids->declare_commit(shape);
+  task(shape, "limits of the next step", Task::end_step);
 }
 
 double MpmIceStep::array_bytes(const Level& finest) const {

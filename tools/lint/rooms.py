@@ -16,7 +16,8 @@ ROOMS = {
         {"exact": "exact and reference solutions of test cases",
          "kinetics": "chemistry of gases: species, mechanisms, rates, a reacting cell, molecular "
                      "transport"},
-        {"models": "laws of sources, burning and scalars, and how decks name them"},
+        {"models": "laws of sources, burning and scalars, and how decks name them",
+         "solids": "what a fluid sees of solids, whatever method moves them"},
         {"ice": "the fluid",
          "mpm": "the solids",
          "examples": "small components to learn from, see "
@@ -123,8 +124,8 @@ ROOMS = {
         {"outputs": "labels that are saved",
          "implicit": "implicit steps: all particles in one order, nodes, tangents, Newton's "
                      "method, heat, budgets"},
-        {".": "`mpm`: the component, its step as a table of stages; `solid_particles`, `effects`, "
-              "`histories`"},
+        {".": "`mpm`: the component, its step as a table of stages; `solids_beside_fluid`: the "
+              "solids of a coupled step; `solid_particles`, `effects`, `histories`"},
     ],
     "mpm/material": [
         {"base": "the interface of a model, tensors, batches, parameters, return mappings"},
@@ -137,9 +138,17 @@ ROOMS = {
     ],
     "mpmice": [
         {"geometry": "solids in cells, from the outer faces of particles"},
-        {"burn": "laws of burning at surfaces and in cells, exposed areas, sums of what burned"},
-        {"step": "what joins a step of fluid and solids, stage by stage"},
-        {".": "the component, and how a deck makes it"},
+        {"fields": "the cells near solids, arrays over them, values of other ranks; "
+                   "states and amounts of the fluid there; the books of a step"},
+        {"surfaces": "solids in a step: their particles and faces, where they lie in cells, means "
+                     "over surfaces, particles that separate, "
+                     "inputs of the fluid's step"},
+        {"walls": "pressure, friction and forces between fluid and solids"},
+        {"amounts": "the fluid behind the sweep: small cells share, amounts become a state"},
+        {"exchange": "momentum and heat through surfaces",
+         "burn": "solids that become fluid: at surfaces, in cells, as explosive"},
+        {"step": "the tasks of a coupled step"},
+        {".": "the component, its step as a table, and how a deck makes it"},
     ],
     "app": [
         {"loading": "from the file of a deck to a problem with its components",

@@ -1,6 +1,7 @@
 # ./dev verify [--limit MINUTES] [PART...]: checks too long for ./dev test. Each part is
-# tools/verify/PART.sh, at most 30 minutes on a machine that does nothing else. A part that passed is kept for its commit under build/verify/COMMIT and not repeated;
-# every result goes into docs/verification.md with commit and date.
+# tools/verify/PART.sh, at most 30 minutes on a machine that does nothing else. A part that passed
+# is kept for its commit under build/verify/COMMIT and not repeated; every result goes into
+# docs/verification.md with commit and date.
 #
 # A part is run with SLUICE_ROOT, SLUICE (the executable), PYTHON and PART_DIR (an empty folder to
 # work in) in its environment, by bash, with these functions. Its last line beginning with

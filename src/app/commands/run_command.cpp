@@ -94,7 +94,9 @@ void tell_end(const RunRequest& o, const RunReport& report, ProgressMode progres
     if (report.archive && report.status != RunStatus::failed)
       fmt::print("{}", error_lines(*report.archive));
   }
-  if (o.costs) fmt::print("{}{}", measured_effect_table(report.effects), messages_text(report));
+  if (o.costs)
+    fmt::print("{}{}{}", measured_effect_table(report.effects), stages_text(report),
+               messages_text(report));
   if (o.plot && !report.archive)
     fmt::print("no archive was written: there is nothing to draw\n");
   else if (o.plot && report.status != RunStatus::failed)

@@ -81,11 +81,11 @@ std::string memory_text(const RunPlan& p) {
                          m.state_doubles_per_cell)});
   if (m.work_fields > 0)
     table.row({"work fields", human_bytes(m.work_fields),
-               fmt::format("old and new, {:g} doubles per cell each: what stages tell sweeps",
+               fmt::format("old and new, {:g} doubles per cell each: what stages hand to sweeps",
                            m.work_doubles_per_cell)});
   if (m.step_arrays > 0)
     table.row({"arrays of the step", human_bytes(m.step_arrays),
-               "in a box around all solids, whole on every rank"});
+               "in blocks of cells near the solids of the start; several ranks hold fewer each"});
   table.row({"outputs", human_bytes(m.outputs),
              fmt::format("{:g} doubles per cell, from the first step that stores them",
                          m.output_doubles_per_cell)});

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "mpm/transfer/corner_volume.hpp"
+#include "solids/corner_volume.hpp"
 
 namespace sluice::mpm {
 namespace {
@@ -120,8 +120,8 @@ class Face {
   // sum over corners of 2^-D N, and of b_k/V N.
   template <int D>
   Share carried_share(std::size_t p) const {
-    CornerVolume<D> v;
-    read_carried<D>(corners_, active_.list, OneOf{p}, v.x);
+    solids::CornerVolume<D> v;
+    solids::read_carried<D>(corners_, active_.list, OneOf{p}, v.x);
     double at[1 << D];
     for (int c = 0; c < v.count; ++c) at[c] = depth(corners_[3 * c + d_][p]);
     v.find();

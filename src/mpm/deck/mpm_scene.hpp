@@ -16,7 +16,7 @@
 namespace sluice::mpm {
 
 // carried: particles carry their corners, which move with the grid
-// (mpm/transfer/corner_volume.hpp).
+// (solids/corner_volume.hpp).
 enum class Basis { linear, gimp, cpgimp, quadratic, cubic, cpdi, fast_cpdi, cpti, carried };
 // How velocities come back to particles: see mpm/transfer.
 enum class Transfer { flip, pic, xpic, apic, affine, midpoint };

@@ -9,13 +9,11 @@
 #pragma once
 #include <array>
 
-#include "framework/base/vec3.hpp"
+#include "solids/corner_force.hpp"
 
 namespace sluice::mpm {
 
-struct CornerForce {
-  Vec3 place{}, force{};  // m, N
-};
+using solids::CornerForce;
 
 // The face that looks along the unit vector n; `edges` (m) of the particle now, `rest` at rest.
 std::array<CornerForce, 4> corner_forces(Vec3 x, Vec3 force, Vec3 n,

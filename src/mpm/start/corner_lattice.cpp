@@ -1,14 +1,14 @@
 #include "mpm/start/corner_lattice.hpp"
 
 #include "mpm/start/snap_corner.hpp"
-#include "mpm/transfer/corner_volume.hpp"
+#include "solids/corner_volume.hpp"
 
 namespace sluice::mpm {
 namespace {
 
 template <int D>
 CornerSpan span_in(const std::array<int, 3>& active, const ParticleCorners& corners, Vec3 place) {
-  CornerVolume<D> v;
+  solids::CornerVolume<D> v;
   for (int c = 0; c < v.count; ++c)
     for (int a = 0; a < D; ++a) v.x[c][a] = corners.place[c][active[a]];
   v.find();

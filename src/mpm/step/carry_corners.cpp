@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "mpm/transfer/corner_volume.hpp"
+#include "solids/corner_volume.hpp"
 
 namespace sluice::mpm {
 namespace {
@@ -31,12 +31,13 @@ double determinant(const Nine<double>& F, std::size_t p) {
 
 // How many numbers of a particle say how far a corner is from the middle, and are too large.
 template <int D, class T>
-T far_corners(const TransferGrid& grid, const CornerVolume<D, T>& v) {
+T far_corners(const TransferGrid& grid, const solids::CornerVolume<D, T>& v) {
   T far{};
   for (int a = 0; a < D; ++a) {
     const auto d = static_cast<std::size_t>(grid.active[static_cast<std::size_t>(a)]);
     for (int k = 0; k < v.count; ++k)
-      far += magnitude(v.x[k][a]) * grid.axes[d].inverse <= farthest_corner ? T{} : T{} + 1.0;
+      far +=
+          magnitude(v.x[k][a]) * grid.axes[d].inverse <= solids::farthest_corner ? T{} : T{} + 1.0;
   }
   return far;
 }
@@ -54,8 +55,8 @@ std::optional<BatchFault> deform_batch(const Body& body, const BlockWork& w, std
   const double* filled = part >= 0 ? w.set->column(static_cast<std::size_t>(part)) : nullptr;
   alignas(64) double volumes[chunk_size], far[chunk_size], factors[chunk_size];
   for_eights(0, static_cast<std::size_t>(b.count), [&](auto q) {
-    CornerVolume<D, typename decltype(q)::Number> v;
-    read_carried<D>(corners, grid.active, q.behind(at), v.x);
+    solids::CornerVolume<D, typename decltype(q)::Number> v;
+    solids::read_carried<D>(corners, grid.active, q.behind(at), v.x);
     v.find();
     q.put(v.volume, volumes);
     q.put(far_corners(grid, v), far);
@@ -101,8 +102,8 @@ void find_middles(const Body& body, ParticleSet& next, std::size_t at, int n) {
   const CornerColumns corners = corners_of(next, body.carried->columns);
   const std::array<int, 3>& active = body.grid.active;
   for_eights(at, at + static_cast<std::size_t>(n), [&](auto p) {
-    CornerVolume<D, typename decltype(p)::Number> v;
-    read_carried<D>(corners, active, p, v.x);
+    solids::CornerVolume<D, typename decltype(p)::Number> v;
+    solids::read_carried<D>(corners, active, p, v.x);
     v.find_middle();
     for (int a = 0; a < D; ++a)
       p.put(v.middle[a], next.coordinate(active[static_cast<std::size_t>(a)]));

@@ -1,5 +1,5 @@
 // Volumes of particles that carry their corners, against determinants, derivatives and surfaces.
-#include "mpm/transfer/corner_volume.hpp"
+#include "solids/corner_volume.hpp"
 
 #include <gtest/gtest.h>
 
@@ -32,8 +32,8 @@ class Random {
 
 // A box of unit corners, moved at random by `shaken` edges.
 template <int D>
-CornerVolume<D> box(Random& random, double shaken) {
-  CornerVolume<D> v;
+solids::CornerVolume<D> box(Random& random, double shaken) {
+  solids::CornerVolume<D> v;
   for (int k = 0; k < v.count; ++k)
     for (int a = 0; a < D; ++a) v.x[k][a] = 3 + (k >> a & 1) + shaken * random();
   return v;
@@ -43,8 +43,8 @@ template <int D>
 void derivatives_hold() {
   Random random;
   for (int n = 0; n < 50; ++n) {
-    const CornerVolume<D> start = box<D>(random, 0.6);
-    CornerVolume<D> v = start;
+    const solids::CornerVolume<D> start = box<D>(random, 0.6);
+    solids::CornerVolume<D> v = start;
     v.find();
     for (int a = 0; a < D; ++a) {
       double sum = 0;
@@ -60,7 +60,7 @@ void derivatives_hold() {
     for (int k = 0; k < v.count; ++k)
       for (int a = 0; a < D; ++a) {
         const double h = 1e-4;
-        CornerVolume<D> up = start, down = start;
+        solids::CornerVolume<D> up = start, down = start;
         up.x[k][a] += h;
         down.x[k][a] -= h;
         up.find();
@@ -87,7 +87,7 @@ TEST(CornerVolume, OfAnAffineImageIsTheDeterminant) {
     const double full = A[0][0] * (A[1][1] * A[2][2] - A[1][2] * A[2][1]) -
                         A[0][1] * (A[1][0] * A[2][2] - A[1][2] * A[2][0]) +
                         A[0][2] * (A[1][0] * A[2][1] - A[1][1] * A[2][0]);
-    const auto image = [&]<int D>(CornerVolume<D>& v) {
+    const auto image = [&]<int D>(solids::CornerVolume<D>& v) {
       for (int k = 0; k < v.count; ++k) {
         double x[3] = {};
         for (int i = 0; i < D; ++i)
@@ -97,8 +97,8 @@ TEST(CornerVolume, OfAnAffineImageIsTheDeterminant) {
       v.find();
       return v.volume;
     };
-    CornerVolume<2> two;
-    CornerVolume<3> three;
+    solids::CornerVolume<2> two;
+    solids::CornerVolume<3> three;
     EXPECT_NEAR(image(two), flat, 100 * round_off);
     EXPECT_NEAR(image(three), full, 100 * round_off);
   }
@@ -108,10 +108,10 @@ TEST(CornerVolume, KeepsItsBitsWhereAllCornersMoveByMultiplesOfTheUnit) {
   Random random;
   const double unit = 0x1p-44;
   for (int n = 0; n < 100; ++n) {
-    CornerVolume<3> v = box<3>(random, 0.8);
+    solids::CornerVolume<3> v = box<3>(random, 0.8);
     for (auto& corner : v.x)
       for (double& x : corner) x = std::nearbyint(x / unit) * unit;
-    CornerVolume<3> moved = v;
+    solids::CornerVolume<3> moved = v;
     for (auto& corner : moved.x)
       for (int a = 0; a < 3; ++a) corner[a] += (40 + 17 * a) + 12345 * unit;
     v.find();
@@ -245,14 +245,14 @@ TEST(CornerVolume, OnePressureInsideIsThatOfTheSurface) {
     const std::size_t n = body.count();
     std::vector<double> ones(n, 1), zero(n, 0), pressed(n, -3), volume(n);
     for (std::size_t p = 0; p < n; ++p) {
-      const auto measure = [&]<int D>(CornerVolume<D> v) {
-        read_carried<D>(body.shape().corners, grid.active, OneOf{p}, v.x);
+      const auto measure = [&]<int D>(solids::CornerVolume<D> v) {
+        solids::read_carried<D>(body.shape().corners, grid.active, OneOf{p}, v.x);
         v.find();
         return v.volume;
       };
-      volume[p] = directions == 3   ? measure(CornerVolume<3>{})
-                  : directions == 2 ? measure(CornerVolume<2>{})
-                                    : measure(CornerVolume<1>{});
+      volume[p] = directions == 3   ? measure(solids::CornerVolume<3>{})
+                  : directions == 2 ? measure(solids::CornerVolume<2>{})
+                                    : measure(solids::CornerVolume<1>{});
       ASSERT_GT(volume[p], 0);
     }
     ParticlesToGrid p;
@@ -301,12 +301,12 @@ void eight_have_the_bits_of_single_ones() {
     for (int n = 0; n < 8; ++n) columns[c].push_back(random());
     corners[c] = columns[c].data();
   }
-  CornerVolume<D, Eight> all;
-  read_carried<D>(corners, {0, 1, 2}, EightOf{0}, all.x);
+  solids::CornerVolume<D, Eight> all;
+  solids::read_carried<D>(corners, {0, 1, 2}, EightOf{0}, all.x);
   all.find();
   for (std::size_t n = 0; n < 8; ++n) {
-    CornerVolume<D> one;
-    read_carried<D>(corners, {0, 1, 2}, OneOf{n}, one.x);
+    solids::CornerVolume<D> one;
+    solids::read_carried<D>(corners, {0, 1, 2}, OneOf{n}, one.x);
     one.find();
     EXPECT_EQ(all.volume[n], one.volume);
     for (int a = 0; a < D; ++a) EXPECT_EQ(all.middle[a][n], one.middle[a]);

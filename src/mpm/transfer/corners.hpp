@@ -17,10 +17,15 @@
 // Particles that carry their corners (corner_volume.hpp): S_i as above with x_c, al_c = b_c/V.
 #pragma once
 #include "mpm/shape/weights.hpp"
-#include "mpm/transfer/corner_volume.hpp"
 #include "mpm/transfer/particle_shape.hpp"
+#include "solids/corner_volume.hpp"
 
 namespace sluice::mpm {
+
+using solids::corner_sum;
+using solids::CornerVolume;
+using solids::farthest_corner;
+using solids::read_carried;
 
 // Of the particles of a chunk. Corner c has the sign + along edge a where bit a of c is set.
 template <int D, bool Tetrahedron>

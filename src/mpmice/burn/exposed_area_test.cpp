@@ -5,7 +5,7 @@
 
 #include <numbers>
 
-#include "mpmice/burn/vanished_faces.hpp"
+#include "mpmice/surfaces/vanished_faces.hpp"
 
 namespace sluice::mpmice::exposed_area_test {
 namespace {

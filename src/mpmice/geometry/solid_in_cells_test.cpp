@@ -8,8 +8,8 @@
 #include <numeric>
 
 #include "mpmice/geometry/found_geometry_test_support.hpp"
-#include "mpmice/geometry/particle_volume.hpp"
 #include "mpmice/geometry/pieces.hpp"
+#include "solids/corner_volume.hpp"
 
 namespace sluice::mpmice::solid_in_cells {
 namespace {
@@ -185,17 +185,22 @@ double error_of_single_particles(const Body<D>& body) {
   return worst;
 }
 
+// Of a particle: volume, and b_k = dV/dx_k.
+template <int D>
+solids::CornerVolume<D> corner_volume(const CornerColumns<D>& x, std::size_t p) {
+  solids::CornerVolume<D> v;
+  for (std::size_t k = 0; k < x.size(); ++k)
+    for (std::size_t d = 0; d < D; ++d) v.x[k][d] = x[k][d][p];
+  v.find();
+  return v;
+}
+
 template <int D>
 double error_of_volume(const Body<D>& body) {
   const SolidInCells<D> g = geometry<D>(body);
   double sum = 0;
   const auto x = Body<D>::columns(body.start);
-  VolumeGradients<D> chunk;
-  for (std::size_t at = 0; at < body.size(); at += chunk_size) {
-    const int n = static_cast<int>(std::min<std::size_t>(chunk_size, body.size() - at));
-    volume_gradients<D>(x, at, n, chunk);
-    for (int q = 0; q < n; ++q) sum += chunk.volume[q];
-  }
+  for (std::size_t p = 0; p < body.size(); ++p) sum += corner_volume<D>(x, p).volume;
   return std::abs(std::accumulate(g.theta.begin(), g.theta.end(), 0.0) - sum);
 }
 
@@ -340,13 +345,12 @@ double error_of_forces(const Body<D>& body) {
         }
       });
   const auto columns = Body<D>::columns(body.start);
-  VolumeGradients<D> chunk;
   for (std::size_t p = 0; p < body.size(); ++p) {
-    volume_gradients<D>(columns, p, 1, chunk);
+    const solids::CornerVolume<D> v = corner_volume<D>(columns, p);
     for (std::size_t k = 0; k < Body<D>::corners; ++k) {
       Point<D> x;
       for (std::size_t d = 0; d < D; ++d) x[d] = body.start[k][d][p];
-      for (std::size_t d = 0; d < D; ++d) spread(x, d, -chunk.b[k][d][0]);
+      for (std::size_t d = 0; d < D; ++d) spread(x, d, -v.b[k][d]);
     }
   }
   double worst = 0;

@@ -3,7 +3,6 @@
 #include "framework/base/communicator.hpp"
 #include "ice/fluid/labels.hpp"
 #include "mpmice/step/level_coupling.hpp"
-#include "mpmice/step/surface_geometry.hpp"
 
 namespace sluice::mpmice {
 namespace {
@@ -36,18 +35,19 @@ std::vector<IndexBox> parts_to_start(const Frame<D>& frame, const Level& level,
 }
 
 template <int D>
-void start_fractions_of(Warehouse& state, const ice::FluidPart& fluid, const mpm::Mpm& solids) {
+void start_fractions_of(Warehouse& state, const ice::FluidPart& fluid,
+                        const ParticleMethod& particles,
+                        const std::vector<solids::SolidKind>& kinds) {
   Frame<D> frame(state.level());
-  const auto& particles = *solids.particles();
   const std::vector<IndexBox> parts = parts_to_start<D>(frame, state.level(), world());
   std::vector<ParticleSet> sets;
   OccupiedCells<D> occupied;
   occupied.begin(frame.room());
-  for (int k = 0; k < static_cast<int>(solids.scene().materials.size()); ++k) {
-    ParticleSet& set = sets.emplace_back(particles.kinds()[static_cast<std::size_t>(k)].columns());
-    for (const IndexBox& part : parts) particles.start(k, state.level(), part, set);
-    const mpm::Columns& c = solids.carried()[static_cast<std::size_t>(k)].columns;
-    const CornerColumns<D> corners = corner_columns<D>(frame, c, set);
+  for (std::size_t k = 0; k < kinds.size(); ++k) {
+    ParticleSet& set = sets.emplace_back(particles.kinds()[k].columns());
+    for (const IndexBox& part : parts)
+      particles.start(static_cast<int>(k), state.level(), part, set);
+    const CornerColumns<D> corners = corner_columns<D>(frame, kinds[k].columns, set);
     add_cells_of<D>(frame, corners, set.size(), {}, occupied);
   }
   occupied.grow();
@@ -55,8 +55,7 @@ void start_fractions_of(Warehouse& state, const ice::FluidPart& fluid, const mpm
   std::vector<SolidSet<D>> of_kinds(sets.size());
   for (std::size_t k = 0; k < sets.size(); ++k) {
     SolidSet<D>& s = of_kinds[k];
-    s.columns = &solids.carried()[k].columns;
-    s.part = solids.carried()[k].filled;
+    s.columns = &kinds[k].columns;
     s.set = &sets[k];
     read_filled<D>(s);
     find_faces<D>(frame, s, false, outer_faces_of<D>(s));
@@ -79,35 +78,24 @@ void start_fractions_of(Warehouse& state, const ice::FluidPart& fluid, const mpm
 
 }  // namespace
 
-template <int D>
-LevelCoupling<D>::LevelCoupling(const Level& level, const ice::FluidPart& fluid,
-                                const mpm::Mpm& solids, std::shared_ptr<mpm::SolidLevels> step,
-                                std::vector<models::SolidBurn> burns, const BurnReductions& places)
-    : frame_(level),
-      fluid_(&fluid),
-      solids_(&solids),
-      step_(std::move(step)),
-      shock_slope_(fluid.options().materials.fluids.front().shock_slope()),
-      burns_(std::move(burns)),
-      places_(places) {
-  for (std::size_t a = 0; a < D; ++a) axes_[a] = mpm::axis_of(level, frame_.direction[a]);
-  if (!solids.scene().materials.empty())
-    reference_pressure_ = solids.scene().materials.front().constants.reference_pressure;
-}
-
 std::unique_ptr<Coupling> make_coupling(const Level& level, const ice::FluidPart& fluid,
-                                        const mpm::Mpm& solids,
-                                        std::shared_ptr<mpm::SolidLevels> step,
-                                        std::vector<models::SolidBurn> burns,
+                                        std::shared_ptr<solids::CoupledSolids> solids,
+                                        const std::vector<models::SolidBurn>& burns,
                                         const BurnReductions& places) {
   return dispatch(level, [&]<int D>() -> std::unique_ptr<Coupling> {
-    return std::make_unique<LevelCoupling<D>>(level, fluid, solids, std::move(step),
-                                              std::move(burns), places);
+    return std::make_unique<LevelCoupling<D>>(level, fluid, std::move(solids), burns, places);
   });
 }
 
-void start_fractions(Warehouse& state, const ice::FluidPart& fluid, const mpm::Mpm& solids) {
-  dispatch(state.level(), [&]<int D>() { start_fractions_of<D>(state, fluid, solids); });
+bool exchanges_through_surfaces(const ice::FluidPart& fluid, int solids) {
+  for (int k = 0; k < solids; ++k)
+    if (films_of(fluid.scene(), k).any()) return true;
+  return false;
+}
+
+void start_fractions(Warehouse& state, const ice::FluidPart& fluid, const ParticleMethod& particles,
+                     const std::vector<solids::SolidKind>& kinds) {
+  dispatch(state.level(), [&]<int D>() { start_fractions_of<D>(state, fluid, particles, kinds); });
 }
 
 }  // namespace sluice::mpmice

@@ -10,21 +10,21 @@
 namespace sluice::mpmice {
 
 CouplingOnLevels::CouplingOnLevels(const Scene& scene, const ice::FluidPart& fluid,
-                                   const mpm::Mpm& solids, std::shared_ptr<mpm::SolidLevels> step,
+                                   const std::shared_ptr<solids::CoupledSolids>& solids,
                                    const std::vector<models::SolidBurn>& burns,
                                    const BurnReductions& places, const BurningCells& burning)
-    : fluid_(&fluid), solids_(&solids), burning_(&burning) {
+    : fluid_(&fluid), solids_(solids), burning_(&burning) {
   for (const Level& level : scene.grid.levels)
-    levels_.push_back(make_coupling(level, fluid, solids, step, burns, places));
+    levels_.push_back(make_coupling(level, fluid, solids, burns, places));
 }
 
-Verdict CouplingOnLevels::on_finest(const StageScope& scope, Stage stage) {
+Verdict CouplingOnLevels::on_finest(CouplingTask task, const StageScope& scope) {
   const std::size_t finest = scope.levels.size() - 1;
   StageScope own = scope;
   own.levels = {scope.levels[finest]};
   std::vector<std::vector<double>> maxima = {(*scope.maxima)[finest]};
   own.maxima = &maxima;
-  const Verdict verdict = ((*levels_[finest]).*stage)(own);
+  const Verdict verdict = levels_[finest]->run(task, own);
   (*scope.maxima)[finest] = maxima.front();
   return verdict;
 }
@@ -32,7 +32,7 @@ Verdict CouplingOnLevels::on_finest(const StageScope& scope, Stage stage) {
 bool CouplingOnLevels::all_on_finest(const StageScope& scope) const {
   const int finest = static_cast<int>(scope.levels.size()) - 1;
   bool coarse = false;
-  for (int k = 0; k < solids_->material_count(); ++k)
+  for (int k = 0; k < static_cast<int>(solids_->kinds().size()); ++k)
     for (int l = 0; l < finest; ++l)
       for (int b = 0; b < scope.particles->store(k).box_count(l); ++b)
         coarse |= !scope.particles->store(k).set(l, b).empty();
@@ -60,43 +60,14 @@ void CouplingOnLevels::clear_coarser(const StageScope& scope) const {
   }
 }
 
-Verdict CouplingOnLevels::find_surfaces(const StageScope& scope) {
-  if (scope.levels.size() > 1 && !all_on_finest(scope)) return Verdict::reject;
-  clear_coarser(scope);
-  return on_finest(scope, &Coupling::find_surfaces);
-}
-
-Verdict CouplingOnLevels::press_on_solids(const StageScope& scope) {
-  return on_finest(scope, &Coupling::press_on_solids);
-}
-
-Verdict CouplingOnLevels::find_swept_volumes(const StageScope& scope) {
-  return on_finest(scope, &Coupling::find_swept_volumes);
-}
-
-Verdict CouplingOnLevels::renew_pressures(const StageScope& scope) {
-  return on_finest(scope, &Coupling::renew_pressures);
-}
-
-Verdict CouplingOnLevels::tell_pressures(const StageScope& scope) {
-  return on_finest(scope, &Coupling::tell_pressures);
-}
-
-Verdict CouplingOnLevels::keep_work_pressure(const StageScope& scope) {
-  return on_finest(scope, &Coupling::keep_work_pressure);
-}
-
-Verdict CouplingOnLevels::finish_cells(const StageScope& scope) {
-  for (LevelSolver* level : scope.levels) burning_->clear(level->attempted());
-  return on_finest(scope, &Coupling::finish_cells);
-}
-
-Verdict CouplingOnLevels::remove_burned(const StageScope& scope) {
-  return on_finest(scope, &Coupling::remove_burned);
-}
-
-Verdict CouplingOnLevels::limit_step(const StageScope& scope) {
-  return on_finest(scope, &Coupling::limit_step);
+Verdict CouplingOnLevels::run(CouplingTask task, const StageScope& scope) {
+  if (task == CouplingTask::find_cells) {
+    if (scope.levels.size() > 1 && !all_on_finest(scope)) return Verdict::reject;
+    clear_coarser(scope);
+  }
+  if (task == CouplingTask::part_solids)
+    for (LevelSolver* level : scope.levels) burning_->clear(level->attempted());
+  return on_finest(task, scope);
 }
 
 }  // namespace sluice::mpmice

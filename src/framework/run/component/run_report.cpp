@@ -56,6 +56,8 @@ Json to_json(const MessageCounts& counts) {
 Json to_json(const RunReport& r) {
   Json effects = Json::array();
   for (const EffectCost& e : r.effects) effects.push_back(to_json(e));
+  Json stages = Json::array();
+  for (const StageCost& s : r.stages) stages.push_back({{"name", s.name}, {"seconds", s.seconds}});
   Json archive = nullptr;
   if (r.archive) archive = *r.archive;
   Json levels = Json::array();
@@ -96,6 +98,7 @@ Json to_json(const RunReport& r) {
           {"blocks_asleep", r.blocks_skipped},
           {"step_limit", r.step_limit},
           {"effects", effects},
+          {"stages", stages},
           {"events", Json::parse(r.events_json)},
           {"energy_account", budget},
           {"solids_energy", Json::parse(r.solids_json)},
@@ -162,6 +165,17 @@ std::string work_text(const RunReport& r) {
 }
 
 }  // namespace
+
+std::string stages_text(const RunReport& r) {
+  if (r.stages.empty() || r.steps == 0) return {};
+  using Align = TextTable::Align;
+  TextTable table(
+      {{"stage of the step"}, {"time per step", Align::right}, {"share", Align::right}});
+  for (const StageCost& s : r.stages)
+    table.row({s.name, human_duration(s.seconds / r.steps),
+               fmt::format("{:.1f} %", 100 * s.seconds / r.stepping_seconds)});
+  return table.text("  ");
+}
 
 std::string messages_text(const RunReport& r) {
   if (r.messages == MessageCounts{} || r.steps == 0) return {};

@@ -20,6 +20,12 @@ struct EffectCost {
   double seconds = 0;  // measured on a sample of blocks, scaled up
 };
 
+// Wall time of a stage of all steps on rank 0, the attempts that were rejected too.
+struct StageCost {
+  std::string name;
+  double seconds = 0;
+};
+
 // What was spent on a level.
 struct LevelCost {
   std::int64_t cells = 0;    // now
@@ -53,6 +59,7 @@ struct RunReport {
   std::uint64_t peak_memory_bytes = 0;              // of all ranks together
   std::int64_t blocks_run = 0, blocks_skipped = 0;  // of all ranks
   std::vector<EffectCost> effects;
+  std::vector<StageCost> stages;  // none: the component declares no step of its own
   std::vector<LevelCost> levels;  // coarse to fine
   std::int64_t cell_updates = 0;  // of all levels; of these, cells asleep stayed as they were:
   std::int64_t updates_skipped = 0;
@@ -82,6 +89,8 @@ struct RunReport {
 
 Json to_json(const RunReport& report);
 std::string summary(const RunReport& report);
+// A line a stage: time per step, share of the stepping time; empty where there is none.
+std::string stages_text(const RunReport& report);
 // A line a kind: calls and bytes per step; empty where nothing was sent.
 std::string messages_text(const RunReport& report);
 

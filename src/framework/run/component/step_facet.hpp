@@ -64,7 +64,7 @@ class StepFacet {
   virtual double courant_number() const { return 1; }
   // Does a limit of the step shrink with the square of the spacing.
   virtual bool diffusive() const { return false; }
-  // Bytes that a step keeps whole on every rank beside the fields of the levels, at the start;
+  // Bytes that a step keeps beside the fields of the levels, at the start, on one rank;
   // `finest`: the finest level then.
   virtual double array_bytes(const Level& /*finest*/) const { return 0; }
 

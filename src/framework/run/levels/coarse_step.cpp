@@ -129,16 +129,25 @@ StageScope CoarseStep::scope_between_steps(double time) {
   return stage_scope(step, journal_);
 }
 
+// A stage whose time counts.
+Node CoarseStep::measured(Stage stage) {
+  return {
+      Stage{stage.name, [this, place = stage_costs_.place_of(stage.name),
+                         run = std::move(stage.run)](const StepScope& scope, StepJournal& journal) {
+              return stage_costs_.measure(place, [&] { return run(scope, journal); });
+            }}};
+}
+
 // A sweep of all levels, finest first.
 Node CoarseStep::sweeping_node(std::string name, LevelAction act) {
-  return {
-      Stage{std::move(name), [this, act = std::move(act)](const StepScope& scope, StepJournal&) {
-              for (int l = levels_->count() - 1; l >= 0; --l) {
-                if (link_ && l + 1 < levels_->count()) link_((*levels_)[l], (*levels_)[l + 1]);
-                if (act(l, scope) == Verdict::reject) return Verdict::reject;
-              }
-              return Verdict::good;
-            }}};
+  return measured(
+      {std::move(name), [this, act = std::move(act)](const StepScope& scope, StepJournal&) {
+         for (int l = levels_->count() - 1; l >= 0; --l) {
+           if (link_ && l + 1 < levels_->count()) link_((*levels_)[l], (*levels_)[l + 1]);
+           if (act(l, scope) == Verdict::reject) return Verdict::reject;
+         }
+         return Verdict::good;
+       }});
 }
 
 // One stage on all levels.
@@ -146,11 +155,11 @@ Node CoarseStep::stage_node(const StepShape::Stage& stage) {
   if (const auto* iterate = std::get_if<StepShape::Iterate>(&stage))
     return iteration_node(*iterate);
   const auto on_levels = [this](std::string name, auto act) {
-    return Node{Stage{std::move(name), [this, act](const StepScope& scope, StepJournal&) {
-                        for (int l = 0; l < levels_->count(); ++l)
-                          if (act(l, scope) == Verdict::reject) return Verdict::reject;
-                        return Verdict::good;
-                      }}};
+    return measured({std::move(name), [this, act](const StepScope& scope, StepJournal&) {
+                       for (int l = 0; l < levels_->count(); ++l)
+                         if (act(l, scope) == Verdict::reject) return Verdict::reject;
+                       return Verdict::good;
+                     }});
   };
   if (std::holds_alternative<StepShape::Exchange>(stage))
     return on_levels("ghost exchange of the state", [this](int l, const StepScope&) {
@@ -175,10 +184,10 @@ Node CoarseStep::stage_node(const StepShape::Stage& stage) {
                            return this->sweep(l, scope, stored);
                          });
   const auto& solve = std::get<StepShape::Solve>(stage);
-  return {
-      Stage{solve.name, [this, act = solve.action](const StepScope& scope, StepJournal& journal) {
-              return act(stage_scope(scope, journal));
-            }}};
+  return measured(
+      {solve.name, [this, act = solve.action](const StepScope& scope, StepJournal& journal) {
+         return act(stage_scope(scope, journal));
+       }});
 }
 
 // The pass is counted where it begins, so that stages of the body know it. An answer that rejects

@@ -14,6 +14,7 @@
 #include "framework/run/component/event_ledger.hpp"
 #include "framework/run/levels/ghosts_in_time.hpp"
 #include "framework/run/levels/particle_cloud.hpp"
+#include "framework/run/levels/stage_costs.hpp"
 #include "framework/task/schedule.hpp"
 
 namespace sluice {
@@ -62,6 +63,8 @@ class CoarseStep {
   // Length (s) of the last accepted step; a restart sets that of its checkpoint.
   double previous_dt() const { return previous_dt_; }
   void set_previous_dt(double dt) { previous_dt_ = dt; }
+  // Of the stages that the component declares; none: it declares no step of its own.
+  const std::vector<StageCost>& stage_costs() const { return stage_costs_.all(); }
   // What a stage sees between two steps, at `time` (s).
   StageScope scope_between_steps(double time);
 
@@ -71,6 +74,7 @@ class CoarseStep {
   Schedule schedule_of(int level);
   Schedule schedule_of(const StepShape& shape);
   Node sweeping_node(std::string name, LevelAction act);
+  Node measured(Stage stage);
   Node stage_node(const StepShape::Stage& stage);
   Node iteration_node(const StepShape::Iterate& iterate);
   StageScope stage_scope(const StepScope& scope, StepJournal& journal);
@@ -100,6 +104,7 @@ class CoarseStep {
   };
   Attempt attempt_;
   double previous_dt_ = 0;
+  StageCosts stage_costs_;
 };
 
 }  // namespace sluice

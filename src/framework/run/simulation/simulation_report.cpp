@@ -67,6 +67,7 @@ RunReport Simulation::report() const {
   r.messages = messages_;
   r.messages.sends = {of_all.count(sends), of_all.count(bytes_sent)};
   r.particles_alone = component_->particles() != nullptr && component_->state().slots().empty();
+  r.stages = hierarchy_->coarse_step().stage_costs();
   r.effects = costs_of(component_->effects(), hierarchy_->level(0).graphs(), seconds);
   r.events_json = ledger_.to_json().dump();
   r.conservation_json = conservation_.to_json().dump();

@@ -1,0 +1,43 @@
+// All solids of a level in a step: their particles on this rank, with their outer faces.
+#pragma once
+#include "framework/run/levels/particle_cloud.hpp"
+#include "mpmice/surfaces/solid_set.hpp"
+
+namespace sluice::mpmice {
+
+template <int D>
+class SolidSets {
+ public:
+  // `kinds`: of the run, which must live as long. `burn`: particles lose mass, so that the faces
+  // between those that differ in what is left count too.
+  SolidSets(const std::vector<solids::SolidKind>& kinds, bool burn) : kinds_(&kinds), burn_(burn) {}
+
+  // The sets of the particles of a level, as a step begins.
+  void list(ParticleCloud& cloud, int level);
+  // Adds the cells in which they may lie during a step of dt.
+  void add_cells(const Frame<D>& frame, double dt, OccupiedCells<D>& to);
+  // Their faces as they are at the start of the step; where they have `moved`, at both ends.
+  // Collective where particles burn.
+  void find_faces(const Frame<D>& frame, bool moved, Communicator& ranks);
+  // Do those of this rank end where the arrays have room for them.
+  bool stay_near(const Frame<D>& frame) const;
+
+  std::vector<SolidSet<D>>& all() { return sets_; }
+  const std::vector<SolidSet<D>>& all() const { return sets_; }
+  const solids::SolidKind& kind_of(const SolidSet<D>& s) const {
+    return (*kinds_)[static_cast<std::size_t>(s.kind)];
+  }
+  const std::vector<solids::SolidKind>& kinds() const { return *kinds_; }
+  bool all_rigid() const;
+  // Of the first kind, which all share; Pa.
+  double reference_pressure() const {
+    return kinds_->empty() ? 0.0 : kinds_->front().reference_pressure;
+  }
+
+ private:
+  const std::vector<solids::SolidKind>* kinds_;
+  bool burn_;
+  std::vector<SolidSet<D>> sets_;
+};
+
+}  // namespace sluice::mpmice
