@@ -48,7 +48,11 @@ TEST(CoupledStepTable, LeavesOutWhatTheDeckDoesNotAskFor) {
 TEST(CoupledStepTable, OfASemiImplicitStepHasAtMostTwentySix) {
   CoupledDeck deck;
   deck.heat = deck.drag = "1";
-  deck.fluid = "<ImplicitSolver/>";
+  deck.fluid =
+      "<ImplicitSolver><max_outer_iterations>9</max_outer_iterations><outer_iteration_tolerance>"
+      "1e-9</outer_iteration_tolerance><iters_before_timestep_restart>9"
+      "</iters_before_timestep_restart><Parameters variable='implicitPressure'><tolerance>1e-9"
+      "</tolerance></Parameters></ImplicitSolver>";
   std::vector<std::string> rows = rows_of(deck);
   EXPECT_TRUE(has(rows, "work pressure beside solids"));
   std::sort(rows.begin(), rows.end());

@@ -6,6 +6,7 @@
 #include "framework/base/communicator.hpp"
 #include "framework/deck/format/framework_schema.hpp"
 #include "framework/deck/load_deck.hpp"
+#include "framework/solve/solver_tags.hpp"
 #include "ice/deck/schema.hpp"
 #include "ice/fluid/labels.hpp"
 #include "mpm/deck/schema.hpp"
@@ -195,20 +196,26 @@ class GivenFluid {
   explicit GivenFluid(CoupledDeck deck = {}) {
     Schema tags;
     add_framework_tags(tags);
+    solve::add_solver_tag(tags);
     add_ice_tags(tags);
     mpm::add_mpm_tags(tags);
     const Deck read = load_deck_text(text_of(deck), "coupled.ups", {}, tags);
     std::vector<Fault> faults = read.faults;
+    throw_errors(faults);
     scene_ = read_scene(read, {}, faults);
     component_ = make_component(read, scene_, faults);
-    for (const Fault& fault : faults)
-      if (fault.severity == Severity::error) throw InputError(to_string(fault));
+    throw_errors(faults);
   }
   const ice::FluidPart& part() const { return component_->fluid().part(); }
   const MpmIce& component() const { return *component_; }
   const Scene& scene() const { return scene_; }
 
  private:
+  static void throw_errors(const std::vector<Fault>& faults) {
+    for (const Fault& fault : faults)
+      if (fault.severity == Severity::error) throw InputError(to_string(fault));
+  }
+
   Scene scene_;
   std::unique_ptr<MpmIce> component_;
 };
