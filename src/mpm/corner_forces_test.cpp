@@ -20,8 +20,8 @@ struct Seen {
 };
 
 // Corners of particles that a face on the low side of x has outward.
-std::vector<CornerForce> pushed(const ParticleSet& set, const Columns& c) {
-  std::vector<CornerForce> forces;
+solids::CornerForces pushed(const ParticleSet& set, const Columns& c) {
+  solids::CornerForces forces;
   const CornerColumns x = corners_of(set, c);
   const double* outer = set.column(c.outer);
   for (std::size_t p = 0; p < set.size(); ++p) {
@@ -48,7 +48,7 @@ class PushedSolids final : public Mpm {
     const Columns c = particles.carried().front().columns;
     stage("begin", &SolidLevels::begin);
     shape.stage("push", [step, c, this](const StageScope& scope) {
-      std::vector<CornerForce> forces;
+      solids::CornerForces forces;
       const ParticleStore& store = scope.particles->store(0);
       for (int b = 0; b < store.box_count(0); ++b)
         for (const CornerForce& f : pushed(store.set(0, b), c)) forces.push_back(f);

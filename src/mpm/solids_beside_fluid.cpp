@@ -65,10 +65,10 @@ class SolidsBesideFluid final : public solids::CoupledSolids {
   bool any_left() const override { return finest().outcome().left; }
 
   void add_corner_forces(const StageScope& scope,
-                         const std::vector<std::vector<CornerForce>>& forces) override {
-    std::vector<std::vector<std::vector<CornerForce>>> of_levels(levels_->count());
+                         std::vector<solids::CornerForces> forces) override {
+    std::vector<std::vector<solids::CornerForces>> of_levels(levels_->count());
     for (auto& of_level : of_levels) of_level.resize(kinds_.size());
-    of_levels.back() = forces;
+    of_levels.back() = std::move(forces);
     levels_->add_corner_forces(scope, of_levels);
   }
   void include_velocities(int kind, Vec3 most, Vec3 most_negative) override {

@@ -85,8 +85,7 @@ class CoupledSolids {
 
   // Forces of the fluid on corners of this rank's particles, by kind, after declare_start() and
   // before declare_motion(). Collective.
-  virtual void add_corner_forces(const StageScope& scope,
-                                 const std::vector<std::vector<CornerForce>>& forces) = 0;
+  virtual void add_corner_forces(const StageScope& scope, std::vector<CornerForces> forces) = 0;
   // Velocities of a kind were changed further: the largest of each component, of all ranks, and
   // the largest of their negatives.
   virtual void include_velocities(int kind, Vec3 most, Vec3 most_negative) = 0;

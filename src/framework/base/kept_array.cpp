@@ -2,6 +2,7 @@
 
 #include <array>
 #include <bit>
+#include <mutex>
 #include <new>
 
 namespace sluice {
@@ -24,15 +25,37 @@ SizeClass class_of(std::size_t bytes) {
   return {parts * exponent + static_cast<int>(count) - parts, count * unit};
 }
 
+constexpr std::size_t large = 4096;  // bytes, from which on arrays are kept for all threads
+
 struct Free {
   Free* next;
 };
-// A thread's free arrays by class. `ended`: the thread gives back to the system from then on.
-thread_local bool ended = false;
+
+// Free arrays by class of size.
 struct FreeLists {
   std::array<Free*, parts * 64> first{};
   std::size_t bytes = 0;
-  ~FreeLists() {
+
+  // Null: there is none.
+  void* take(const SizeClass& size) {
+    Free*& list = first[static_cast<std::size_t>(size.number)];
+    if (list == nullptr) return nullptr;
+    Free* const found = list;
+    list = found->next;
+    bytes -= size.bytes;
+    return found;
+  }
+  void give(void* memory, const SizeClass& size) {
+    Free*& list = first[static_cast<std::size_t>(size.number)];
+    list = new (memory) Free{list};
+    bytes += size.bytes;
+  }
+};
+
+// `ended`: the thread gives back to the system from then on.
+thread_local bool ended = false;
+struct ListsOfThread : FreeLists {
+  ~ListsOfThread() {
     ended = true;
     for (Free* list : first)
       while (list != nullptr) {
@@ -42,37 +65,52 @@ struct FreeLists {
       }
   }
 };
-FreeLists& lists() {
-  thread_local FreeLists of_thread;
+FreeLists& own() {
+  thread_local ListsOfThread of_thread;
   return of_thread;
+}
+
+// For all threads. It is never destroyed: arrays may be dropped while the program ends.
+struct SharedLists {
+  std::mutex mutex;
+  FreeLists lists;
+};
+SharedLists& shared() {
+  static SharedLists* const of_all = new SharedLists;
+  return *of_all;
 }
 
 }  // namespace
 
 void* KeptMemory::take(std::size_t bytes) {
   const SizeClass size = class_of(bytes);
-  if (ended) return ::operator new(size.bytes, line);
-  FreeLists& of = lists();
-  Free*& first = of.first[static_cast<std::size_t>(size.number)];
-  if (first == nullptr) return ::operator new(size.bytes, line);
-  Free* const found = first;
-  first = found->next;
-  of.bytes -= size.bytes;
-  return found;
+  void* found = nullptr;
+  if (size.bytes >= large) {
+    SharedLists& of = shared();
+    const std::lock_guard lock(of.mutex);
+    found = of.lists.take(size);
+  } else if (!ended) {
+    found = own().take(size);
+  }
+  return found != nullptr ? found : ::operator new(size.bytes, line);
 }
 
 void KeptMemory::give(void* memory, std::size_t bytes) noexcept {
   if (memory == nullptr) return;
   const SizeClass size = class_of(bytes);
+  if (size.bytes >= large) {
+    SharedLists& of = shared();
+    const std::lock_guard lock(of.mutex);
+    return of.lists.give(memory, size);
+  }
   if (ended) return ::operator delete(memory, line);
-  FreeLists& of = lists();
-  Free*& first = of.first[static_cast<std::size_t>(size.number)];
-  first = new (memory) Free{first};
-  of.bytes += size.bytes;
+  own().give(memory, size);
 }
 
 std::size_t KeptMemory::kept() {
-  return ended ? 0 : lists().bytes;
+  SharedLists& of = shared();
+  const std::lock_guard lock(of.mutex);
+  return (ended ? 0 : own().bytes) + of.lists.bytes;
 }
 
 }  // namespace sluice

@@ -7,14 +7,15 @@
 namespace sluice {
 
 // Bytes of arrays on cache lines, by classes of size: four to each power of two. Each thread keeps
-// what it gives back until it ends.
+// what it gives back of small arrays until it ends; large ones are kept for all threads, so that
+// what one makes and another drops does not grow.
 class KeptMemory {
  public:
   // At least so many bytes. Throws std::bad_alloc.
   static void* take(std::size_t bytes);
   // Of as many as were asked for.
   static void give(void* memory, std::size_t bytes) noexcept;
-  // What this thread keeps, bytes.
+  // What this thread keeps and what is kept for all, bytes.
   static std::size_t kept();
 };
 

@@ -40,6 +40,23 @@ TEST(KeptArray, ClassesOfSizeHoldWhatIsAskedFor) {
   }
 }
 
+// What one thread makes and another drops is there for the first again.
+TEST(KeptArray, LargeOnesAreKeptForAllThreads) {
+  const double* memory = nullptr;
+  KeptArray<double> a;
+  std::thread([&] {
+    a.assign(7000, 1.0);
+    memory = a.data();
+  }).join();
+  KeptArray<double>().swap(a);  // dropped here
+  const double* again = nullptr;
+  std::thread([&] {
+    const KeptArray<double> b(7000, 2.0);
+    again = b.data();
+  }).join();
+  EXPECT_EQ(again, memory);
+}
+
 TEST(KeptArray, MayBeDroppedByAnotherThread) {
   KeptArray<int> a(5000, 3);
   std::thread([b = std::move(a)]() mutable { b.clear(); }).join();

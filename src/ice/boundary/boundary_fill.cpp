@@ -261,7 +261,7 @@ void BoundaryFill::fill_flow(Warehouse& state, int box, const IndexBox& ghosts, 
   const BoundaryViews v = views(state, box);
   const GhostRule& first = rules_[n].front();
   if (regions_[n]->uniform() && copies(side, 0)) {
-    std::vector<int> source;
+    KeptArray<int> source;
     IntVec3 ghost = ghosts.lower;
     for (; ghost[d] < ghosts.upper[d]; ++ghost[d])
       source.push_back(source_cell(ghost, d, plus, first.mirrored(), level_->domain)[d]);

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "framework/base/kept_array.hpp"
 #include "framework/field/array_view.hpp"
 #include "framework/grid/level.hpp"
 #include "ice/boundary/region_rules.hpp"
@@ -16,7 +17,7 @@ namespace sluice::ice {
 // kg/(m^2 s), J/m^3; volume: a fraction). No volumes with one material. Slip (momentum relative to
 // the mixture) by material and component, where each material has a velocity of its own.
 struct BoundaryViews {
-  std::vector<RealView> mass, energy, volume, momentum, slip;
+  KeptArray<RealView> mass, energy, volume, momentum, slip;
   std::vector<RealView> composition;  // of a gas that is a mixture: its fractions
 
   double density(IntVec3 c) const {

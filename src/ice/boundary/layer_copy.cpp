@@ -22,7 +22,7 @@ namespace {
 
 // A few ghosts at the end of each row, all layers together: they share a cache line. Nearly every
 // row is another line and every few rows another page, so they are fetched ahead of their use.
-void copy_row_ends(double* row, std::ptrdiff_t stride, int rows, const std::vector<int>& source,
+void copy_row_ends(double* row, std::ptrdiff_t stride, int rows, std::span<const int> source,
                    int low, double sign) {
   constexpr std::ptrdiff_t ahead = 32;  // rows, measured best
   const auto [first, last] = std::minmax_element(source.begin(), source.end());
@@ -46,7 +46,7 @@ void copy_row_ends(double* row, std::ptrdiff_t stride, int rows, const std::vect
 
 }  // namespace
 
-void copy_layers(const RealView& v, const IndexBox& ghosts, int d, const std::vector<int>& source,
+void copy_layers(const RealView& v, const IndexBox& ghosts, int d, std::span<const int> source,
                  double sign) {
   int a = d == 0 ? 1 : 0, b = d == 2 ? 1 : 2;  // inner and outer of the other directions
   if (v.stride[b] == 1) std::swap(a, b);

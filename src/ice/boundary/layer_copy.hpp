@@ -1,6 +1,6 @@
 // Ghost layers that copy or mirror cells of the domain.
 #pragma once
-#include <vector>
+#include <span>
 
 #include "framework/field/array_view.hpp"
 
@@ -11,7 +11,7 @@ IntVec3 source_cell(IntVec3 ghost, int d, bool plus, bool mirrored, const IndexB
 
 // data = sign * data of the layer source[n] of direction d, for the n-th ghost layer; sign: 1 or
 // -1.
-void copy_layers(const RealView& v, const IndexBox& ghosts, int d, const std::vector<int>& source,
+void copy_layers(const RealView& v, const IndexBox& ghosts, int d, std::span<const int> source,
                  double sign);
 
 }  // namespace sluice::ice

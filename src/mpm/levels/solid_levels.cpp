@@ -66,8 +66,8 @@ Verdict SolidLevels::begin(const StageScope& scope) {
 }
 
 // A force gives no node more than its own largest component.
-void SolidLevels::add_corner_forces(
-    const StageScope& scope, const std::vector<std::vector<std::vector<CornerForce>>>& forces) {
+void SolidLevels::add_corner_forces(const StageScope& scope,
+                                    const std::vector<std::vector<solids::CornerForces>>& forces) {
   const std::size_t kinds = kinds_->size();
   std::vector<double> most(kinds);
   for (std::size_t l = 0; l < forces.size(); ++l)

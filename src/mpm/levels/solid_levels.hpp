@@ -23,7 +23,7 @@ class SolidLevels {
   // particles, forces[level][material]. Their places may be any that corners of its particles have.
   // Collective: the sums must have room for the largest.
   void add_corner_forces(const StageScope& scope,
-                         const std::vector<std::vector<std::vector<CornerForce>>>& forces);
+                         const std::vector<std::vector<solids::CornerForces>>& forces);
   // The midpoint transfer, in the first step alone.
   Verdict start_spins(const StageScope& scope);
   Verdict to_grid(const StageScope& scope);

@@ -32,6 +32,24 @@ void for_each_node_around(const TransferGrid& grid, IntVec3 first, Vec3 place, A
       }
 }
 
+// The number of the block that was asked for last: most nodes around a corner lie in one.
+class LastBlock {
+ public:
+  // find(block): its number.
+  template <class Find>
+  int of(IntVec3 block, Find&& find) {
+    if (!known_ || !(block == block_)) number_ = find(block);
+    known_ = true;
+    block_ = block;
+    return number_;
+  }
+
+ private:
+  bool known_ = false;
+  IntVec3 block_{};
+  int number_ = -1;
+};
+
 }  // namespace
 
 CornerForces::CornerForces(const MpmScene& solids, const LevelNodes& nodes,
@@ -66,19 +84,23 @@ double CornerForces::most_force(int m) const {
 }
 
 void CornerForces::add(int m, std::span<const CornerForce> forces) {
-  std::vector<CornerForce>& all = corners_[static_cast<std::size_t>(m)].forces;
+  solids::CornerForces& all = corners_[static_cast<std::size_t>(m)].forces;
   all.insert(all.end(), forces.begin(), forces.end());
 }
 
 void CornerForces::give_beside() {
   for (std::size_t m = 0; m < corners_.size(); ++m) {
     Body& body = (*bodies_)[m];
+    LastBlock last;
     for (const CornerForce& corner : corners_[m].forces)
       for_each_node_around(
           body.grid, nodes_->level.domain.lower, corner.place, [&](IntVec3 at, double weight) {
             const double w = body.units.force * weight;
-            const int block = body.table.find_or_add(nodes_->shape.block_of(at));
-            body.nodes.fit(body.table);
+            const int block = last.of(nodes_->shape.block_of(at), [&](IntVec3 b) {
+              const int found = body.table.find_or_add(b);
+              body.nodes.fit(body.table);
+              return found;
+            });
             std::int64_t* node = body.nodes.sums(block) + nodes_->shape.place(at) * lanes;
             add_rounded(node, Four{});
             add_rounded(node + 4,
@@ -92,10 +114,12 @@ void CornerForces::give_beside() {
 // gives as much energy as it moves particles.
 Vec3 CornerForces::mean_velocity(std::size_t m, Vec3 place) const {
   const Body& body = (*bodies_)[m];
+  LastBlock last;
   Vec3 before = body.units.reference, after = body.units.reference;
   const auto visit = [&](Vec3 at, const auto& act) {
     for_each_node_around(body.grid, nodes_->level.domain.lower, at, [&](IntVec3 node, double w) {
-      const int block = body.table.find(nodes_->shape.block_of(node));
+      const int block =
+          last.of(nodes_->shape.block_of(node), [&](IntVec3 b) { return body.table.find(b); });
       if (block >= 0) act(block, nodes_->shape.place(node) * lanes, w);
     });
   };
@@ -126,17 +150,31 @@ void CornerForces::before_particles(const StageScope& /*scope*/, NodeBooks& book
   if (mapped_ != nullptr) book_work(books);
 }
 
-void CornerForces::book_work(NodeBooks& books) const {
-  for (std::size_t m = 0; m < corners_.size(); ++m) {
-    const OfBody& of = corners_[m];
-    for (std::size_t n = 0; n < of.forces.size(); ++n) {
-      const double power = dot(of.forces[n].force, mean_velocity(m, of.forces[n].place));
-      const double work = step_.kick * power;
-      const bool load = n < of.loads;
-      books.bodies[m][load ? BodyEnergySums::load_work : BodyEnergySums::corner_work].add(work);
-      if (load) books.add(StepSums::force_work, work);
-    }
+// Of forces begin to end - 1 of a body.
+void CornerForces::add_work(std::size_t m, std::size_t begin, std::size_t end,
+                            NodeBooks& books) const {
+  const OfBody& of = corners_[m];
+  for (std::size_t n = begin; n < end; ++n) {
+    const double power = dot(of.forces[n].force, mean_velocity(m, of.forces[n].place));
+    const double work = step_.kick * power;
+    const bool load = n < of.loads;
+    books.bodies[m][load ? BodyEnergySums::load_work : BodyEnergySums::corner_work].add(work);
+    if (load) books.add(StepSums::force_work, work);
   }
+}
+
+void CornerForces::book_work(NodeBooks& books) const {
+  constexpr std::size_t range = 1024;  // forces that a thread takes at once
+  std::vector<NodeBooks> own(static_cast<std::size_t>(nodes_->team->size()));
+  for (NodeBooks& b : own) b.make_room(corners_.size());
+  for (std::size_t m = 0; m < corners_.size(); ++m) {
+    const std::size_t count = corners_[m].forces.size();
+    nodes_->team->for_each((count + range - 1) / range, [&](std::size_t n, int thread) {
+      add_work(m, n * range, std::min(count, (n + 1) * range),
+               own[static_cast<std::size_t>(thread)]);
+    });
+  }
+  for (const NodeBooks& b : own) books.merge(b);
 }
 
 }  // namespace sluice::mpm

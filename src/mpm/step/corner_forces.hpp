@@ -32,9 +32,10 @@ class CornerForces final : public SolidEffect {
 
  private:
   struct OfBody {
-    std::vector<CornerForce> forces;  // loads, then the fluid's
+    solids::CornerForces forces;  // loads, then the fluid's
     std::size_t loads = 0;
   };
+  void add_work(std::size_t body, std::size_t begin, std::size_t end, NodeBooks& books) const;
   void book_work(NodeBooks& books) const;
   Vec3 mean_velocity(std::size_t body, Vec3 place) const;
 

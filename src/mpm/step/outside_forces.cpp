@@ -95,7 +95,7 @@ OutsideForces::Columns3 OutsideForces::middle_forces(int kind, int box) const {
 }
 
 void OutsideForces::add_corners(int kind, int box, const ParticleSet& set, std::size_t begin,
-                                std::size_t end, std::vector<CornerForce>& to) const {
+                                std::size_t end, solids::CornerForces& to) const {
   const Carried& carried = (*carried_)[static_cast<std::size_t>(kind)];
   if (carried.columns.marks < 0) return;
   const LoadedParticles p = loaded(kind, set, begin, end);

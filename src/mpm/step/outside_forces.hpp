@@ -49,7 +49,7 @@ class OutsideForces {
   Columns3 middle_forces(int kind, int box) const;
   // Loads on corners (use_CBDI_boundary_condition) of particles begin to end, after fill().
   void add_corners(int kind, int box, const ParticleSet& set, std::size_t begin, std::size_t end,
-                   std::vector<CornerForce>& to) const;
+                   solids::CornerForces& to) const;
   // Without the hoop stress, which does no work from outside.
   double hoop(int kind, const ParticleSet& set, std::size_t p) const;
 

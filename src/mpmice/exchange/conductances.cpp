@@ -12,7 +12,7 @@ constexpr double most_contacts = 1024;
 
 template <int D>
 void Conductances<D>::find(const NearCells<D>& near, const std::vector<SolidSet<D>>& sets,
-                           const std::vector<SurfaceContact<D>>& contacts,
+                           const KeptArray<SurfaceContact<D>>& contacts,
                            const CellAmounts<D>& amounts, const FluidInFront<D>& front,
                            const SolidBehind<D>& behind, const FilmCoefficients& films, double time,
                            Communicator& ranks) {
@@ -53,8 +53,8 @@ void Conductances<D>::pair_up(const Frame<D>& frame, const SolidSet<D>& s,
 
 // As integers, so that the sums hold each of them to the bit.
 template <int D>
-void Conductances<D>::sum(const CellBlocks<D>& cells,
-                          const std::vector<SurfaceContact<D>>& contacts, Communicator& ranks) {
+void Conductances<D>::sum(const CellBlocks<D>& cells, const KeptArray<SurfaceContact<D>>& contacts,
+                          Communicator& ranks) {
   double most_drag = 1e-300, most_heat = 1e-300;
   for (const Pair& pair : pairs_) most_drag = std::max(most_drag, pair.drag);
   for (const double G : heat_) most_heat = std::max(most_heat, G);

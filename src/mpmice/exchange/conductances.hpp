@@ -17,11 +17,11 @@ class Conductances {
 
   // At the end of a step. Collective.
   void find(const NearCells<D>& near, const std::vector<SolidSet<D>>& sets,
-            const std::vector<SurfaceContact<D>>& contacts, const CellAmounts<D>& amounts,
+            const KeptArray<SurfaceContact<D>>& contacts, const CellAmounts<D>& amounts,
             const FluidInFront<D>& front, const SolidBehind<D>& behind,
             const FilmCoefficients& films, double time, Communicator& ranks);
 
-  const std::vector<Pair>& pairs() const { return pairs_; }
+  const KeptArray<Pair>& pairs() const { return pairs_; }
   // G of heat of the n-th pair with fluid m, W/(m^3 K).
   double heat(std::size_t n, std::size_t m) const { return heat_[n * fluids_ + m]; }
   // Sums of G: of the cell of a contact, with each fluid; of a node.
@@ -35,12 +35,12 @@ class Conductances {
                std::size_t contact, const CellAmounts<D>& amounts, const FluidInFront<D>& front,
                const SolidBehind<D>& behind, const FilmCoefficients& films, double resistance,
                double time);
-  void sum(const CellBlocks<D>& cells, const std::vector<SurfaceContact<D>>& contacts,
+  void sum(const CellBlocks<D>& cells, const KeptArray<SurfaceContact<D>>& contacts,
            Communicator& ranks);
 
   std::size_t fluids_ = 0;
-  std::vector<Pair> pairs_;
-  std::vector<double> heat_;
+  KeptArray<Pair> pairs_;
+  KeptArray<double> heat_;
   Column drag_in_front_, drag_behind_, heat_behind_;
   std::vector<Column> heat_in_front_;  // by fluid
   CellSums<D> sums_;

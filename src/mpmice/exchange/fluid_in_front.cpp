@@ -16,7 +16,7 @@ FluidInFront<D>::FluidInFront(const Frame<D>& frame, const ice::FluidPart& fluid
 }
 
 template <int D>
-void FluidInFront<D>::look(const std::vector<SurfaceContact<D>>& contacts,
+void FluidInFront<D>::look(const KeptArray<SurfaceContact<D>>& contacts,
                            const CellAmounts<D>& amounts, ExchangeScales& most) {
   share_.assign(contacts.size() * fluids_, 0);
   temperature_ = capacity_ = share_;

@@ -13,7 +13,7 @@ class FluidInFront {
   FluidInFront(const Frame<D>& frame, const ice::FluidPart& fluid);
 
   // Includes what they have in the scales.
-  void look(const std::vector<SurfaceContact<D>>& contacts, const CellAmounts<D>& amounts,
+  void look(const KeptArray<SurfaceContact<D>>& contacts, const CellAmounts<D>& amounts,
             ExchangeScales& most);
   std::size_t fluids() const { return fluids_; }
   // Of fluid m in front of a contact: its share of the cell (0: it has none there), temperature
@@ -41,8 +41,8 @@ class FluidInFront {
   const ice::FluidPart& fluid_;
   std::size_t fluids_;
   std::array<int, D> component_{};
-  std::vector<double> share_, temperature_, capacity_, mass_;
-  std::vector<std::array<double, D>> velocity_;
+  KeptArray<double> share_, temperature_, capacity_, mass_;
+  KeptArray<std::array<double, D>> velocity_;
 };
 
 }  // namespace sluice::mpmice

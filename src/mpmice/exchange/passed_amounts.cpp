@@ -42,8 +42,7 @@ double PassedAmounts<D>::unit_of_impulse() const {
 }
 
 template <int D>
-void PassedAmounts<D>::pass(const NearCells<D>& near,
-                            const std::vector<SurfaceContact<D>>& contacts,
+void PassedAmounts<D>::pass(const NearCells<D>& near, const KeptArray<SurfaceContact<D>>& contacts,
                             const Conductances<D>& joined, const FilmCoefficients& films, double dt,
                             Communicator& ranks) {
   const double cell_volume = near.frame().cell_volume;
@@ -150,17 +149,32 @@ typename PassedAmounts<D>::Gain PassedAmounts<D>::gain_of(std::size_t node) cons
 }
 
 template <int D>
-void PassedAmounts<D>::give_to_set(const Frame<D>& frame, SolidSet<D>& s, std::size_t n,
+void PassedAmounts<D>::give_to_set(const NearCells<D>& near, SolidSet<D>& s, std::size_t n,
                                    CouplingBooks& books) const {
-  ExactSum &heated = books.of_exchange(Booked::heat_from_fluid),
-           &moved = books.of_exchange(Booked::exchange_gain);
+  const auto threads = static_cast<std::size_t>(near.team().size());
+  const std::vector<typename SolidBehind<D>::Counted>& ranges = behind_.counted(n);
+  std::vector<ExactSum> heated(threads), moved(threads);
+  near.team().for_each(ranges.size(), [&](std::size_t range, int thread) {
+    const auto k = static_cast<std::size_t>(thread);
+    give_to_particles(near.frame(), s, ranges[range], heated[k], moved[k]);
+  });
+  for (std::size_t k = 0; k < threads; ++k) {
+    books.of_exchange(Booked::heat_from_fluid).merge(heated[k]);
+    books.of_exchange(Booked::exchange_gain).merge(moved[k]);
+  }
+}
+
+template <int D>
+void PassedAmounts<D>::give_to_particles(const Frame<D>& frame, SolidSet<D>& s,
+                                         const typename SolidBehind<D>::Counted& counted,
+                                         ExactSum& heated, ExactSum& moved) const {
   const double c = behind_.solid().specific_heat;
   const double* mass = s.set->column(static_cast<std::size_t>(s.columns->mass));
   double* T = s.next->column(static_cast<std::size_t>(s.columns->temperature));
   std::array<double*, D> v;
   for (std::size_t d = 0; d < D; ++d)
     v[d] = s.next->column(static_cast<std::size_t>(s.columns->velocity + frame.direction[d]));
-  for (const auto& [p, nodes] : behind_.counted(n)) {
+  for (const auto& [p, nodes] : counted) {
     Gain all;
     for (const NodeShare<D>& at : nodes) {
       const Gain gain = gain_of(at.node);

@@ -14,13 +14,13 @@ class PassedAmounts {
       : front_(front), behind_(behind), most_(most) {}
 
   // Of all pairs in dt. Collective.
-  void pass(const NearCells<D>& near, const std::vector<SurfaceContact<D>>& contacts,
+  void pass(const NearCells<D>& near, const KeptArray<SurfaceContact<D>>& contacts,
             const Conductances<D>& joined, const FilmCoefficients& films, double dt,
             Communicator& ranks);
   // Changes amounts of the fluid; velocities and temperatures of the particles, as the step ends,
   // of the n-th set of the kind; the books, where the solid is rigid.
   void give_to_fluid(const NearCells<D>& near, CellAmounts<D>& amounts) const;
-  void give_to_set(const Frame<D>& frame, SolidSet<D>& s, std::size_t n,
+  void give_to_set(const NearCells<D>& near, SolidSet<D>& s, std::size_t n,
                    CouplingBooks& books) const;
   void book_rigid(const Frame<D>& frame, CouplingBooks& books) const;
 
@@ -44,6 +44,9 @@ class PassedAmounts {
   void pass_drag(const Conductances<D>& joined, std::size_t pair, std::size_t g, double dt,
                  double cell_volume);
   Gain gain_of(std::size_t node) const;
+  void give_to_particles(const Frame<D>& frame, SolidSet<D>& s,
+                         const typename SolidBehind<D>::Counted& counted, ExactSum& heated,
+                         ExactSum& moved) const;
   double value(int lane, std::size_t cell, double scale) const {
     return lane < 0 ? 0.0 : from_sum(sums_.lane(lane)[cell]) * scale;
   }

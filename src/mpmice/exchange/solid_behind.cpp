@@ -33,29 +33,28 @@ void SolidBehind<D>::include(const Frame<D>& frame, const std::vector<SolidSet<D
 }
 
 template <int D>
-void SolidBehind<D>::add(const NearCells<D>& near, const CellMask& exchanging, const SolidSet<D>& s,
-                         const ExchangeScales& most) {
-  const Frame<D>& frame = near.frame();
+void SolidBehind<D>::add(const Frame<D>& frame, const CellMask& exchanging, const SolidSet<D>& s,
+                         const ExchangeScales& most, std::size_t begin, std::size_t end,
+                         Counted& counted, CellSums<D>& sums) {
   const double* m = s.set->column(static_cast<std::size_t>(s.columns->mass));
   const double* T = s.next->column(static_cast<std::size_t>(s.columns->temperature));
   std::array<const double*, D> v;
   for (std::size_t d = 0; d < D; ++d)
     v[d] = s.next->column(static_cast<std::size_t>(s.columns->velocity + frame.direction[d]));
-  for (std::size_t p = 0; p < s.set->size(); ++p) {
+  for (std::size_t p = begin; p < end; ++p) {
     if (exchanging[frame.cells.index(cell_of_middle<D>(frame, *s.next, p))] == 0) continue;
     const Nodes& nodes =
-        counted_.emplace_back(static_cast<std::uint32_t>(p), nodes_around<D>(frame, *s.next, p))
+        counted.emplace_back(static_cast<std::uint32_t>(p), nodes_around<D>(frame, *s.next, p))
             .second;
     for (const NodeShare<D>& at : nodes) {
       const double share = at.weight * (m[p] / most.mass / most_particles);
-      sums_.lane(mass_lane)[at.node] += to_sum(share);
-      sums_.lane(heat_lane)[at.node] += to_sum(share * (T[p] / most.temperature));
+      sums.lane(mass_lane)[at.node] += to_sum(share);
+      sums.lane(heat_lane)[at.node] += to_sum(share * (T[p] / most.temperature));
       for (std::size_t d = 0; d < D; ++d)
-        sums_.lane(velocity_lane + static_cast<int>(d))[at.node] +=
+        sums.lane(velocity_lane + static_cast<int>(d))[at.node] +=
             to_sum(share * (v[d][p] / most.speed));
     }
   }
-  ends_.push_back(counted_.size());
 }
 
 template <int D>
@@ -64,9 +63,14 @@ void SolidBehind<D>::find(const NearCells<D>& near, const CellMask& exchanging,
                           const ExchangeScales& most, Communicator& ranks) {
   sums_.begin(near.frame().cells, velocity_lane + D);
   counted_.clear();
-  ends_.assign(1, 0);
-  for (const SolidSet<D>& s : sets)
-    if (s.kind == kind) add(near, exchanging, s, most);
+  for (const SolidSet<D>& s : sets) {
+    if (s.kind != kind) continue;
+    std::vector<Counted>& counted = counted_.emplace_back(range_count(near.team(), s.set->size()));
+    add_in_ranges<D>(near.team(), s.set->size(), sums_,
+                     [&](std::size_t begin, std::size_t end, std::size_t range, CellSums<D>& sums) {
+                       add(near.frame(), exchanging, s, most, begin, end, counted[range], sums);
+                     });
+  }
   sums_.sum_over_ranks(ranks);
   sums_.values(mass_lane, mass_);
   const auto mean = [&](int lane, double scale, Column& to) {

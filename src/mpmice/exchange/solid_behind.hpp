@@ -33,20 +33,20 @@ class SolidBehind {
   double resistance(const Frame<D>& frame, const std::vector<SolidSet<D>>& sets,
                     const SurfaceContact<D>& c, double time) const;
 
-  // The particles that count of the n-th set of the kind, each with the nodes around it.
+  // The particles that count of the n-th set of the kind, each with the nodes around it, in ranges
+  // that threads may take apart.
   using Nodes = std::array<NodeShare<D>, 1 << D>;
-  using Counted = std::pair<std::uint32_t, Nodes>;
-  std::span<const Counted> counted(std::size_t n) const {
-    return std::span(counted_).subspan(ends_[n], ends_[n + 1] - ends_[n]);
-  }
+  using Counted = KeptArray<std::pair<std::uint32_t, Nodes>>;
+  const std::vector<Counted>& counted(std::size_t n) const { return counted_[n]; }
 
  private:
-  void add(const NearCells<D>& near, const CellMask& exchanging, const SolidSet<D>& s,
-           const ExchangeScales& most);
+  // Particles begin to end - 1.
+  static void add(const Frame<D>& frame, const CellMask& exchanging, const SolidSet<D>& s,
+                  const ExchangeScales& most, std::size_t begin, std::size_t end, Counted& counted,
+                  CellSums<D>& sums);
 
   const solids::SolidKind* solid_;
-  std::vector<Counted> counted_;   // set after set of the kind
-  std::vector<std::size_t> ends_;  // of each set
+  std::vector<std::vector<Counted>> counted_;  // by set of the kind, by range
   CellSums<D> sums_;
   Column mass_, temperature_;
   std::array<Column, D> velocity_;

@@ -86,7 +86,7 @@ class Contacts {
 
 // Pieces of one face before the same cell are one contact, in the mean by area.
 template <int D>
-void join(std::vector<SurfaceContact<D>>& all, std::size_t first, const SurfaceContact<D>& more) {
+void join(KeptArray<SurfaceContact<D>>& all, std::size_t first, const SurfaceContact<D>& more) {
   for (std::size_t n = first; n < all.size(); ++n) {
     SurfaceContact<D>& to = all[n];
     if (to.fluid != more.fluid) continue;
@@ -107,44 +107,56 @@ void join(std::vector<SurfaceContact<D>>& all, std::size_t first, const SurfaceC
   all.push_back(more);
 }
 
+// Of faces begin to end - 1 of the n-th set.
+template <int D>
+KeptArray<SurfaceContact<D>> contacts_of(const Contacts<D>& contacts, const SolidSet<D>& s,
+                                         std::size_t n, std::size_t begin, std::size_t end) {
+  KeptArray<SurfaceContact<D>> found;
+  std::size_t face = s.faces.size(), first = 0;  // the last one, and its first contact
+  for_each_piece<D>(s.faces, When::end, begin, end, [&](std::size_t i, int, const Piece<D>& piece) {
+    const std::uint32_t p = s.faces.particle[i];
+    if (s.faces.is_inner(i) || (!s.filled.empty() && !(s.filled[p] > 0))) return;
+    SurfaceContact<D> contact;
+    contact.set = static_cast<std::uint32_t>(n);
+    contact.particle = p;
+    if (!contacts.find(piece, contact)) return;
+    if (i != face) first = found.size();
+    face = i;
+    join(found, first, contact);
+  });
+  return found;
+}
+
 }  // namespace
 
 template <int D>
-std::vector<SurfaceContact<D>> surface_contacts(const Frame<D>& frame,
-                                                const SolidGeometry<D>& solid,
-                                                const CellAmounts<D>& fluid,
-                                                const std::vector<SolidSet<D>>& sets, int kind) {
-  const Contacts<D> contacts(frame, solid, fluid);
-  std::vector<SurfaceContact<D>> found;
+KeptArray<SurfaceContact<D>> surface_contacts(const NearCells<D>& near,
+                                              const SolidGeometry<D>& solid,
+                                              const CellAmounts<D>& fluid,
+                                              const std::vector<SolidSet<D>>& sets, int kind) {
+  const Contacts<D> contacts(near.frame(), solid, fluid);
+  KeptArray<SurfaceContact<D>> found;
   for (std::size_t n = 0; n < sets.size(); ++n) {
     const SolidSet<D>& s = sets[n];
     if (s.kind != kind) continue;
-    std::size_t face = s.faces.size(), first = 0;  // the last one, and its first contact
-    for_each_piece<D>(s.faces, When::end, 0, s.faces.size(),
-                      [&](std::size_t i, int, const Piece<D>& piece) {
-                        const std::uint32_t p = s.faces.particle[i];
-                        if (s.faces.is_inner(i) || (!s.filled.empty() && !(s.filled[p] > 0)))
-                          return;
-                        SurfaceContact<D> contact;
-                        contact.set = static_cast<std::uint32_t>(n);
-                        contact.particle = p;
-                        if (!contacts.find(piece, contact)) return;
-                        if (i != face) first = found.size();
-                        face = i;
-                        join(found, first, contact);
-                      });
+    std::vector<KeptArray<SurfaceContact<D>>> parts(range_count(near.team(), s.faces.size()));
+    for_each_range(near.team(), s.faces.size(),
+                   [&](std::size_t begin, std::size_t end, std::size_t range, int) {
+                     parts[range] = contacts_of(contacts, s, n, begin, end);
+                   });
+    for (const auto& part : parts) found.insert(found.end(), part.begin(), part.end());
   }
   return found;
 }
 
-template std::vector<SurfaceContact<1>> surface_contacts(const Frame<1>&, const SolidGeometry<1>&,
-                                                         const CellAmounts<1>&,
-                                                         const std::vector<SolidSet<1>>&, int);
-template std::vector<SurfaceContact<2>> surface_contacts(const Frame<2>&, const SolidGeometry<2>&,
-                                                         const CellAmounts<2>&,
-                                                         const std::vector<SolidSet<2>>&, int);
-template std::vector<SurfaceContact<3>> surface_contacts(const Frame<3>&, const SolidGeometry<3>&,
-                                                         const CellAmounts<3>&,
-                                                         const std::vector<SolidSet<3>>&, int);
+template KeptArray<SurfaceContact<1>> surface_contacts(const NearCells<1>&, const SolidGeometry<1>&,
+                                                       const CellAmounts<1>&,
+                                                       const std::vector<SolidSet<1>>&, int);
+template KeptArray<SurfaceContact<2>> surface_contacts(const NearCells<2>&, const SolidGeometry<2>&,
+                                                       const CellAmounts<2>&,
+                                                       const std::vector<SolidSet<2>>&, int);
+template KeptArray<SurfaceContact<3>> surface_contacts(const NearCells<3>&, const SolidGeometry<3>&,
+                                                       const CellAmounts<3>&,
+                                                       const std::vector<SolidSet<3>>&, int);
 
 }  // namespace sluice::mpmice

@@ -28,10 +28,10 @@ struct SurfaceContact {
 // Of all particles of one kind that has its outer faces at both ends of the step; one for each face
 // and cell in front of it.
 template <int D>
-std::vector<SurfaceContact<D>> surface_contacts(const Frame<D>& frame,
-                                                const SolidGeometry<D>& solid,
-                                                const CellAmounts<D>& fluid,
-                                                const std::vector<SolidSet<D>>& sets, int kind);
+KeptArray<SurfaceContact<D>> surface_contacts(const NearCells<D>& near,
+                                              const SolidGeometry<D>& solid,
+                                              const CellAmounts<D>& fluid,
+                                              const std::vector<SolidSet<D>>& sets, int kind);
 
 // A node of the grid, the low corner of a cell, and its share of a particle.
 template <int D>

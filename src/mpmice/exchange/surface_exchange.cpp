@@ -44,8 +44,8 @@ void SurfaceExchange<D>::run(const StageScope& scope, int kind, const NearCells<
   Communicator& ranks = *scope.ranks;
   const FilmCoefficients& films = films_[static_cast<std::size_t>(kind)];
   const double dt = scope.step.dt, end = scope.step.time + dt;
-  const std::vector<SurfaceContact<D>> contacts =
-      surface_contacts<D>(frame, solid, amounts, sets, kind);
+  const KeptArray<SurfaceContact<D>> contacts =
+      surface_contacts<D>(near, solid, amounts, sets, kind);
   FluidInFront<D> front(frame, *fluid_);
   SolidBehind<D> behind((*kinds_)[static_cast<std::size_t>(kind)]);
   ExchangeScales most;
@@ -61,7 +61,7 @@ void SurfaceExchange<D>::run(const StageScope& scope, int kind, const NearCells<
   if (behind.solid().rigid) return passed.book_rigid(frame, books);
   std::size_t n = 0;
   for (SolidSet<D>& s : sets)
-    if (s.kind == kind) passed.give_to_set(frame, s, n++, books);
+    if (s.kind == kind) passed.give_to_set(near, s, n++, books);
 }
 
 template class SurfaceExchange<1>;

@@ -5,7 +5,9 @@
 namespace sluice::mpmice {
 
 template <int D>
-OccupiedCells<D>& NearCells<D>::begin() {
+OccupiedCells<D>& NearCells<D>::begin(const ThreadTeam* team) {
+  static const ThreadTeam alone;
+  team_ = team != nullptr ? team : &alone;
   occupied_.begin(frame_.room());
   return occupied_;
 }

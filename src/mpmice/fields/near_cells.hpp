@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "mpmice/fields/cell_masks.hpp"
+#include "mpmice/fields/thread_ranges.hpp"
 #include "mpmice/geometry/block_sharers.hpp"
 
 namespace sluice::mpmice {
@@ -16,16 +17,18 @@ class NearCells {
   // particles lie and two layers before (both checked on ranks by every golden case).
   static constexpr int pressure_reach = 7, state_reach = 4, farthest_asked = pressure_reach + 1;
 
+  // `team`: the threads of this rank, which must live as long; null: one.
   explicit NearCells(const Level& level) : frame_(level) {}
   NearCells(const NearCells&) = delete;  // arrays refer to its blocks
   NearCells& operator=(const NearCells&) = delete;
 
   // Of a step: the cells in which solids lie are added to these, then arrays are laid around them.
   // `own`: this rank's boxes of the level. Collective.
-  OccupiedCells<D>& begin();
+  OccupiedCells<D>& begin(const ThreadTeam* team = nullptr);
   void finish(const Level& level, const std::vector<GridBox>& own, Communicator& ranks);
 
   const Frame<D>& frame() const { return frame_; }
+  const ThreadTeam& team() const { return *team_; }
   const OccupiedCells<D>& occupied() const { return occupied_; }
   // Null: this is the only rank.
   const BlockSharers<D>* sharers() const { return sharers_.get(); }
@@ -38,13 +41,17 @@ class NearCells {
   void for_each(F&& act) const {
     frame_.cells.for_each_cell(frame_.domain, act);
   }
-  // The same for those that lie at most so many cells from this rank's boxes.
+  // Does a cell lie at most so many cells from this rank's boxes; the same as for_each() for these.
+  bool within(std::size_t i, int reach) const { return distance_.empty() || distance_[i] <= reach; }
   template <class F>
   void for_each_within(int reach, F&& act) const {
     for_each([&](const Cell<D>& c, std::size_t i) {
-      if (distance_.empty() || distance_[i] <= reach) act(c, i);
+      if (within(i, reach)) act(c, i);
     });
   }
+  // The same as for_each(), by all threads: cells do not depend on each other.
+  template <class F>
+  void for_each_at_once(F&& act) const;
   // The same for those of this rank.
   template <class F>
   void for_each_own(F&& act) const {
@@ -68,12 +75,24 @@ class NearCells {
   void mark_own(const std::vector<GridBox>& own, bool alone);
 
   Frame<D> frame_;
+  const ThreadTeam* team_ = nullptr;
   std::unique_ptr<BlockSharers<D>> sharers_;
   OccupiedCells<D> occupied_;  // cells in which solids lie, or gaps that they keep
   CellMask own_;               // 1: cells of this rank's boxes
   // Of each cell from these, up to farthest_asked; 255: farther. Empty: this is the only rank.
   CellMask distance_;
 };
+
+template <int D>
+template <class F>
+void NearCells<D>::for_each_at_once(F&& act) const {
+  const CellBlocks<D>& cells = frame_.cells;
+  for_each_range(team(), cells.block_count(),
+                 [&](std::size_t begin, std::size_t end, std::size_t, int) {
+                   for (std::size_t b = begin + 1; b <= end; ++b)
+                     cells.for_each_cell_of_block(b, frame_.domain, act);
+                 });
+}
 
 template <int D>
 template <class F>

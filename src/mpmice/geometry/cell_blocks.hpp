@@ -79,6 +79,17 @@ class CellBlocks {
       for (c[0] = begin; c[0] < end; ++c[0], ++i) act(static_cast<const Cell<D>&>(c), i);
     });
   }
+  // The same for the cells of block n that lie in `part`.
+  template <class Act>
+  void for_each_cell_of_block(std::size_t n, const CellBox<D>& part, Act&& act) const {
+    const CellBox<D> all = cells(n), inside = common<D>(all, part);
+    for_each_cell_of<D>(inside, [&](const Cell<D>& c) {
+      std::size_t i = n * block_cells;
+      for (std::size_t d = 0; d < D; ++d)
+        i += static_cast<std::size_t>(c[d] - all.lower[d]) * stride(static_cast<int>(d));
+      act(c, i);
+    });
+  }
   // act(its cells in the box) for the blocks that meet a box.
   template <class Act>
   void for_each_part(const CellBox<D>& box, Act&& act) const;

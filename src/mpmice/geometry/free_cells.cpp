@@ -57,12 +57,13 @@ void FreeCells<D>::mark_spans(const Cell<D>& base, const std::array<CellSpan, D>
 }
 
 template <int D>
-void FreeCells<D>::add(const SolidParticles<D>& particles, When when) {
+void FreeCells<D>::add(const SolidParticles<D>& particles, When when, std::size_t begin,
+                       std::size_t end, CellSums<D>& to) const {
   const CornerColumns<D>& x = particles.corners(when);
   constexpr std::size_t chunk = 64;
   std::array<double[chunk], D> low, high;
-  for (std::size_t at = 0; at < particles.count; at += chunk) {
-    const std::size_t n = std::min(chunk, particles.count - at);
+  for (std::size_t at = begin; at < end; at += chunk) {
+    const std::size_t n = std::min(chunk, end - at);
     for (std::size_t d = 0; d < D; ++d) {
       std::fill_n(low[d], chunk, 1e300);
       std::fill_n(high[d], chunk, -1e300);
@@ -80,20 +81,21 @@ void FreeCells<D>::add(const SolidParticles<D>& particles, When when) {
       }
     }
     for (std::size_t q = 0; q < n; ++q) {
-      std::array<double, D> from, to;
+      std::array<double, D> lowest, highest;
       for (std::size_t d = 0; d < D; ++d) {
-        from[d] = low[d][q];
-        to[d] = high[d][q];
+        lowest[d] = low[d][q];
+        highest[d] = high[d][q];
       }
       Cell<D> first, last;
-      if (find_cells<D>(from, to, first, last)) ask(particles, when, at + q, first, last);
+      if (find_cells<D>(lowest, highest, first, last))
+        ask(particles, when, at + q, first, last, to);
     }
   }
 }
 
 template <int D>
 void FreeCells<D>::ask(const SolidParticles<D>& particles, When when, std::size_t p,
-                       const Cell<D>& first, const Cell<D>& last) {
+                       const Cell<D>& first, const Cell<D>& last, CellSums<D>& to) const {
   if (!particles.is_there(p)) return;
   CellBox<D> box{first, last};
   for (int& upper : box.upper) ++upper;
@@ -113,7 +115,7 @@ void FreeCells<D>::ask(const SolidParticles<D>& particles, When when, std::size_
     for (std::size_t d = 0; d < D; ++d) point[d] = c[d] + inside_point[d];
     const int k = winding_number<D>(corners, point);
     if (k == 0) return;
-    sums_.lane(points)[cells().index_to_add(cell)] +=
+    to.lane(points)[cells().index_to_add(cell)] +=
         static_cast<std::uint64_t>(static_cast<std::int64_t>(k)) * to_sum(particles.part(p));
   });
 }

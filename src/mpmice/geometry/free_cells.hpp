@@ -24,7 +24,12 @@ class FreeCells {
   // block.
   void mark_spans(const Cell<D>& base, const std::array<CellSpan, D>& spans);
   // Asks where particles lie, each by the part of it that is solid.
-  void add(const SolidParticles<D>& particles, When when);
+  void add(const SolidParticles<D>& particles, When when) {
+    add(particles, when, 0, particles.count, sums_);
+  }
+  // Particles begin to end - 1, to sums over the same cells: of another thread.
+  void add(const SolidParticles<D>& particles, When when, std::size_t begin, std::size_t end,
+           CellSums<D>& to) const;
   CellSums<D>& sums() { return sums_; }
   // Once all is added, by all ranks.
   void finish();
@@ -46,7 +51,7 @@ class FreeCells {
  private:
   static constexpr int mark = 0, points = 1;
   void ask(const SolidParticles<D>& particles, When when, std::size_t p, const Cell<D>& first,
-           const Cell<D>& last);
+           const Cell<D>& last, CellSums<D>& to) const;
 
   PeriodicSides<D> sides_;
   CellSums<D> sums_;

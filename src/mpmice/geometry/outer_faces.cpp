@@ -48,7 +48,16 @@ void OuterFaces<D>::add(const CornerColumns<D>& from, const CornerColumns<D>* to
       face.push_back(static_cast<std::uint8_t>(std::countr_zero(bits)));
     }
   put<D>(start, *this, begin, from, units, first);
-  put<D>(end, *this, begin, to != nullptr ? *to : from, units, first);
+  if (to != nullptr) return put<D>(end, *this, begin, *to, units, first);
+  for (std::size_t k = 0; k < corners_of_face<D>; ++k)
+    for (std::size_t d = 0; d < D; ++d)
+      end[k][d].insert(end[k][d].end(), start[k][d].begin() + static_cast<std::ptrdiff_t>(begin),
+                       start[k][d].end());
+}
+
+template <int D>
+void OuterFaces<D>::move(const CornerColumns<D>& to, const CellUnits<D>& units) {
+  put<D>(end, *this, 0, to, units, 0);
 }
 
 template struct OuterFaces<1>;

@@ -58,6 +58,8 @@ struct OuterFaces {
   double weight_of(std::size_t i) const { return weight.empty() ? 1.0 : weight[i]; }
   bool is_inner(std::size_t i) const { return !inner.empty() && inner[i] != 0; }
   void clear();  // keeps its memory
+  // The same faces, of particles counted from 0, end at other corners.
+  void move(const CornerColumns<D>& to, const CellUnits<D>& units);
   // Faces of particles 0 to n - 1 whose bit 2 axis + side is set in `outer`; they are numbered from
   // `first` on. Without `to` the corners do not move.
   void add(const CornerColumns<D>& from, const CornerColumns<D>* to, const std::uint8_t* outer,

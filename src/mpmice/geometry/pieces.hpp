@@ -72,19 +72,34 @@ template <int D>
 class CutSurface {
  public:
   void cut(const OuterFaces<D>& faces) {
-    pieces_.clear();
+    clear();
+    add(faces, 0, faces.size());
+  }
+  void clear() { pieces_.clear(); }
+  // Those of faces begin to end - 1; those of another, which are of the faces behind.
+  void add(const OuterFaces<D>& faces, std::size_t begin, std::size_t end) {
     for_each_piece<D>(
-        faces, When::start, 0, faces.size(), [&](std::size_t i, int t, const Piece<D>& piece) {
+        faces, When::start, begin, end, [&](std::size_t i, int t, const Piece<D>& piece) {
           pieces_.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(t),
                              piece.cell, piece.s, piece.m, piece.arm});
         });
   }
+  void append(const CutSurface& other) {
+    pieces_.insert(pieces_.end(), other.pieces_.begin(), other.pieces_.end());
+  }
+  std::size_t size() const { return pieces_.size(); }
   // act(i, t, piece) as for_each_piece of these faces, to the bit.
   template <class Act>
   void for_each(const OuterFaces<D>& faces, Act&& act) const {
+    for_each(faces, 0, size(), act);
+  }
+  // The same for pieces begin to end - 1.
+  template <class Act>
+  void for_each(const OuterFaces<D>& faces, std::size_t begin, std::size_t end, Act&& act) const {
     Piece<D> piece{};
     const Kept* last = nullptr;
-    for (const Kept& kept : pieces_) {
+    for (std::size_t n = begin; n < end; ++n) {
+      const Kept& kept = pieces_[n];
       if (last == nullptr || kept.face != last->face || kept.facet != last->facet)
         // Differences of places are the same wherever these are counted from.
         piece.n =
@@ -107,7 +122,7 @@ class CutSurface {
     double s;
     std::array<double, D> m, arm;
   };
-  std::vector<Kept> pieces_;
+  KeptArray<Kept> pieces_;
 };
 
 }  // namespace sluice::mpmice

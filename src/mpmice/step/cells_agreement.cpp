@@ -30,13 +30,14 @@ struct VelocityBounds {
 }  // namespace
 
 template <int D>
-typename CellsAgreement<D>::Outcome CellsAgreement<D>::find(const SolidSets<D>& sets, bool trapped,
-                                                            bool good, const CellRates& own,
-                                                            CouplingBooks& books,
-                                                            std::span<double> sums,
-                                                            Communicator& ranks) {
+typename CellsAgreement<D>::Faults CellsAgreement<D>::find(const SolidSets<D>& sets,
+                                                           const Faults& here, const CellRates& own,
+                                                           CouplingBooks& books,
+                                                           std::span<double> sums,
+                                                           Communicator& ranks) {
   Reduction all;
-  const auto any_trapped = all.add_any(trapped), any_inadmissible = all.add_any(!good);
+  const auto trapped = all.add_any(here.trapped), inadmissible = all.add_any(here.inadmissible),
+             strayed = all.add_any(here.strayed);
   const auto deck = all.add_maximum(own.deck), flow = all.add_maximum(own.flow),
              sound = all.add_maximum(own.sound);
   books.add_to(all);
@@ -50,8 +51,8 @@ typename CellsAgreement<D>::Outcome CellsAgreement<D>::find(const SolidSets<D>& 
           all.add_maximum(of_rank[static_cast<std::size_t>(n / 3)][n % 3]);
   }
   ranks.reduce(all);
-  const Outcome outcome{all.any(any_trapped), all.any(any_inadmissible)};
-  if (outcome.trapped || outcome.inadmissible) return outcome;
+  const Faults faults{all.any(trapped), all.any(inadmissible), all.any(strayed)};
+  if (faults.any()) return faults;
   books.take(all, solids_->sums(), sums);
   rates_ = {all.maximum(deck), all.maximum(flow), all.maximum(sound)};
   for (const VelocityBounds& of_kind : bounds) {
@@ -61,7 +62,7 @@ typename CellsAgreement<D>::Outcome CellsAgreement<D>::find(const SolidSets<D>& 
           all.maximum(of_kind.slots[static_cast<std::size_t>(n)]);
     solids_->include_velocities(of_kind.kind, most[0], most[1]);
   }
-  return outcome;
+  return faults;
 }
 
 template class CellsAgreement<1>;

@@ -13,14 +13,15 @@ class CellsAgreement {
   CellsAgreement(solids::CoupledSolids& solids, const SurfaceExchange<D>& exchange)
       : solids_(&solids), exchange_(&exchange) {}
 
-  // Does a cell close with fluid in it; is one in no state.
-  struct Outcome {
-    bool trapped = false, inadmissible = false;
+  // Does a cell close with fluid in it; is one in no state; has a solid strayed.
+  struct Faults {
+    bool trapped = false, inadmissible = false, strayed = false;
+    bool any() const { return trapped || inadmissible || strayed; }
   };
-  // `good`: are all cells of this rank in a state, with these rates. Where all are well, books go
-  // to the sums of the step, and solids know the velocities that exchange has left. Collective.
-  Outcome find(const SolidSets<D>& sets, bool trapped, bool good, const CellRates& own,
-               CouplingBooks& books, std::span<double> sums, Communicator& ranks);
+  // `here`: on this rank, and the rates of its cells. On all ranks; where all are well, books go to
+  // the sums of the step, and solids know the velocities that exchange has left. Collective.
+  Faults find(const SolidSets<D>& sets, const Faults& here, const CellRates& own,
+              CouplingBooks& books, std::span<double> sums, Communicator& ranks);
   // Of all ranks.
   const CellRates& rates() const { return rates_; }
 

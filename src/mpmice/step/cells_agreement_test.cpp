@@ -20,11 +20,14 @@ TEST(CellsAgreement, TakesBooksAndRatesOnceAllIsWell) {
   books.of_work(Booked::work).add(5);
   std::vector<double> sums(10, 0.0);
   const CellRates rates{1, 2, 3};
-  EXPECT_TRUE(agreement.find(block.sets, true, true, rates, books, sums, world()).trapped);
-  EXPECT_TRUE(agreement.find(block.sets, false, false, rates, books, sums, world()).inadmissible);
+  EXPECT_TRUE(
+      agreement.find(block.sets, {true, false, false}, rates, books, sums, world()).trapped);
+  EXPECT_TRUE(
+      agreement.find(block.sets, {false, true, false}, rates, books, sums, world()).inadmissible);
   EXPECT_EQ(sums[6], 0);
-  const auto good = agreement.find(block.sets, false, true, rates, books, sums, world());
-  EXPECT_FALSE(good.trapped || good.inadmissible);
+  EXPECT_TRUE(
+      agreement.find(block.sets, {false, false, true}, rates, books, sums, world()).strayed);
+  EXPECT_FALSE(agreement.find(block.sets, {}, rates, books, sums, world()).any());
   EXPECT_EQ(sums[6], 5);
   EXPECT_EQ(agreement.rates().flow, 2);
   EXPECT_EQ(block.solids.most[0], -3);  // exchange has changed velocities

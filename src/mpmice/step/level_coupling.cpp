@@ -1,7 +1,5 @@
 #include "mpmice/step/level_coupling.hpp"
 
-#include <fmt/format.h>
-
 #include "framework/run/levels/level_solver.hpp"
 #include "ice/fluid/labels.hpp"
 #include "ice/step/step_bounds.hpp"
@@ -82,7 +80,7 @@ Verdict LevelCoupling<D>::find_cells(const StageScope& scope) {
   const Level& level = scope.levels.front()->level();
   const Warehouse& state = scope.levels.front()->state();
   sets_.list(*scope.particles, level.index);
-  OccupiedCells<D>& solids = near_.begin();
+  OccupiedCells<D>& solids = near_.begin(scope.levels.front()->team());
   sets_.add_cells(near_.frame(), scope.step.dt, solids);
   PreviousFractions<D>::add_cells(near_.frame(), state, slot_of_fraction(state), solids);
   near_.finish(level, state.local_boxes(), *scope.ranks);
@@ -131,12 +129,6 @@ Verdict LevelCoupling<D>::push_solids(const StageScope& scope) {
 
 template <int D>
 Verdict LevelCoupling<D>::sweep_volumes(const StageScope& scope) {
-  if (on_any(*scope.ranks, !sets_.stay_near(near_.frame()))) {
-    *scope.reason = fmt::format(
-        "a solid moves by more than {} cells, or by more than {} though it began slowly",
-        Frame<D>::most_move, Frame<D>::slow_move);
-    return Verdict::reject;
-  }
   surfaces_.find_moved(near_, sets_, *scope.ranks);
   motion_.find(near_, surfaces_.solid(), sets_, scope.step.dt, *scope.ranks);
   return Verdict::good;
@@ -194,13 +186,13 @@ Verdict LevelCoupling<D>::burn(const StageScope& scope) {
 
 // Books what surfaces work, and what all ranks have come to.
 template <int D>
-typename LevelCoupling<D>::Agreed LevelCoupling<D>::agree(const StageScope& scope, bool good) {
+typename LevelCoupling<D>::Faults LevelCoupling<D>::agree(const StageScope& scope, bool good) {
   const FluidAmounts<D>& fluid = cells_.fluid();
   walls_.forces().book_work(near_, surfaces_.solid(), surfaces_.on(), sets_, fluid.theta_swept(),
                             fluid.swept_with_solid(), scope.step.dt, books_);
   const CellRates own = good ? cells_.settled().rates(near_, fluid.amounts()) : CellRates{};
-  return agreement_.find(sets_, cells_.merging().trapped(), good, own, books_, *scope.sums,
-                         *scope.ranks);
+  const Faults here{cells_.merging().trapped(), !good, sets_.strayed()};
+  return agreement_.find(sets_, here, own, books_, *scope.sums, *scope.ranks);
 }
 
 template <int D>
@@ -208,14 +200,18 @@ Verdict LevelCoupling<D>::settle(const StageScope& scope) {
   SolidGeometry<D>& solid = surfaces_.solid();
   SettledFluid<D>& settled = cells_.settled();
   CellAmounts<D>& amounts = cells_.amounts();
-  Agreed agreed = agree(scope, settled.settle(near_, amounts, solid, *scope.reason));
-  if (agreed.inadmissible && !agreed.trapped) {
+  Faults faults = agree(scope, settled.settle(near_, amounts, solid, *scope.reason));
+  if (faults.strayed) {
+    *scope.reason = SolidSets<D>::stray_reason();
+    return Verdict::reject;
+  }
+  if (faults.inadmissible && !faults.trapped) {
     if (!cells_.merging().share_inadmissible(near_, solid, walls_.normals(), cells_.fluid(),
                                              settled, *scope.ranks, *scope.reason))
       return Verdict::reject;
-    agreed = agree(scope, true);
+    faults = agree(scope, true);
   }
-  if (agreed.trapped) {
+  if (faults.trapped) {
     *scope.reason = cells_.merging().fault(near_.frame());
     share_reason(*scope.ranks, *scope.reason);
     return Verdict::reject;

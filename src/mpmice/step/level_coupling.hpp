@@ -35,8 +35,8 @@ class LevelCoupling final : public Coupling {
   Verdict end_step(const StageScope& scope);
 
   int slot_of_fraction(const Warehouse& state) const;
-  using Agreed = typename CellsAgreement<D>::Outcome;
-  Agreed agree(const StageScope& scope, bool good);
+  using Faults = typename CellsAgreement<D>::Faults;
+  Faults agree(const StageScope& scope, bool good);
 
   const ice::FluidPart* fluid_;
   std::shared_ptr<solids::CoupledSolids> solids_;

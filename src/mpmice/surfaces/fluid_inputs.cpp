@@ -65,17 +65,26 @@ SeenPlaces FluidInputs<D>::places_seen(const IndexBox& box, int along,
   const Frame<D>& frame = near_.frame();
   SeenPlaces seen;
   const auto look = [&](const Cell<D>& at) {
-    const IntVec3 c = frame.index(at);
     bool flipped = false;
     const Cell<D> cell = along < 0
                              ? frame.mirrored(at)
                              : frame.mirrored_face(at, static_cast<std::size_t>(along), flipped);
     const std::size_t i = frame.cells.index(cell);
-    if (i >= CellBlocks<D>::block_cells) seen.places.push_back({c, i, flipped});
+    if (i >= CellBlocks<D>::block_cells) seen.places.push_back({frame.index(at), i, flipped});
   };
   const CellBox<D> all = frame.box(box);
   for_each_cell_of<D>(BlockDirectory<D>::blocks_of(all), [&](const Cell<D>& b) {
     const CellBox<D> part = common<D>(BlockDirectory<D>::cells_of(b), all);
+    // Inside of the domain all see themselves.
+    if (common<D>(part, frame.domain) == part) {
+      const std::size_t n = frame.cells.index(part.lower) / CellBlocks<D>::block_cells;
+      if (blocks[n] == 0) return;
+      seen.parts.push_back(frame.part_of(box, part));
+      frame.cells.for_each_cell_of_block(n, part, [&](const Cell<D>& at, std::size_t i) {
+        seen.places.push_back({frame.index(at), i, false});
+      });
+      return;
+    }
     if (!sees_any(part, blocks)) return;
     seen.parts.push_back(frame.part_of(box, part));
     for_each_cell_of<D>(part, look);
@@ -88,7 +97,7 @@ void FluidInputs<D>::write(Warehouse& state, int place) const {
   const Frame<D>& frame = near_.frame();
   const ice::Labels& l = ice::labels();
   std::array<Column, D> velocity;
-  for (std::size_t n = 0; n < D; ++n) velocity[n] = motion_.at_faces(n, frame, solid_);
+  for (std::size_t n = 0; n < D; ++n) velocity[n] = motion_.at_faces(n, near_, solid_);
   const KeptArray<std::uint8_t> blocks = blocks_to_write();
   for (int b = 0; b < static_cast<int>(state.local_boxes().size()); ++b) {
     SeenPlaces seen;

@@ -39,22 +39,23 @@ double MeanMotion<D>::fastest_way(const Frame<D>& frame, double dt) const {
 
 template <int D>
 void MeanMotion<D>::add(const Frame<D>& frame, const SolidSet<D>& s, const CellMask& beside,
-                        double dt, double most_mass, double most_speed) {
+                        double dt, const Scales& most, std::size_t begin, std::size_t end,
+                        CellSums<D>& sums) const {
   const auto speed = [&](std::size_t p, int d) {
     return (s.next->coordinate(d)[p] - s.set->coordinate(d)[p]) / dt;
   };
   const CornerColumns<D> x = corner_columns<D>(frame, *s.columns, *s.set);
   const double* m = s.set->column(static_cast<std::size_t>(s.columns->mass));
-  for (std::size_t p = 0; p < s.set->size(); ++p) {
+  for (std::size_t p = begin; p < end; ++p) {
     if (beside[frame.cells.index(cell_of_middle(frame, *s.set, p))] == 0) continue;
-    const std::uint64_t share = to_sum(m[p] / most_mass / most_parts<D>);
+    const std::uint64_t share = to_sum(m[p] / most.mass / most_parts<D>);
     std::array<std::uint64_t, D> moving;
     for (std::size_t a = 0; a < D; ++a)
       moving[a] =
-          to_sum(m[p] / most_mass / most_parts<D> * (speed(p, frame.direction[a]) / most_speed));
+          to_sum(m[p] / most.mass / most_parts<D> * (speed(p, frame.direction[a]) / most.speed));
     for_each_part<D>(frame, x, *s.set, p, [&](std::size_t cell) {
-      sums_.lane(0)[cell] += share;
-      for (std::size_t a = 0; a < D; ++a) sums_.lane(1 + static_cast<int>(a))[cell] += moving[a];
+      sums.lane(0)[cell] += share;
+      for (std::size_t a = 0; a < D; ++a) sums.lane(1 + static_cast<int>(a))[cell] += moving[a];
     });
   }
 }
@@ -63,36 +64,50 @@ template <int D>
 void MeanMotion<D>::find(const NearCells<D>& near, const SolidGeometry<D>& solid,
                          const SolidSets<D>& sets, double dt, Communicator& ranks) {
   const Frame<D>& frame = near.frame();
-  const double most_mass = heaviest(), most_speed = fastest_way(frame, dt);
+  const Scales most{heaviest(), fastest_way(frame, dt)};
   sums_.begin(frame.cells, 1 + D);
   const CellMask beside = cells_beside_fluid(near, solid);
-  for (const SolidSet<D>& s : sets.all()) add(frame, s, beside, dt, most_mass, most_speed);
+  for (const SolidSet<D>& s : sets.all())
+    add_in_ranges<D>(near.team(), s.set->size(), sums_,
+                     [&](std::size_t begin, std::size_t end, std::size_t, CellSums<D>& sums) {
+                       add(frame, s, beside, dt, most, begin, end, sums);
+                     });
   sums_.sum_over_ranks(ranks);
   sums_.values(0, mass_);
   for (std::size_t a = 0; a < D; ++a) {
     Column& v = velocity_[a];
     sums_.values(1 + static_cast<int>(a), v);
     for (std::size_t i = 0; i < v.size(); ++i)
-      v[i] = mass_[i] > 0 ? v[i] / mass_[i] * most_speed : 0.0;
+      v[i] = mass_[i] > 0 ? v[i] / mass_[i] * most.speed : 0.0;
   }
-  for (double& mass : mass_) mass *= most_mass * (most_parts<D> / (1 << D)) / frame.cell_volume;
+  for (double& mass : mass_) mass *= most.mass * (most_parts<D> / (1 << D)) / frame.cell_volume;
 }
 
 template <int D>
-Column MeanMotion<D>::at_faces(std::size_t n, const Frame<D>& frame,
+Column MeanMotion<D>::at_faces(std::size_t n, const NearCells<D>& near,
                                const SolidGeometry<D>& solid) const {
-  Column to(frame.cells.size(), 0.0);
+  const Frame<D>& frame = near.frame();
+  const CellBlocks<D>& cells = frame.cells;
   const Column& v = velocity_[n];
-  frame.cells.for_each_cell(frame.held(), [&](const Cell<D>& face, std::size_t at) {
+  const auto fluid = [&](std::size_t c) { return solid.theta[c] < 1 && solid.theta_next[c] < 1; };
+  Column to(cells.size(), 0.0);
+  const auto find = [&](const Cell<D>& face, std::size_t at) {
     Cell<D> below = face;
     --below[n];
-    const std::size_t i = frame.cells.index(frame.inside(below)),
-                      j = frame.cells.index(frame.inside(face));
-    const auto fluid = [&](std::size_t c) { return solid.theta[c] < 1 && solid.theta_next[c] < 1; };
+    // Most lie in one block with the cell below, inside of the domain.
+    const bool beside = (face[n] & (CellBlocks<D>::edge - 1)) != 0 && frame.in_domain(below);
+    const std::size_t j = frame.in_domain(face) ? at : cells.index(frame.inside(face)),
+                      i = beside ? at - CellBlocks<D>::stride(static_cast<int>(n))
+                                 : cells.index(frame.inside(below));
     if (fluid(i) && fluid(j)) return;
     const double M = mass_[i] + mass_[j];
     if (M > 0) to[at] = (mass_[i] * v[i] + mass_[j] * v[j]) / M;
-  });
+  };
+  for_each_range(near.team(), cells.block_count(),
+                 [&](std::size_t begin, std::size_t end, std::size_t, int) {
+                   for (std::size_t b = begin + 1; b <= end; ++b)
+                     cells.for_each_cell_of_block(b, frame.held(), find);
+                 });
   return to;
 }
 

@@ -24,7 +24,7 @@ class MeanMotion {
   const Column& velocity(std::size_t a) const { return velocity_[a]; }
   // The velocity at the low faces of the cells along the n-th direction: the mean of both cells by
   // mass. Between cells that keep fluid faces have its velocity: 0 here.
-  Column at_faces(std::size_t n, const Frame<D>& frame, const SolidGeometry<D>& solid) const;
+  Column at_faces(std::size_t n, const NearCells<D>& near, const SolidGeometry<D>& solid) const;
 
   static constexpr int columns = 1 + D;
 
@@ -32,8 +32,12 @@ class MeanMotion {
   CellMask cells_beside_fluid(const NearCells<D>& near, const SolidGeometry<D>& solid) const;
   double heaviest() const;
   double fastest_way(const Frame<D>& frame, double dt) const;
+  // Particles begin to end - 1.
+  struct Scales {
+    double mass, speed;  // the largest, kg, m/s
+  };
   void add(const Frame<D>& frame, const SolidSet<D>& s, const CellMask& beside, double dt,
-           double most_mass, double most_speed);
+           const Scales& most, std::size_t begin, std::size_t end, CellSums<D>& sums) const;
 
   const solids::CoupledSolids* solids_;
   bool looks_far_;

@@ -27,7 +27,7 @@ TEST(MeanMotion, KeepsMassAndHasTheVelocityOfTheStep) {
   });
   EXPECT_NEAR(mass / (rho * 3.25 * 3.25 * h * h * h), 1, 1e-12);
   // Between cells that keep fluid faces have none of it.
-  const Column faces = motion.at_faces(0, block.near.frame(), block.surfaces.solid());
+  const Column faces = motion.at_faces(0, block.near, block.surfaces.solid());
   EXPECT_NEAR(faces[block.at({7, 7})] * dt / (way * h), 1, 1e-12);
   EXPECT_EQ(faces[block.at({5, 7})], 0);
 }

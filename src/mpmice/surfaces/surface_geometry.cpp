@@ -1,5 +1,7 @@
 #include "mpmice/surfaces/surface_geometry.hpp"
 
+#include "mpmice/fields/thread_ranges.hpp"
+
 namespace sluice::mpmice {
 
 template <int D>
@@ -7,7 +9,17 @@ void SurfaceGeometry<D>::begin(const Frame<D>& frame, const std::vector<SolidSet
                                When when, bool moved) {
   free_.begin(frame.cells, frame.sides());
   sums_.begin(frame.cells);
-  for (const SolidSet<D>& s : sets) free_.add(particles_of(frame, s, moved), when);
+  for (const SolidSet<D>& s : sets) {
+    const SolidParticles<D> particles = particles_of(frame, s, moved);
+    if (team_ == nullptr) {
+      free_.add(particles, when);
+      continue;
+    }
+    add_in_ranges<D>(*team_, particles.count, free_.sums(),
+                     [&](std::size_t from, std::size_t to, std::size_t, CellSums<D>& sums) {
+                       free_.add(particles, when, from, to, sums);
+                     });
+  }
 }
 
 template <int D>

@@ -9,6 +9,9 @@ namespace sluice::mpmice {
 template <int D>
 class SurfaceGeometry {
  public:
+  // The threads that add to sums, from then on; without, the calling one does. They must live as
+  // long.
+  void use(const ThreadTeam& team) { team_ = &team; }
   // Of the faces of the sets at the start of a step: what is to be summed over ranks, and what
   // follows from the sums, as summed (clean_... in solid_in_cells.hpp). Collective where blocks
   // begin at their lowest cells, unless `ranks` is null.
@@ -32,6 +35,7 @@ class SurfaceGeometry {
   const std::uint64_t* find_references(const Frame<D>& frame, const std::vector<SolidSet<D>>& sets,
                                        Communicator* ranks, When when);
 
+  const ThreadTeam* team_ = nullptr;
   FreeCells<D> free_;
   SolidSums<D> sums_;
   SweptSums<D> swept_;

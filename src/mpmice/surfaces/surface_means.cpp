@@ -89,20 +89,24 @@ double SurfaceMeans<D>::find_scales(const Frame<D>& frame, const SolidSets<D>& s
 }
 
 template <int D>
-void SurfaceMeans<D>::add(const Frame<D>& frame, const SolidSets<D>& sets) {
-  sums_.begin(frame.cells, lane_count(viscous_));
+void SurfaceMeans<D>::add(const NearCells<D>& near, const SolidSets<D>& sets) {
+  sums_.begin(near.frame().cells, lane_count(viscous_));
   for (const SolidSet<D>& s : sets.all())
-    if (s.faces.size() > 0) add_set(frame, s);
+    add_in_ranges<D>(near.team(), s.pieces.size(), sums_,
+                     [&](std::size_t begin, std::size_t end, std::size_t, CellSums<D>& sums) {
+                       if (s.faces.size() > 0) add_pieces(near.frame(), s, begin, end, sums);
+                     });
 }
 
 template <int D>
-void SurfaceMeans<D>::add_set(const Frame<D>& frame, const SolidSet<D>& s) {
+void SurfaceMeans<D>::add_pieces(const Frame<D>& frame, const SolidSet<D>& s, std::size_t begin,
+                                 std::size_t end, CellSums<D>& sums) const {
   std::array<double, D> of_largest;
   for (std::size_t a = 0; a < D; ++a)
     of_largest[a] = frame.face_area(static_cast<int>(a)) / frame.largest_face();
   const auto stress = columns_from<6>(*s.set, s.columns->stress);
   const PieceVelocity<D> velocities(frame, *solids_, s);
-  s.pieces.for_each(s.faces, [&](std::size_t i, int, const Piece<D>& piece) {
+  s.pieces.for_each(s.faces, begin, end, [&](std::size_t i, int, const Piece<D>& piece) {
     const std::size_t p = s.faces.particle[i], c = frame.cells.index_to_add(piece.cell);
     std::array<double, D> unit = piece.n;
     double size = 0;
@@ -114,17 +118,17 @@ void SurfaceMeans<D>::add_set(const Frame<D>& frame, const SolidSet<D>& s) {
     if (!(size > 0)) return;
     for (double& n : unit) n /= size;
     const double A = size * piece.s * s.faces.weight_of(i);
-    sums_.lane(area)[c] += to_sum(A);
-    sums_.lane(pressure)[c] +=
+    sums.lane(area)[c] += to_sum(A);
+    sums.lane(pressure)[c] +=
         to_sum(A * (pressure_along<D>(frame, stress, p, unit) / scales_.pressure));
-    sums_.lane(soft)[c] += to_sum(A * (compliance(s, p) / scales_.compliance));
-    sums_.lane(light)[c] += to_sum(A * (inverse_density(s, p) / scales_.inverse_density));
+    sums.lane(soft)[c] += to_sum(A * (compliance(s, p) / scales_.compliance));
+    sums.lane(light)[c] += to_sum(A * (inverse_density(s, p) / scales_.inverse_density));
     const Vec3 u = velocities.at(i, piece);
     for (int a = 0; a < D; ++a)
-      sums_.lane(velocity + a)[c] +=
+      sums.lane(velocity + a)[c] +=
           to_sum(A * (u[frame.direction[static_cast<std::size_t>(a)]] / scales_.velocity));
     for (int a = 0; a < D && viscous_; ++a)
-      sums_.lane(place + a)[c] +=
+      sums.lane(place + a)[c] +=
           to_sum(size * s.faces.weight_of(i) * piece.arm[static_cast<std::size_t>(a)]);
   });
 }

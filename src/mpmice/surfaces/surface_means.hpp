@@ -30,7 +30,7 @@ class SurfaceMeans {
   double find_scales(const Frame<D>& frame, const SolidSets<D>& sets, double impedance,
                      Communicator& ranks);
   // Of this rank's pieces; then from the sums of all ranks.
-  void add(const Frame<D>& frame, const SolidSets<D>& sets);
+  void add(const NearCells<D>& near, const SolidSets<D>& sets);
   CellSums<D>& sums() { return sums_; }
   void finish(const Frame<D>& frame, OnSurfaces<D>& to);
   static constexpr int lane_count(bool viscous) { return viscous ? place + D : place; }
@@ -46,7 +46,8 @@ class SurfaceMeans {
   Scales largest_of(const Frame<D>& frame, const SolidSets<D>& sets) const;
   double compliance(const SolidSet<D>& s, std::size_t p) const;
   double inverse_density(const SolidSet<D>& s, std::size_t p) const;
-  void add_set(const Frame<D>& frame, const SolidSet<D>& s);
+  void add_pieces(const Frame<D>& frame, const SolidSet<D>& s, std::size_t begin, std::size_t end,
+                  CellSums<D>& sums) const;
 
   const solids::CoupledSolids* solids_;
   bool viscous_;

@@ -5,7 +5,8 @@ namespace sluice::mpmice {
 template <int D>
 void Surfaces<D>::begin(const NearCells<D>& near, SolidSets<D>& sets, const Warehouse& state,
                         int slot, Communicator& ranks) {
-  sets.find_faces(near.frame(), false, ranks);
+  geometry_.use(near.team());
+  sets.find_faces(near, false, ranks);
   geometry_.begin_at_start(near.frame(), sets.all());
   previous_.gather(near.frame(), state, slot);
 }
@@ -14,7 +15,7 @@ template <int D>
 double Surfaces<D>::add_means(const NearCells<D>& near, const SolidSets<D>& sets, double impedance,
                               Communicator& ranks) {
   const double most = means_.find_scales(near.frame(), sets, impedance, ranks);
-  means_.add(near.frame(), sets);
+  means_.add(near, sets);
   return most;
 }
 
@@ -29,7 +30,7 @@ void Surfaces<D>::finish(const NearCells<D>& near, const SolidSets<D>& sets, Com
 
 template <int D>
 void Surfaces<D>::find_moved(const NearCells<D>& near, SolidSets<D>& sets, Communicator& ranks) {
-  sets.find_faces(near.frame(), true, ranks);
+  sets.find_faces(near, true, ranks);
   SolidInCells<D> at_end;
   SweptVolumes<D> swept;
   geometry_.find_moved(near.frame(), sets.all(), ranks, at_end, swept);
@@ -40,7 +41,7 @@ void Surfaces<D>::find_moved(const NearCells<D>& near, SolidSets<D>& sets, Commu
 
 template <int D>
 void Surfaces<D>::find_at_end(const NearCells<D>& near, SolidSets<D>& sets, Communicator& ranks) {
-  sets.find_faces(near.frame(), true, ranks);
+  sets.find_faces(near, true, ranks);
   SolidInCells<D> found;
   geometry_.find_at_end(near.frame(), sets.all(), ranks, found);
   solid_.take_end(found);

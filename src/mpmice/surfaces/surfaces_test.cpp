@@ -73,5 +73,17 @@ TEST(SurfaceMeans, ObeyWhatIsPrescribed) {
   EXPECT_EQ(block.surfaces.on().compliance[left], 0);
 }
 
+// What goes farther than the arrays reach counts as at rest, and says so.
+TEST(Surfaces, WhatStraysCountsAsAtRest) {
+  for (const double way : {0.5, 1.5}) {
+    BlockInCells<1> block(16, 2, 5.25, 8.5, way);
+    block.find_surfaces();
+    block.find_moved();
+    const bool strays = way > Frame<1>::slow_move;
+    EXPECT_EQ(block.sets.strayed(), strays);
+    EXPECT_NEAR(block.surfaces.solid().theta_next[block.at({8})], strays ? 0.5 : 1, 1e-15);
+  }
+}
+
 }  // namespace
 }  // namespace sluice::mpmice::surfaces_of_block

@@ -38,7 +38,7 @@ class GivenSolids final : public solids::CoupledSolids {
   bool left = false;
   std::optional<Vec3> prescribed;
 
-  std::vector<std::vector<solids::CornerForce>> forces;  // given back
+  std::vector<solids::CornerForces> forces;  // given back
   Vec3 most{}, most_negative{};
 
   const std::vector<solids::SolidKind>& kinds() const override { return materials; }
@@ -55,9 +55,8 @@ class GivenSolids final : public solids::CoupledSolids {
   double farthest_way() const override { return way; }
   double largest_extent(int) const override { return extent; }
   bool any_left() const override { return left; }
-  void add_corner_forces(const StageScope&,
-                         const std::vector<std::vector<solids::CornerForce>>& given) override {
-    forces = given;
+  void add_corner_forces(const StageScope&, std::vector<solids::CornerForces> given) override {
+    forces = std::move(given);
   }
   void include_velocities(int, Vec3 up, Vec3 down) override {
     most = up;
@@ -179,7 +178,7 @@ struct BlockInCells {
     const int slot = state.add({ice::labels().solid_fraction, 0, 1, 0});
     SurfaceGeometry<D> geometry;
     SolidInCells<D> found;
-    sets.find_faces(near.frame(), false, world());
+    sets.find_faces(near, false, world());
     geometry.begin_at_start(near.frame(), sets.all());
     geometry.finish_at_start(near.frame(), sets.all(), nullptr, found);
     clean_volume_fractions(found.theta);

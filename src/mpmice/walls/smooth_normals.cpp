@@ -9,7 +9,7 @@ void SmoothNormals<D>::find(const NearCells<D>& near, const SolidGeometry<D>& so
                             const OnSurfaces<D>& surface) {
   const Frame<D>& frame = near.frame();
   for (Column& n : n_) n.assign(near.size(), 0.0);
-  near.for_each([&](const Cell<D>& c, std::size_t i) {
+  near.for_each_at_once([&](const Cell<D>& c, std::size_t i) {
     if (!(surface.area[i] > 0)) return;
     constexpr int around = D == 1 ? 3 : D == 2 ? 9 : 27;
     for (int n = 0; n < around; ++n) {

@@ -29,7 +29,7 @@ void WallForces<D>::find_overlaps(const NearCells<D>& near, const SolidGeometry<
 template <int D>
 void WallForces<D>::add_on(const Frame<D>& frame, const SolidSet<D>& s,
                            const OnSurfaces<D>& surface, double reference,
-                           std::vector<solids::CornerForce>& forces) const {
+                           solids::CornerForces& forces) const {
   const Column& wall_pressure = pressure_.values();
   std::array<double, D> per_largest;  // face area over the largest, in which areas are counted
   for (std::size_t d = 0; d < D; ++d)
@@ -66,9 +66,10 @@ void WallForces<D>::add_on(const Frame<D>& frame, const SolidSet<D>& s,
 }
 
 template <int D>
-std::vector<std::vector<solids::CornerForce>> WallForces<D>::on_corners(
-    const Frame<D>& frame, const SolidSets<D>& sets, const OnSurfaces<D>& surface) const {
-  std::vector<std::vector<solids::CornerForce>> forces(sets.kinds().size());
+std::vector<solids::CornerForces> WallForces<D>::on_corners(const Frame<D>& frame,
+                                                            const SolidSets<D>& sets,
+                                                            const OnSurfaces<D>& surface) const {
+  std::vector<solids::CornerForces> forces(sets.kinds().size());
   for (const SolidSet<D>& s : sets.all())
     if (!sets.kind_of(s).rigid)
       add_on(frame, s, surface, sets.reference_pressure(),

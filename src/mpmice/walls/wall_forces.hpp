@@ -24,9 +24,8 @@ class WallForces {
 
   void find_overlaps(const NearCells<D>& near, const SolidGeometry<D>& solid, bool all_rigid);
   // By kind, on corners of this rank's particles; none on rigid ones.
-  std::vector<std::vector<solids::CornerForce>> on_corners(const Frame<D>& frame,
-                                                           const SolidSets<D>& sets,
-                                                           const OnSurfaces<D>& surface) const;
+  std::vector<solids::CornerForces> on_corners(const Frame<D>& frame, const SolidSets<D>& sets,
+                                               const OnSurfaces<D>& surface) const;
   // The impulse that comes from outside: of what holds or drives rigid bodies against the fluid;
   // and of sides of the domain that cut other bodies, which push these with the reference pressure,
   // of which their stress is free. (Around a body that no side cuts it sums to none.) And the force
@@ -44,7 +43,7 @@ class WallForces {
 
  private:
   void add_on(const Frame<D>& frame, const SolidSet<D>& s, const OnSurfaces<D>& surface,
-              double reference, std::vector<solids::CornerForce>& forces) const;
+              double reference, solids::CornerForces& forces) const;
   void book_rigid(const Frame<D>& frame, const SolidSet<D>& s, bool all_rigid, double dt,
                   CouplingBooks& books) const;
   void book_reference(const Frame<D>& frame, const SolidSet<D>& s, double reference, double dt,

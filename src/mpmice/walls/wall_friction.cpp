@@ -38,7 +38,7 @@ void WallFriction<D>::find(const NearCells<D>& near, const SolidGeometry<D>& sol
   const Frame<D>& frame = near.frame();
   const Column &rho = fluid.density(), &viscosity = fluid.viscosity();
   for (Column& of : stress_) of.assign(near.size(), 0.0);
-  near.for_each([&](const Cell<D>& c, std::size_t i) {
+  near.for_each_at_once([&](const Cell<D>& c, std::size_t i) {
     if (!solid.wet(i) || !(surface.area[i] > 0) || !(viscosity[i] > 0)) return;
     std::array<double, D> unit, w;
     const double size = normals.length(i);

@@ -41,7 +41,8 @@ void WallPressure<D>::find(const NearCells<D>& near, const SolidGeometry<D>& sol
                            const SmoothNormals<D>& normals, const LightWalls<D>& light, double dt) {
   const Wall wall{near.frame(), solid, fluid, normals, dt};
   values_ = fluid.pressure();
-  near.for_each_within(NearCells<D>::pressure_reach, [&](const Cell<D>& c, std::size_t i) {
+  near.for_each_at_once([&](const Cell<D>& c, std::size_t i) {
+    if (!near.within(i, NearCells<D>::pressure_reach)) return;
     if (!solid.wet(i) || !(surface.area[i] > 0)) return;
     double squares = 0;
     for (const Column& n : solid.normal) squares += n[i] * n[i];
