@@ -4,10 +4,14 @@
 After every kill the archive must be undamaged (`sluice info --verify`). A killed run is restarted
 from its last checkpoint, or started again when it had none yet, until it finishes; then every
 output and history must equal the uninterrupted run's to the bit. Exit 1 at the first difference.
+
+With --ranks N every start and restart takes a random number of ranks up to N, and one rank alone is
+killed: the others must end by themselves. The uninterrupted run has one rank.
 """
 import argparse
 import filecmp
 import json
+import os
 import pathlib
 import random
 import signal
@@ -19,8 +23,43 @@ SETTINGS = ["DataArchiver/outputInterval=", "DataArchiver/outputTimestepInterval
             "DataArchiver/checkpoint/@cycle=2", "DataArchiver/checkpoint/@timestepInterval=15"]
 
 
+ENDS = 60  # seconds in which the other ranks end once one is killed
+START = 0.8  # seconds that ranks take to begin
+
+
+class Run:
+    """A process, or the ranks of one run under mpiexec."""
+
+    def __init__(self, words, ranks, log):
+        self.ranks = ranks
+        if ranks > 1:
+            words = ["mpiexec", "--allow-run-as-root", "--oversubscribe", "-np", str(ranks)] + words
+        self.process = subprocess.Popen(words, stdout=log, stderr=log)
+
+    def wait(self, timeout=None):
+        return self.process.wait(timeout=timeout)
+
+    def kill(self):
+        """Kills the process, or one of the ranks, and waits for the end of all."""
+        one = self.process.pid
+        if self.ranks > 1:
+            told = subprocess.run(["pgrep", "-P", str(one)], capture_output=True, text=True)
+            # None: they have not begun yet, or are at their end.
+            one = int(random.choice(told.stdout.split() or [str(one)]))
+        try:
+            os.kill(one, signal.SIGKILL)
+        except ProcessLookupError:
+            pass
+        try:
+            self.process.wait(timeout=ENDS)
+        except subprocess.TimeoutExpired:
+            self.process.kill()
+            fail(f"{ENDS} s after one of {self.ranks} ranks was killed the others still run")
+
+
 class Runner:
     def __init__(self, given):
+        self.ranks = given.ranks
         self.sluice, self.deck, self.folder = given.sluice, given.deck, given.folder
         self.settings = SETTINGS + [f"Time/max_Timesteps={given.steps}"] + given.set
 
@@ -33,9 +72,9 @@ class Runner:
             words += ["--set", setting]
         return words + [self.deck]
 
-    def start(self, name, restart=None):
+    def start(self, name, restart=None, ranks=1):
         log = open(self.folder / f"{name}.log", "ab")
-        return subprocess.Popen(self.command(name, restart), stdout=log, stderr=log)
+        return Run(self.command(name, restart), ranks, log)
 
     def archives(self, name):
         # Not the links under temporary names that a kill may leave.
@@ -79,13 +118,12 @@ def one_sequence(runner, name, wall, budget):
     while True:
         # Each restart writes an archive of its own; the newest with a checkpoint goes furthest.
         good = [archive for archive in runner.archives(name) if has_checkpoint(archive)]
-        process = runner.start(name, good[-1] if good else None)
+        process = runner.start(name, good[-1] if good else None, random.randint(1, runner.ranks))
         if kills < budget:
             try:
                 process.wait(timeout=random.uniform(0.01, 0.9 * wall))
             except subprocess.TimeoutExpired:
-                process.send_signal(signal.SIGKILL)
-                process.wait()
+                process.kill()
                 kills += 1
                 for archive in runner.archives(name):
                     check_archive(runner, archive)
@@ -102,6 +140,7 @@ def main():
     parser.add_argument("--folder", required=True, type=pathlib.Path)
     parser.add_argument("--kills", type=int, default=50)
     parser.add_argument("--steps", type=int, default=300)
+    parser.add_argument("--ranks", type=int, default=1, help="the most ranks of a run")
     parser.add_argument("--set", action="append", default=[], help="PATH=VALUE, as of sluice run")
     parser.add_argument("--seed", type=int, default=int(time.time()))
     given = parser.parse_args()
@@ -115,6 +154,12 @@ def main():
         fail("the uninterrupted run failed; see reference.log")
     wall = time.monotonic() - begin
     reference = runner.archives("reference")[-1]
+    if given.ranks > 1:
+        (given.folder / "on_ranks").mkdir()
+        if runner.start("on_ranks", None, given.ranks).wait() != 0:
+            fail(f"the uninterrupted run on {given.ranks} ranks failed; see on_ranks.log")
+        wall += START
+        compare(runner, reference, runner.archives("on_ranks")[-1])
     steps = json.loads((given.folder / "reference.json").read_text())["steps"]
 
     kills = sequences = 0
@@ -125,8 +170,9 @@ def main():
         compare(runner, reference, archive)
         print(f"   sequence {sequences}: {done} kills, equal to the bit ({kills} in all)",
               flush=True)
+    on = f" on 1 to {given.ranks} ranks" if given.ranks > 1 else ""
     print(f"RESULT: {pathlib.Path(given.deck).stem}: {kills} kills in {sequences} runs of {steps} "
-          f"steps ({wall:.1f} s each): every archive undamaged, every end equal to the bit")
+          f"steps{on} ({wall:.1f} s each): every archive undamaged, every end equal to the bit")
 
 
 if __name__ == "__main__":
