@@ -17,23 +17,33 @@ void Conductances<D>::find(const NearCells<D>& near, const std::vector<SolidSet<
                            const SolidBehind<D>& behind, const FilmCoefficients& films, double time,
                            Communicator& ranks) {
   fluids_ = front.fluids();
-  pairs_.clear();
-  heat_.clear();
-  for (std::size_t n = 0; n < contacts.size(); ++n) {
-    const SurfaceContact<D>& c = contacts[n];
-    const double resistance = behind.resistance(near.frame(), sets, c, time);
-    pair_up(near.frame(), sets[c.set], c, n, amounts, front, behind, films, resistance, time);
+  const Sides sides{front, behind, films};
+  std::vector<Joined> parts(range_count(near.team(), contacts.size()));
+  for_each_range(near.team(), contacts.size(),
+                 [&](std::size_t begin, std::size_t end, std::size_t range, int) {
+                   for (std::size_t n = begin; n < end; ++n) {
+                     const SurfaceContact<D>& c = contacts[n];
+                     const double resistance = behind.resistance(near.frame(), sets, c, time);
+                     pair_up(near.frame(), sets[c.set], c, n, amounts.volume[c.fluid], sides,
+                             resistance, time, parts[range]);
+                   }
+                 });
+  pairs_ = std::move(parts.front().pairs);
+  heat_ = std::move(parts.front().heat);
+  for (std::size_t k = 1; k < parts.size(); ++k) {
+    pairs_.insert(pairs_.end(), parts[k].pairs.begin(), parts[k].pairs.end());
+    heat_.insert(heat_.end(), parts[k].heat.begin(), parts[k].heat.end());
   }
   sum(near.frame().cells, contacts, ranks);
 }
 
-// A contact with the nodes behind it.
+// A contact with the nodes behind it; `volume`: left to the fluids of the cell in front.
 template <int D>
 void Conductances<D>::pair_up(const Frame<D>& frame, const SolidSet<D>& s,
-                              const SurfaceContact<D>& c, std::size_t contact,
-                              const CellAmounts<D>& amounts, const FluidInFront<D>& front,
-                              const SolidBehind<D>& behind, const FilmCoefficients& films,
-                              double resistance, double time) {
+                              const SurfaceContact<D>& c, std::size_t contact, double volume,
+                              const Sides& sides, double resistance, double time,
+                              Joined& to) const {
+  const auto& [front, behind, films] = sides;
   const bool warms = behind.solid().specific_heat > 0;
   for (const NodeShare<D>& at : nodes_around<D>(frame, *s.next, c.particle)) {
     if (!(at.weight > 0) || !(behind.mass(at.node) > 0)) continue;
@@ -43,11 +53,11 @@ void Conductances<D>::pair_up(const Frame<D>& frame, const SolidSet<D>& s,
       pair.drag += part * f * films.drag[m] * (c.width / 4);
       double h = 0;  // per area
       if (f > 0 && K > 0 && warms)
-        h = 1 / (4 / (f * K * c.width) +
-                 front.resistance(c, contact, m, amounts.volume[c.fluid], time) + resistance);
-      heat_.push_back(f > 0 ? part * h : 0.0);
+        h = 1 /
+            (4 / (f * K * c.width) + front.resistance(c, contact, m, volume, time) + resistance);
+      to.heat.push_back(f > 0 ? part * h : 0.0);
     }
-    pairs_.push_back(pair);
+    to.pairs.push_back(pair);
   }
 }
 

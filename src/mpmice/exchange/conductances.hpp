@@ -31,10 +31,19 @@ class Conductances {
   double heat_behind(std::size_t node) const { return heat_behind_[node]; }
 
  private:
+  // Of contacts begin to end - 1.
+  struct Joined {
+    KeptArray<Pair> pairs;
+    KeptArray<double> heat;
+  };
+  struct Sides {
+    const FluidInFront<D>& front;
+    const SolidBehind<D>& behind;
+    const FilmCoefficients& films;
+  };
   void pair_up(const Frame<D>& frame, const SolidSet<D>& s, const SurfaceContact<D>& c,
-               std::size_t contact, const CellAmounts<D>& amounts, const FluidInFront<D>& front,
-               const SolidBehind<D>& behind, const FilmCoefficients& films, double resistance,
-               double time);
+               std::size_t contact, double volume, const Sides& sides, double resistance,
+               double time, Joined& to) const;
   void sum(const CellBlocks<D>& cells, const KeptArray<SurfaceContact<D>>& contacts,
            Communicator& ranks);
 

@@ -48,63 +48,71 @@ void PassedAmounts<D>::pass(const NearCells<D>& near, const KeptArray<SurfaceCon
   const double cell_volume = near.frame().cell_volume;
   lanes_ = Lanes(films, static_cast<int>(front_.fluids()));
   sums_.begin(near.frame().cells, lanes_.count);
-  for (std::size_t n = 0; n < joined.pairs().size(); ++n) {
-    const std::size_t g = contacts[joined.pairs()[n].contact].fluid;
-    if (films.any_heat()) pass_heat(joined, n, g, dt, cell_volume);
-    if (films.any_drag()) pass_drag(joined, n, g, dt, cell_volume);
+  std::vector<ByRigid> given(range_count(near.team(), joined.pairs().size()));
+  add_in_ranges<D>(
+      near.team(), joined.pairs().size(), sums_,
+      [&](std::size_t begin, std::size_t end, std::size_t range, CellSums<D>& sums) {
+        for (std::size_t n = begin; n < end; ++n) {
+          const OnePair pair{n, contacts[joined.pairs()[n].contact].fluid, dt, cell_volume};
+          if (films.any_heat()) pass_heat(joined, pair, sums, given[range]);
+          if (films.any_drag()) pass_drag(joined, pair, sums, given[range]);
+        }
+      });
+  for (const ByRigid& of : given) {
+    for (std::size_t d = 0; d < D; ++d) by_rigid_.impulse[d].merge(of.impulse[d]);
+    by_rigid_.work.merge(of.work);
   }
   sums_.sum_over_ranks(ranks);
 }
 
-// `g`: the cell in front.
 template <int D>
-void PassedAmounts<D>::pass_heat(const Conductances<D>& joined, std::size_t pair, std::size_t g,
-                                 double dt, double cell_volume) {
-  const auto& of = joined.pairs()[pair];
-  const std::size_t s = of.node;
+void PassedAmounts<D>::pass_heat(const Conductances<D>& joined, const OnePair& pair,
+                                 CellSums<D>& sums, ByRigid& given) const {
+  const auto& of = joined.pairs()[pair.number];
+  const std::size_t s = of.node, g = pair.cell;
   const double unit = unit_of_heat();
   for (std::size_t m = 0; m < front_.fluids(); ++m) {
-    const double G = joined.heat(pair, m), C = front_.capacity(of.contact, m);
+    const double G = joined.heat(pair.number, m), C = front_.capacity(of.contact, m);
     if (!(G > 0) || !(C > 0)) continue;
-    const double kappa = passes(G, dt, joined.heat_in_front(m, g), 1 / C, joined.heat_behind(s),
-                                behind_.inverse_capacity(s));
+    const double kappa = passes(G, pair.dt, joined.heat_in_front(m, g), 1 / C,
+                                joined.heat_behind(s), behind_.inverse_capacity(s));
     const double Q = kappa * (front_.temperature(of.contact, m) - behind_.temperature(s));
     const std::uint64_t whole = to_sum(Q / unit);
-    sums_.lane(lanes_.heat_of_fluid + static_cast<int>(m))[g] -= whole;
-    sums_.lane(lanes_.heat)[s] += whole;
-    sums_.lane(lanes_.relaxation)[s] += to_sum(kappa * behind_.inverse_capacity(s));
-    if (behind_.solid().rigid) work_.add(-from_sum(whole) * unit * cell_volume);
+    sums.lane(lanes_.heat_of_fluid + static_cast<int>(m))[g] -= whole;
+    sums.lane(lanes_.heat)[s] += whole;
+    sums.lane(lanes_.relaxation)[s] += to_sum(kappa * behind_.inverse_capacity(s));
+    if (behind_.solid().rigid) given.work.add(-from_sum(whole) * unit * pair.cell_volume);
   }
 }
 
 // The pair's share of the solid moves on with I S_s/(G M_s); what that costs more than one motion
 // of all that is behind becomes heat there (give_to_set).
 template <int D>
-void PassedAmounts<D>::pass_drag(const Conductances<D>& joined, std::size_t pair, std::size_t g,
-                                 double dt, double cell_volume) {
-  const auto& of = joined.pairs()[pair];
-  const std::size_t s = of.node;
+void PassedAmounts<D>::pass_drag(const Conductances<D>& joined, const OnePair& pair,
+                                 CellSums<D>& sums, ByRigid& given) const {
+  const auto& of = joined.pairs()[pair.number];
+  const std::size_t s = of.node, g = pair.cell;
   const double M = front_.mass(of.contact);
   if (!(of.drag > 0) || !(M > 0)) return;
-  const double kappa = passes(of.drag, dt, joined.drag_in_front(g), 1 / M, joined.drag_behind(s),
-                              behind_.inverse_mass(s));
+  const double kappa = passes(of.drag, pair.dt, joined.drag_in_front(g), 1 / M,
+                              joined.drag_behind(s), behind_.inverse_mass(s));
   const double unit = unit_of_impulse();
-  double given = 0;
+  double energy = 0;
   for (std::size_t d = 0; d < D; ++d) {
     if (front_.component(d) < 0) continue;
     const double u = behind_.velocity(d, s);
     const std::uint64_t whole = to_sum(kappa * (front_.velocity(of.contact, d) - u) / unit);
     const double I = from_sum(whole) * unit;
-    sums_.lane(lanes_.momentum + static_cast<int>(d))[g] -= whole;
-    sums_.lane(lanes_.impulse + static_cast<int>(d))[s] += whole;
-    given += I * (u + 0.5 * I * (joined.drag_behind(s) / of.drag) * behind_.inverse_mass(s));
-    if (behind_.solid().rigid) impulse_[d].add(-I * cell_volume);
+    sums.lane(lanes_.momentum + static_cast<int>(d))[g] -= whole;
+    sums.lane(lanes_.impulse + static_cast<int>(d))[s] += whole;
+    energy += I * (u + 0.5 * I * (joined.drag_behind(s) / of.drag) * behind_.inverse_mass(s));
+    if (behind_.solid().rigid) given.impulse[d].add(-I * pair.cell_volume);
   }
   const double unit_of_energy = unit * most_.speed;
-  const std::uint64_t whole = to_sum(given / unit_of_energy);
-  sums_.lane(lanes_.energy)[g] -= whole;
-  sums_.lane(lanes_.given)[s] += whole;
-  if (behind_.solid().rigid) work_.add(-from_sum(whole) * unit_of_energy * cell_volume);
+  const std::uint64_t whole = to_sum(energy / unit_of_energy);
+  sums.lane(lanes_.energy)[g] -= whole;
+  sums.lane(lanes_.given)[s] += whole;
+  if (behind_.solid().rigid) given.work.add(-from_sum(whole) * unit_of_energy * pair.cell_volume);
 }
 
 // Heat goes to the fluid that gave or took it; what one fluid alone has stands in `kinetic`.
@@ -199,8 +207,8 @@ void PassedAmounts<D>::give_to_particles(const Frame<D>& frame, SolidSet<D>& s,
 template <int D>
 void PassedAmounts<D>::book_rigid(const Frame<D>& frame, CouplingBooks& books) const {
   for (std::size_t d = 0; d < D; ++d)
-    books.of_exchange(Booked::impulse, frame.direction[d]).merge(impulse_[d]);
-  books.of_exchange(Booked::work).merge(work_);
+    books.of_exchange(Booked::impulse, frame.direction[d]).merge(by_rigid_.impulse[d]);
+  books.of_exchange(Booked::work).merge(by_rigid_.work);
 }
 
 template class PassedAmounts<1>;

@@ -39,10 +39,20 @@ class PassedAmounts {
     std::array<double, D> kick{};
     double warm = 0, relaxation = 0, energy = 0;
   };
-  void pass_heat(const Conductances<D>& joined, std::size_t pair, std::size_t g, double dt,
-                 double cell_volume);
-  void pass_drag(const Conductances<D>& joined, std::size_t pair, std::size_t g, double dt,
-                 double cell_volume);
+  // One of the pairs: the cell in front, the step, s and m^3.
+  struct OnePair {
+    std::size_t number, cell;
+    double dt, cell_volume;
+  };
+  // Of pairs with rigid solids: impulses on the fluid and energy given to it.
+  struct ByRigid {
+    std::array<ExactSum, D> impulse;
+    ExactSum work;
+  };
+  void pass_heat(const Conductances<D>& joined, const OnePair& pair, CellSums<D>& sums,
+                 ByRigid& given) const;
+  void pass_drag(const Conductances<D>& joined, const OnePair& pair, CellSums<D>& sums,
+                 ByRigid& given) const;
   Gain gain_of(std::size_t node) const;
   void give_to_particles(const Frame<D>& frame, SolidSet<D>& s,
                          const typename SolidBehind<D>::Counted& counted, ExactSum& heated,
@@ -58,9 +68,7 @@ class PassedAmounts {
   const ExchangeScales& most_;
   Lanes lanes_;
   CellSums<D> sums_;
-  // Of pairs with rigid solids: impulses on the fluid and energy given to it.
-  std::array<ExactSum, D> impulse_;
-  ExactSum work_;
+  ByRigid by_rigid_;
 };
 
 }  // namespace sluice::mpmice

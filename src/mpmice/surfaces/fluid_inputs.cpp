@@ -114,8 +114,13 @@ void FluidInputs<D>::write(Warehouse& state, int place) const {
         state.clear(slot, b);
       else
         state.clear_for(slot, b, seen.parts);
-      for (const SeenPlace& s : seen.places)
-        to(s.cell) = turns && s.flipped ? -from[s.at] : from[s.at];
+      for_each_range(near_.team(), seen.places.size(),
+                     [&](std::size_t begin, std::size_t end, std::size_t, int) {
+                       for (std::size_t n = begin; n < end; ++n) {
+                         const SeenPlace& s = seen.places[n];
+                         to(s.cell) = turns && s.flipped ? -from[s.at] : from[s.at];
+                       }
+                     });
     };
     write(l.solid_fraction, -1, solid_.theta);
     write(l.solid_fraction_next, -1, solid_.theta_next);
