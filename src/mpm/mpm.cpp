@@ -18,7 +18,8 @@ Mpm::Mpm(const Scene& scene, MpmScene solids, std::shared_ptr<ReductionLayout> r
       effects_(effects_of(scene_, solids_)),
       history_sums_(solids_),
       reductions_(std::move(reductions)),
-      sums_(reductions_->add_sums(static_cast<int>(StepSums::all(solids_.materials.size())))),
+      sums_(reductions_->add_sums_of_stages(
+          static_cast<int>(StepSums::all(solids_.materials.size())))),
       // Behind the rates: on how many particles each load acts.
       maxima_(reductions_->add_maxima(
           static_cast<int>(rate_count(solids_.materials.size()) + solids_.loads.size()))) {

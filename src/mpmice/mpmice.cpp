@@ -44,8 +44,8 @@ mpm::MpmScene with_corners(mpm::MpmScene solids, const std::vector<models::Solid
 BurnReductions register_burning(ReductionLayout& reductions,
                                 const std::vector<models::SolidBurn>& burns, int materials) {
   if (burns.empty()) return {};
-  return {reductions.add_sums(BurnedSums::count(materials)),
-          reductions.add_sums(static_cast<int>(output_switches(burns).size()))};
+  return {reductions.add_sums_of_stages(BurnedSums::count(materials)),
+          reductions.add_sums_of_stages(static_cast<int>(output_switches(burns).size()))};
 }
 
 }  // namespace
@@ -72,15 +72,14 @@ void bind_solids(const ice::IceScene& fluid, mpm::MpmScene& solids) {
 }
 
 MpmIce::MpmIce(const Scene& scene, ice::IceScene fluid, mpm::MpmScene solids,
-               std::vector<models::SolidBurn> burns)
+               const std::vector<models::SolidBurn>& burns)
     : scene_(scene),
       solids_(scene, with_corners(std::move(solids), burns, scene.grid.levels.front()),
               reductions_),
       fluid_(scene, fluid, places_of_fluid(solids_, static_cast<int>(fluid.materials.size())),
              reductions_),
-      burns_(std::move(burns)),
-      of_burning_(register_burning(*reductions_, burns_, material_count())),
-      burning_(scene, burns_, solids_.material_count(), fluid.models.any_source()) {
+      burning_{burns, register_burning(*reductions_, burns, material_count()),
+               BurningCells(scene, burns, solids_.material_count(), fluid.models.any_source())} {
   for (const EffectList* list : {&solids_.effects(), &fluid_.effects()})
     for (int e = 0; e < list->size(); ++e) effects_.add((*list)[e]);
   if (const ParticleMethod* tracers = fluid_.particles())
@@ -89,7 +88,7 @@ MpmIce::MpmIce(const Scene& scene, ice::IceScene fluid, mpm::MpmScene solids,
 
 bool MpmIce::has_budget() const {
   const auto& solids = solids_.scene().materials;
-  return burns_.empty() &&
+  return burning_.laws.empty() &&
          std::none_of(solids.begin(), solids.end(), [](const auto& m) { return m.rigid; });
 }
 

@@ -25,7 +25,7 @@ class MpmIce final : public Component {
  public:
   // `burns`: solids that become fluids.
   MpmIce(const Scene& scene, ice::IceScene fluid, mpm::MpmScene solids,
-         std::vector<models::SolidBurn> burns = {});
+         const std::vector<models::SolidBurn>& burns = {});
   // Its facets refer to it.
   MpmIce(const MpmIce&) = delete;
   MpmIce& operator=(const MpmIce&) = delete;
@@ -46,21 +46,24 @@ class MpmIce final : public Component {
   const Scene& run_scene() const { return scene_; }
   const mpm::Mpm& solids() const { return solids_; }
   const ice::Ice& fluid() const { return fluid_; }
-  const std::vector<models::SolidBurn>& burns() const { return burns_; }
-  const BurningCells& burning_cells() const { return burning_; }
+  const std::vector<models::SolidBurn>& burns() const { return burning_.laws; }
+  const BurningCells& burning_cells() const { return burning_.cells; }
   const ReductionLayout& reductions() const { return *reductions_; }
-  const BurnReductions& burn_reductions() const { return of_burning_; }
+  const BurnReductions& burn_reductions() const { return burning_.sums; }
   // Is there an account of energy: nothing burns, no solid is rigid.
   bool has_budget() const;
 
  private:
+  struct Burning {
+    std::vector<models::SolidBurn> laws;
+    BurnReductions sums;
+    BurningCells cells;
+  };
   const Scene& scene_;
   std::shared_ptr<ReductionLayout> reductions_ = std::make_shared<ReductionLayout>();
   mpm::Mpm solids_;
   ice::Ice fluid_;
-  std::vector<models::SolidBurn> burns_;
-  BurnReductions of_burning_;
-  BurningCells burning_;
+  Burning burning_;
   EffectList effects_;
   std::unique_ptr<JoinedParticles> joined_;  // of solids and tracers, where there are any
   MpmIceState state_{*this};

@@ -38,6 +38,16 @@ class ReductionLayout {
     sums_ += count;
     return {sums_ - count, count};
   }
+  // Of stages alone, which reduce them over ranks by themselves: no sweep adds to them.
+  SumGroup add_sums_of_stages(int count) {
+    of_stages_.push_back(add_sums(count));
+    return of_stages_.back();
+  }
+  bool is_of_stages(int sum) const {
+    for (const SumGroup& group : of_stages_)
+      if (sum >= group.first() && sum < group.first() + group.count()) return true;
+    return false;
+  }
   MaximumGroup add_maxima(int count) {
     maxima_ += count;
     return {maxima_ - count, count};
@@ -47,6 +57,7 @@ class ReductionLayout {
 
  private:
   int sums_ = 0, maxima_ = 0;
+  std::vector<SumGroup> of_stages_;
 };
 
 }  // namespace sluice

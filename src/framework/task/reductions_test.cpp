@@ -7,6 +7,8 @@
 #include <limits>
 #include <random>
 
+#include "framework/task/reduction_layout.hpp"
+
 namespace sluice::reductions_test {
 namespace {
 
@@ -78,6 +80,17 @@ TEST(CellFault, OrderIsLevelThenPlaneThenRow) {
   const CellFault f{{1, 9, 0}, 0, 0, 2, 1};
   EXPECT_TRUE(before(d, f));
   EXPECT_FALSE(before(d, d));
+}
+
+// Sums of stages are those that no sweep adds to, wherever they stand.
+TEST(ReductionLayout, KnowsTheSumsOfStages) {
+  ReductionLayout layout;
+  const SumGroup solids = layout.add_sums_of_stages(3), fluid = layout.add_sums(2),
+                 burned = layout.add_sums_of_stages(1);
+  EXPECT_EQ(layout.sums(), 6);
+  EXPECT_EQ(fluid.first(), 3);
+  for (int s = 0; s < 6; ++s)
+    EXPECT_EQ(layout.is_of_stages(s), s < solids.count() || s == burned.first()) << s;
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ LevelSolver::LevelSolver(const Component& component, const Level& level, Communi
       ghosts_(component.state(), states_, communicator, options_.team),
       graphs_(component, states_, communicator, options_),
       masks_(component.step().mask_label(), states_, ghosts_, communicator),
-      reduction_(communicator) {}
+      reduction_(communicator, component.step().reductions()) {}
 
 Warehouse LevelSolver::lay_out(std::vector<GridBox> boxes) {
   Warehouse before = states_.lay_out(std::move(boxes));

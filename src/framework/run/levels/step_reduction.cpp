@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace sluice {
 namespace {
@@ -41,14 +43,20 @@ const StepAttempt& StepReduction::reduce(const Reductions& local, const RunContr
     for (int s = 0; s < local.sum_count(); ++s) result_.sums[s] = local.sum(s).value();
   } else {
     std::vector<Reduction::Maximum> maxima;
-    std::vector<Reduction::Sum> sums;
+    std::vector<std::pair<int, Reduction::Sum>> sums;
     for (int m = 0; m < local.maxima_count(); ++m)
       maxima.push_back(reduction_.add_maximum(local.maximum(m)));
-    for (int s = 0; s < local.sum_count(); ++s) sums.push_back(reduction_.add_sum(local.sum(s)));
+    for (int s = 0; s < local.sum_count(); ++s) {
+      if (!layout_->is_of_stages(s))
+        sums.emplace_back(s, reduction_.add_sum(local.sum(s)));
+      else if (local.sum(s).value() != 0)
+        throw std::logic_error("a sweep has added to a sum of stages");
+    }
     ranks_->reduce(reduction_);
     for (std::size_t m = 0; m < maxima.size(); ++m)
       result_.maxima[m] = reduction_.maximum(maxima[m]);
-    for (std::size_t s = 0; s < sums.size(); ++s) result_.sums[s] = reduction_.sum(sums[s]).value();
+    result_.sums.assign(result_.sums.size(), 0.0);
+    for (const auto& [s, slot] : sums) result_.sums[s] = reduction_.sum(slot).value();
   }
   result_.faults = reduction_.count(faults);
   if (control != nullptr) result_.control = control->read(reduction_, question);

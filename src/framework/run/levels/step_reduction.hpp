@@ -8,6 +8,7 @@
 #include "framework/base/reduction.hpp"
 #include "framework/run/component/run_control.hpp"
 #include "framework/run/levels/level_states.hpp"
+#include "framework/task/reduction_layout.hpp"
 #include "framework/task/reductions.hpp"
 
 namespace sluice {
@@ -29,14 +30,18 @@ struct UnsoundCell {
 
 class StepReduction {
  public:
-  explicit StepReduction(Communicator& ranks) : ranks_(&ranks) {}
+  // `layout`: of the component, which must live as long.
+  StepReduction(Communicator& ranks, const ReductionLayout& layout)
+      : ranks_(&ranks), layout_(&layout) {}
 
-  // One message; `control` may be null. Collective.
+  // One message; `control` may be null. Sums of stages are 0. Collective. Throws std::logic_error
+  // where a sweep has added to them.
   const StepAttempt& reduce(const Reductions& local, const RunControl* control);
   const StepAttempt& result() const { return result_; }
 
  private:
   Communicator* ranks_;
+  const ReductionLayout* layout_;
   Reduction reduction_;
   StepAttempt result_;
 };
