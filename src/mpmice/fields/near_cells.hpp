@@ -17,13 +17,13 @@ class NearCells {
   // particles lie and two layers before (both checked on ranks by every golden case).
   static constexpr int pressure_reach = 7, state_reach = 4, farthest_asked = pressure_reach + 1;
 
-  // `team`: the threads of this rank, which must live as long; null: one.
   explicit NearCells(const Level& level) : frame_(level) {}
   NearCells(const NearCells&) = delete;  // arrays refer to its blocks
   NearCells& operator=(const NearCells&) = delete;
 
   // Of a step: the cells in which solids lie are added to these, then arrays are laid around them.
-  // `own`: this rank's boxes of the level. Collective.
+  // `team`: the threads of this rank, which must live as long; null: one. `own`: this rank's boxes
+  // of the level. Collective.
   OccupiedCells<D>& begin(const ThreadTeam* team = nullptr);
   void finish(const Level& level, const std::vector<GridBox>& own, Communicator& ranks);
 

@@ -67,6 +67,7 @@ class BlockCounts {
 struct Outcome {
   States states;
   std::vector<std::int64_t> with, without;  // blocks run by level
+  int levels = 0;                           // at the end
 };
 
 Outcome outcome(bool kinds, const SolverOptions& options, bool lock_step = false) {
@@ -93,11 +94,12 @@ Outcome outcome(bool kinds, const SolverOptions& options, bool lock_step = false
       if (kinds) without.see(l, level.graphs().blocks_run(0));
     }
   }
-  return {run.states(), with.of_all_ranks(), without.of_all_ranks()};
+  return {run.states(), with.of_all_ranks(), without.of_all_ranks(), run.hierarchy.level_count()};
 }
 
 TEST_F(KindsOnRanksAndLevels, NoChoiceChangesABit) {
   const Outcome plain = outcome(false, {});
+  ASSERT_EQ(plain.levels, 3);
   SolverOptions small;
   small.block = {4, 4, 1};
   SolverOptions forced = small;
