@@ -43,6 +43,11 @@ struct SolidKind {
   ParticleColumns columns;
 };
 
+// That of the deck, which all kinds share, Pa; 0: there are none.
+inline double reference_pressure(const std::vector<SolidKind>& kinds) {
+  return kinds.empty() ? 0.0 : kinds.front().reference_pressure;
+}
+
 // What the coupling books of a step: where each sum lies among those of the step.
 struct BookedSums {
   int impulse = -1, reaction = -1;  // the first of three: from outside, N s; on rigid bodies, N

@@ -32,10 +32,8 @@ class SolidSets {
   }
   const std::vector<solids::SolidKind>& kinds() const { return *kinds_; }
   bool all_rigid() const;
-  // Of the first kind, which all share; Pa.
-  double reference_pressure() const {
-    return kinds_->empty() ? 0.0 : kinds_->front().reference_pressure;
-  }
+  // Pa.
+  double reference_pressure() const { return solids::reference_pressure(*kinds_); }
 
  private:
   bool stay_near(const NearCells<D>& near) const;

@@ -103,7 +103,7 @@ void WallForces<D>::add_impulse_of_walls(const NearCells<D>& near, const SolidGe
 template <int D>
 void WallForces<D>::book_rigid(const Frame<D>& frame, const SolidSet<D>& s, bool all_rigid,
                                double dt, CouplingBooks& books) const {
-  const double reference = solids_.kinds().front().reference_pressure;
+  const double reference = solids::reference_pressure(solids_.kinds());
   const PieceVelocity<D> velocities(frame, solids_, s);
   s.pieces.for_each(s.faces, [&](std::size_t i, int, const Piece<D>& piece) {
     const Cell<D> c = frame.wrapped(piece.cell);

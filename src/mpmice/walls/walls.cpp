@@ -1,13 +1,6 @@
 #include "mpmice/walls/walls.hpp"
 
 namespace sluice::mpmice {
-namespace {
-
-double reference_pressure(const solids::CoupledSolids& solids) {
-  return solids.kinds().empty() ? 0.0 : solids.kinds().front().reference_pressure;
-}
-
-}  // namespace
 
 template <int D>
 Walls<D>::Walls(const ice::FluidPart& fluid, const solids::CoupledSolids& solids, bool looks_far)
@@ -16,7 +9,8 @@ Walls<D>::Walls(const ice::FluidPart& fluid, const solids::CoupledSolids& solids
       states_(fluid, looks_far),
       light_(fluid.options().scheme.implicit),
       pressure_(fluid.options().scheme.implicit,
-                fluid.options().materials.fluids.front().shock_slope(), reference_pressure(solids)),
+                fluid.options().materials.fluids.front().shock_slope(),
+                solids::reference_pressure(solids.kinds())),
       forces_(solids, pressure_, friction_, viscous_) {}
 
 template <int D>
