@@ -13,6 +13,9 @@ class FluidBlocks : public BlockFacet {
   int kind_of(const Warehouse& old_state, int local_box,
               const IndexBox& cells_with_ghosts) const override;
   std::optional<double> absent_value(Label label, int material, int kind) const override;
+  BlockSize size() const override {
+    return part_->scene().solids > 0 ? BlockSize::small : BlockSize::large;
+  }
   bool skipping_allowed() const override;
   // What the sweep leaves in blocks that solids meet is no state yet.
   bool may_be_skipped(int kind) const override { return !has_cut_cells(kind); }

@@ -63,7 +63,8 @@ class MemoryPlanner {
   double scratch_bytes(const PlannedGraph& g) const {
     double bytes = 0;
     for (const Level& level : levels_) {
-      const IntVec3 block = r_.block == IntVec3{} ? default_block(level) : r_.block;
+      const IntVec3 block =
+          r_.block == IntVec3{} ? default_block(level, r_.component.blocks().size()) : r_.block;
       IntVec3 largest{1, 1, 1};
       for (const Block& b : place_blocks(level.boxes, block))
         largest = max(largest, b.cells.size());

@@ -71,7 +71,8 @@ class Planner {
     plan_.ranks = options_.ranks;
     plan_.threads = options_.threads;
     plan_.directions = scene_.directions;
-    block_ = options_.block == IntVec3{} ? default_block(level_) : options_.block;
+    block_ = options_.block == IntVec3{} ? default_block(level_, component_.blocks().size())
+                                         : options_.block;
     plan_.blocks = static_cast<int>(place_blocks(level_.boxes, block_).size());
   }
 

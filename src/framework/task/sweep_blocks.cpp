@@ -7,11 +7,13 @@
 
 namespace sluice {
 
-IntVec3 default_block(const Level& level) {
+IntVec3 default_block(const Level& level, BlockSize size) {
   // Measured best: long rows, and as few recomputed ghosts as the cache allows. Blocks side by side
   // are swept as one, so that flat ones cost nothing: finer parts sleep or need the dearer graphs.
   // By active axes.
-  constexpr int extents[3][3] = {{512, 1, 1}, {256, 16, 1}, {128, 48, 128}};
+  constexpr int large[3][3] = {{512, 1, 1}, {256, 16, 1}, {128, 48, 128}};
+  constexpr int small[3][3] = {{512, 1, 1}, {256, 16, 1}, {64, 16, 16}};
+  const auto& extents = size == BlockSize::small ? small : large;
   constexpr int flat_row = 448;  // of a finer level: its boxes are low, and hardly any part sleeps
   IntVec3 b = level.domain.size();
   int axis = 0;

@@ -16,8 +16,11 @@ struct Block {
 
 // Cuts the local boxes of a level into blocks no larger than `extents`, as a BlockLattice does.
 std::vector<Block> place_blocks(const std::vector<GridBox>& boxes, IntVec3 extents);
+// Where few cells need a costlier graph than the others (cells that solids cut), small blocks confine
+// them; alike cells are swept fastest in large ones.
+enum class BlockSize { large, small };
 // The extents that were measured best for a level.
-IntVec3 default_block(const Level& level);
+IntVec3 default_block(const Level& level, BlockSize size = BlockSize::large);
 // Cut once more along the second active direction (the only one in 1-D), so that every thread gets
 // as many blocks.
 IntVec3 balanced_block_extents(IntVec3 extents, const Level& level,

@@ -84,7 +84,8 @@ void SweepExecutor::bind(Graph& graph) const {
 
 IntVec3 SweepExecutor::block_extents(const std::vector<GridBox>& local_boxes) const {
   if (options_.block != IntVec3{}) return options_.block;
-  return balanced_block_extents(default_block(*level_), *level_, local_boxes, team_->size());
+  return balanced_block_extents(default_block(*level_, options_.size), *level_, local_boxes,
+                                team_->size());
 }
 
 void SweepExecutor::bind(const Warehouse& old_state, Warehouse& new_state, Warehouse* output,

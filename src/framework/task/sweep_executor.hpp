@@ -22,7 +22,8 @@ namespace sluice {
 struct SweepOptions {
   int threads = 1;
   std::shared_ptr<const ThreadTeam> team;  // of that many threads; none: an own one
-  IntVec3 block{};  // extents of a block; 0: chosen from the number of active directions
+  IntVec3 block{};  // extents of a block; 0: the default of the level at this size
+  BlockSize size = BlockSize::large;
   bool skip_uniform_blocks = false;  // may uniform blocks sleep
   int maxima = 0, sums = 0;          // of the reductions
   int sample_every = 0;              // time every n-th block per task; 0: never

@@ -57,8 +57,10 @@ TEST(StackBlocks, HoldEveryBlockOnceInOrder) {
 TEST(PlaceBlocks, TheDefaultFitsTheLevel) {
   for (const IntVec3 cells : {IntVec3{4096, 1, 1}, {1, 300, 200}, {100, 20, 300}, {3, 1, 1}}) {
     const IntVec3 block = default_block(level_of(cells));
+    const IntVec3 small = default_block(level_of(cells), BlockSize::small);
     for (int d = 0; d < 3; ++d) {
-      EXPECT_GE(block[d], 1);
+      EXPECT_GE(small[d], 1);
+      EXPECT_LE(small[d], block[d]);
       EXPECT_LE(block[d], cells[d]);
     }
   }

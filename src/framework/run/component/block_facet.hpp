@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "framework/field/warehouse.hpp"
+#include "framework/task/sweep_blocks.hpp"
 
 namespace sluice {
 
@@ -28,6 +29,9 @@ class BlockFacet {
                                              int /*kind*/) const {
     return 0.0;
   }
+
+  // How large blocks are where the user chose nothing.
+  virtual BlockSize size() const { return BlockSize::large; }
 
   // May a block of uniform state sleep: nothing in the scene acts on uniform states.
   virtual bool skipping_allowed() const { return false; }

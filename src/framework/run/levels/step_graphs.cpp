@@ -190,6 +190,7 @@ SweepOptions StepGraphs::sweep_options(const Key& key) const {
   o.threads = options_.threads;
   o.team = options_.team;
   o.block = options_.block;
+  o.size = component_->blocks().size();
   o.skip_uniform_blocks = !options_.force_all && !diagnostic && key.stored.empty() &&
                           component_->blocks().skipping_allowed();
   o.sample_every = diagnostic ? 0 : options_.sample_every;
