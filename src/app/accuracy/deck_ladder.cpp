@@ -91,18 +91,23 @@ double DeckLadder::seconds() const {
 }
 
 std::vector<QuantityBar> DeckLadder::bars() const {
-  const Rung &coarse = rungs_.at(rungs_.size() - 3), &middle = rungs_[rungs_.size() - 2],
-             &fine = rungs_.back();
-  const Archive a = Archive::open(coarse.archive), b = Archive::open(middle.archive),
-                c = Archive::open(fine.archive);
+  const std::size_t last = rungs_.size() - 1, first = last < 3 ? last - 2 : last - 3;
+  std::vector<Archive> archives;
+  for (std::size_t n = first; n <= last; ++n)
+    archives.push_back(Archive::open(rungs_.at(n).archive));
+  const double ratio = rungs_[last].factor / rungs_[last - 1].factor;
   std::vector<QuantityBar> bars;
-  for (const Quantity& quantity : quantities_of(c)) {
-    const MeanDifference far = mean_difference(a, b, quantity);
-    const MeanDifference near = mean_difference(b, c, quantity);
-    if (!(near.size > 0)) continue;  // zero throughout
-    bars.push_back({quantity, near.size,
-                    error_bar(far.difference / near.size, near.difference / near.size,
-                              fine.factor / middle.factor)});
+  for (const Quantity& quantity : quantities_of(archives.back())) {
+    std::vector<double> differences;
+    double size = 0;
+    for (std::size_t n = 0; n + 1 < archives.size(); ++n) {
+      const MeanDifference d = mean_difference(archives[n], archives[n + 1], quantity);
+      differences.push_back(d.difference);
+      size = d.size;
+    }
+    if (!(size > 0)) continue;  // zero throughout
+    for (double& d : differences) d /= size;
+    bars.push_back({quantity, size, error_bar(differences, ratio)});
   }
   return bars;
 }
@@ -120,7 +125,8 @@ double DeckLadder::predicted_seconds(double factor) const {
 }
 
 std::vector<double> factors_for(int fewest_cells) {
-  if (fewest_cells >= 4 * fewest_useful_cells) return {0.25, 0.5, 1};
+  if (fewest_cells >= 8 * fewest_useful_cells) return {0.125, 0.25, 0.5, 1};
+  if (fewest_cells >= 4 * fewest_useful_cells) return {0.25, 0.5, 1, 2};
   if (fewest_cells >= 2 * fewest_useful_cells) return {0.5, 1, 2};
   return {1, 2, 4};
 }

@@ -47,7 +47,7 @@ class DeckLadder {
   const std::vector<Rung>& rungs() const { return rungs_; }
   double seconds() const;  // of all runs
 
-  // From the last three runs, of all quantities that the last one holds. Needs three runs.
+  // From the last three or four runs, of all quantities that the last one holds. Needs three runs.
   std::vector<QuantityBar> bars() const;
   // Wall time of a run with so many cells, from the last two.
   double predicted_seconds(double factor) const;
@@ -63,8 +63,9 @@ class DeckLadder {
   std::vector<Rung> rungs_;
 };
 
-// Factors of the three runs that say most of a deck's own resolution at the least cost: a quarter,
-// half and all of it; finer ones where a quarter has fewer than eight cells along a direction.
+// Factors of the runs that say most of a deck's own resolution at the least cost: an eighth, a
+// quarter, half and all of it; finer ones where the coarsest would have fewer than eight cells along
+// a direction.
 std::vector<double> factors_for(int fewest_cells);
 
 }  // namespace sluice

@@ -11,10 +11,12 @@
 namespace sluice::error_bar_test {
 namespace {
 
-// f_h = f + h^p, at h = 1, r and r^2.
-ErrorBar bar_of_order(double p, double ratio) {
-  const double middle = std::pow(ratio, p), coarse = std::pow(ratio, 2 * p);
-  return error_bar(coarse - middle, middle - 1, ratio);
+// f_h = f + h^p, at h = 1, r, r^2, ...: so many differences.
+ErrorBar bar_of_order(double p, double ratio, int differences = 3) {
+  std::vector<double> d;
+  for (int n = differences; n > 0; --n)
+    d.push_back(std::pow(ratio, n * p) - std::pow(ratio, (n - 1) * p));
+  return error_bar(d, ratio);
 }
 
 TEST(ErrorBar, IsAFixedMultipleOfAnErrorOfOneOrder) {
@@ -29,14 +31,15 @@ TEST(ErrorBar, IsAFixedMultipleOfAnErrorOfOneOrder) {
 }
 
 TEST(ErrorBar, OrdersThatNoSchemeHasAreNotTrusted) {
-  const ErrorBar lucky = bar_of_order(4, 2);
-  EXPECT_GT(lucky.bar, 2 * 1.25) << "the true error is 1, order 4 may be chance";
-  const ErrorBar slow = bar_of_order(.2, 2);
-  EXPECT_EQ(slow.used_order(), .5);
-  const ErrorBar diverging = error_bar(1, 2, 2);
+  const ErrorBar unconfirmed = bar_of_order(1.8, 2, 2);
+  EXPECT_EQ(unconfirmed.used_order, 1) << "two differences: the order may be chance";
+  EXPECT_GT(unconfirmed.bar, 2 * 1.25) << "the true error is 1";
+  EXPECT_EQ(error_bar({9, 8, 2}, 2).used_order, 1) << "orders .2 and 2 do not confirm each other";
+  EXPECT_EQ(bar_of_order(.2, 2).used_order, .5);
+  const ErrorBar diverging = error_bar({1, 2}, 2);
   EXPECT_TRUE(diverging.diverges);
   EXPECT_GT(diverging.bar, 2);
-  EXPECT_EQ(error_bar(1, 0, 2).bar, 0);
+  EXPECT_EQ(error_bar({1, 0}, 2).bar, 0);
 }
 
 TEST(History, DifferencesAreMeansOverTime) {
@@ -48,7 +51,8 @@ TEST(History, DifferencesAreMeansOverTime) {
 }
 
 TEST(Ladder, CoarseRunsAreUsedWhereTheyHaveEnoughCells) {
-  EXPECT_EQ(factors_for(100), (std::vector<double>{.25, .5, 1}));
+  EXPECT_EQ(factors_for(100), (std::vector<double>{.125, .25, .5, 1}));
+  EXPECT_EQ(factors_for(40), (std::vector<double>{.25, .5, 1, 2}));
   EXPECT_EQ(factors_for(20), (std::vector<double>{.5, 1, 2}));
   EXPECT_EQ(factors_for(10), (std::vector<double>{1, 2, 4}));
 }

@@ -55,12 +55,19 @@ void for_each_bin(const Bins& bins, int d, double low, double high, Share&& shar
   }
 }
 
+// Sums over weights become means.
+void divide(BinnedField& field) {
+  for (auto& sum : field.means)
+    for (std::size_t n = 0; n < sum.size(); ++n)
+      if (field.weights[n] > 0) sum[n] /= field.weights[n];
+}
+
 class CellBins {
  public:
-  explicit CellBins(const Bins& bins, int components)
-      : bins_(bins),
-        sums_(static_cast<std::size_t>(components), std::vector<double>(bins.size())),
-        volumes_(bins.size()) {}
+  explicit CellBins(const Bins& bins, int components) : bins_(bins) {
+    field_.means.resize(static_cast<std::size_t>(components), std::vector<double>(bins.size()));
+    field_.weights.resize(bins.size());
+  }
 
   void add(const Level& level, IntVec3 c, const DenseField& values) {
     const Vec3 middle = level.centre(c), half = level.spacing * 0.5;
@@ -73,18 +80,16 @@ class CellBins {
         along(0, [&](int i, double in_x) {
           const std::size_t n = bin(i, j, k);
           const double part = in_x * in_y * in_z * volume;
-          volumes_[n] += part;
-          for (std::size_t q = 0; q < sums_.size(); ++q)
-            sums_[q][n] += part * values.at(c, static_cast<int>(q));
+          field_.weights[n] += part;
+          for (std::size_t q = 0; q < field_.means.size(); ++q)
+            field_.means[q][n] += part * values.at(c, static_cast<int>(q));
         });
       });
     });
   }
   BinnedField means() && {
-    for (auto& sum : sums_)
-      for (std::size_t n = 0; n < sum.size(); ++n)
-        sum[n] = volumes_[n] > 0 ? sum[n] / volumes_[n] : 0;
-    return std::move(sums_);
+    divide(field_);
+    return std::move(field_);
   }
 
  private:
@@ -96,8 +101,7 @@ class CellBins {
   }
 
   const Bins& bins_;
-  BinnedField sums_;
-  std::vector<double> volumes_;  // m^3
+  BinnedField field_;
 };
 
 BinnedField binned_cells(const ArchiveStep& step, const Quantity& q, const Bins& bins) {
@@ -116,21 +120,33 @@ BinnedField binned_cells(const ArchiveStep& step, const Quantity& q, const Bins&
   return std::move(sums).means();
 }
 
+// Where the particles of an output were at the start, if it tells: moved bodies then have the same
+// particles in the same bins.
+std::vector<std::vector<double>> reference_places(const ArchiveStep& step, const FieldInfo& places,
+                                                  int material, int level) {
+  auto x = step.read_particles(places);
+  const FieldInfo* moved = step.find_particles("p.displacement", material, level);
+  if (moved == nullptr) return x;
+  const auto u = step.read_particles(*moved);
+  for (std::size_t d = 0; d < x.size(); ++d)
+    for (std::size_t p = 0; p < x[d].size(); ++p) x[d][p] -= u[d][p];
+  return x;
+}
+
 BinnedField binned_particles(const ArchiveStep& step, const Quantity& q, const Bins& bins) {
-  BinnedField sums;
+  BinnedField field;
+  field.weights.resize(bins.size());
   const Vec3 size = bins.upper - bins.lower;
-  const double bin_volume = size.x * size.y * size.z / static_cast<double>(bins.size());
   for (int level = 0; level < static_cast<int>(step.grid().levels.size()); ++level) {
-    const FieldInfo* field = step.find_particles(q.name, q.material, level);
+    const FieldInfo* values = step.find_particles(q.name, q.material, level);
     const FieldInfo* places = step.find_particles("p.x", q.material, level);
-    if (field == nullptr || places == nullptr) continue;
-    const FieldInfo* volume = step.find_particles("p.volume", q.material, level);
-    const auto f = step.read_particles(*field), x = step.read_particles(*places);
-    const auto V =
-        volume == nullptr ? std::vector<std::vector<double>>{} : step.read_particles(*volume);
-    sums.resize(f.size(), std::vector<double>(bins.size()));
-    const double equal_share =
-        x[0].empty() ? 0 : size.x * size.y * size.z / static_cast<double>(x[0].size());
+    if (values == nullptr || places == nullptr) continue;
+    const FieldInfo* mass = step.find_particles("p.mass", q.material, level);
+    const auto f = step.read_particles(*values);
+    const auto x = reference_places(step, *places, q.material, level);
+    const auto m =
+        mass == nullptr ? std::vector<std::vector<double>>{} : step.read_particles(*mass);
+    field.means.resize(f.size(), std::vector<double>(bins.size()));
     for (std::size_t p = 0; p < x[0].size(); ++p) {
       std::size_t n = 0;
       for (int d = 2; d >= 0; --d) {
@@ -139,11 +155,13 @@ BinnedField binned_particles(const ArchiveStep& step, const Quantity& q, const B
         n = n * static_cast<std::size_t>(bins.count[d]) +
             static_cast<std::size_t>(std::clamp(std::floor(at), 0.0, count - 1));
       }
-      const double share = (V.empty() ? equal_share : V[0][p]) / bin_volume;
-      for (std::size_t c = 0; c < f.size(); ++c) sums[c][n] += share * f[c][p];
+      const double weight = m.empty() ? 1 : m[0][p];
+      field.weights[n] += weight;
+      for (std::size_t c = 0; c < f.size(); ++c) field.means[c][n] += weight * f[c][p];
     }
   }
-  return sums;
+  divide(field);
+  return field;
 }
 
 double at_time(const History& h, std::size_t component, double t) {
@@ -214,13 +232,20 @@ History read_history(const Archive& archive, const Quantity& quantity) {
 
 MeanDifference mean_difference(const BinnedField& a, const BinnedField& b) {
   MeanDifference mean;
-  if (a.empty() || a.size() != b.size()) return mean;
-  const auto count = static_cast<double>(a[0].size());
-  for (std::size_t c = 0; c < a.size(); ++c)
-    for (std::size_t n = 0; n < a[c].size(); ++n) {
-      mean.difference += std::fabs(a[c][n] - b[c][n]) / count;
-      mean.size += std::fabs(b[c][n]) / count;
+  if (a.means.size() != b.means.size()) return mean;
+  double count = 0;
+  for (std::size_t n = 0; n < a.weights.size(); ++n) {
+    if (!(a.weights[n] > 0 && b.weights[n] > 0)) continue;
+    ++count;
+    for (std::size_t c = 0; c < a.means.size(); ++c) {
+      mean.difference += std::fabs(a.means[c][n] - b.means[c][n]);
+      mean.size += std::fabs(b.means[c][n]);
     }
+  }
+  if (count > 0) {
+    mean.difference /= count;
+    mean.size /= count;
+  }
   return mean;
 }
 

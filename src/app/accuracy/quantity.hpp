@@ -34,11 +34,13 @@ struct Bins {
 // One bin per cell of the coarsest level of a step.
 Bins bins_of(const ArchiveStep& step);
 
-// Values by component and bin, x fastest: means over each bin of a label of cells (by volume, finer
-// levels where they are), sums of value times volume over the volume of the bin of a label of
-// particles (of particles without p.volume: of their share of the number of all). In the unit of
-// the label.
-using BinnedField = std::vector<std::vector<double>>;
+// Means over bins, x fastest, in the unit of the label: of cells by volume, finer levels where they
+// are; of particles by p.mass (all alike where it is not saved), each in the bin where it was at the
+// start (where it is, without p.displacement).
+struct BinnedField {
+  std::vector<std::vector<double>> means;  // by component and bin
+  std::vector<double> weights;             // by bin; 0: it holds nothing
+};
 BinnedField binned(const ArchiveStep& step, const Quantity& quantity, const Bins& bins);
 
 // A history: times (s) and values by component.
@@ -49,7 +51,7 @@ struct History {
 // InputError where the file is not there or a line is no row of numbers.
 History read_history(const Archive& archive, const Quantity& quantity);
 
-// Mean |a - b| over bins or time, summed over components, and mean |b| alike.
+// Mean |a - b| over the bins that both have or over time, summed over components, and mean |b| alike.
 struct MeanDifference {
   double difference = 0, size = 0;  // in the unit of the quantity
 };

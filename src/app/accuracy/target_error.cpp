@@ -32,10 +32,10 @@ Worst worst_of(const DeckLadder& ladder, double target, const std::string& wante
   for (const QuantityBar& q : ladder.bars()) {
     known.insert(q.quantity.name);
     if (!wanted.empty() && q.quantity.name != wanted) continue;
-    const double factor = std::pow(q.error.bar / target, 1 / q.error.used_order());
+    const double factor = std::pow(q.error.bar / target, 1 / q.error.used_order);
     if (factor <= most) continue;
     most = factor;
-    worst = {q.error.bar, q.error.used_order(), q.quantity.text()};
+    worst = {q.error.bar, q.error.used_order, q.quantity.text()};
   }
   if (most >= 0) return worst;
   const std::vector<std::string> names(known.begin(), known.end());
