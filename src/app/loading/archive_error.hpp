@@ -22,8 +22,9 @@ std::optional<DeckReference> reference_of_deck(const DeckNode& root);
 // The same of the deck that an archive keeps as input.xml.
 std::optional<DeckReference> reference_of_archive(const Archive& archive);
 
-// Error norms of a cell variable of a material (component 0, 1, 2 of a vector) at the cell centres,
-// each point counted once, on the finest level there. Where the exact solution has several
+// Error norms of a cell variable of a material (component 0, 1, 2 of a vector) from the mean of the
+// exact solution over each cell (exact/base/cell_mean.hpp), each place counted once, on the finest
+// level there. The means are integrated until the norms are known to .1 %. Where the exact solution has several
 // materials, density and velocity are those of the mixture of all, whatever `material` says;
 // vol_frac_CC is that of `material`.
 exact::ErrorNorms archive_error(const ArchiveStep& step, const DeckReference& reference,
