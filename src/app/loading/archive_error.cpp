@@ -99,6 +99,27 @@ std::vector<double> mixture_values(const ArchiveStep& step, CellRequest asked,
   return sum;
 }
 
+// Mean of a smooth function over a cell about x, along these directions.
+double gauss_mean(const std::function<double(Vec3)>& f, Vec3 x, Vec3 spacing,
+                  std::array<bool, 3> directions) {
+  constexpr std::array<double, 4> place = {-0.86113631159405258, -0.33998104358485626,
+                                           0.33998104358485626, 0.86113631159405258};
+  constexpr std::array<double, 4> weight = {0.17392742256872693, 0.32607257743127307,
+                                            0.32607257743127307, 0.17392742256872693};
+  for (int d = 0; d < 3; ++d) {
+    if (!directions[d]) continue;
+    directions[d] = false;
+    double sum = 0;
+    for (std::size_t k = 0; k < place.size(); ++k) {
+      Vec3 there = x;
+      there[d] += 0.5 * place[k] * spacing[d];
+      sum += weight[k] * gauss_mean(f, there, spacing, directions);
+    }
+    return sum;
+  }
+  return f(x);
+}
+
 struct Place {
   const Level* level;
   IntVec3 cell;
@@ -200,6 +221,41 @@ exact::ErrorNorms archive_error(const ArchiveStep& step, const DeckReference& re
     exact[n] = of_cell.over(middle - half, middle + half, level.active, tolerance);
   }
   return exact::error_norms(computed, exact, volumes);
+}
+
+std::vector<CellValue> uncovered_values(const ArchiveStep& step, const std::string& variable,
+                                        int component, int material) {
+  std::vector<CellValue> out;
+  const Grid& grid = step.grid();
+  for (std::size_t l = 0; l < grid.levels.size(); ++l) {
+    const Level& level = grid.levels[l];
+    for (const GridBox& box : level.boxes) {
+      const CellRequest request{variable, component, material, static_cast<int>(l)};
+      const std::vector<double> values = values_of(step, request, box.cells);
+      for_uncovered(grid, l, box, [&](IntVec3 c, std::size_t n) {
+        if (std::isnan(values[n])) return;  // of a material that is not there
+        out.push_back({values[n], level.centre(c), level.spacing, level.active});
+      });
+    }
+  }
+  return out;
+}
+
+exact::ErrorNorms archive_error(const ArchiveStep& step, const std::function<double(Vec3)>& exact,
+                                const std::string& variable, int component, int material,
+                                const std::optional<std::pair<Vec3, Vec3>>& within) {
+  std::vector<double> computed, means, volumes;
+  for (const CellValue& cell : uncovered_values(step, variable, component, material)) {
+    const Vec3 x = cell.centre;
+    bool inside = true;
+    for (int d = 0; within && d < 3; ++d)
+      inside = inside && x[d] >= within->first[d] && x[d] <= within->second[d];
+    if (!inside) continue;
+    computed.push_back(cell.value);
+    means.push_back(gauss_mean(exact, x, cell.spacing, cell.directions));
+    volumes.push_back(cell.spacing.x * cell.spacing.y * cell.spacing.z);
+  }
+  return exact::error_norms(computed, means, volumes);
 }
 
 exact::ErrorNorms archive_error(const ArchiveStep& step, const ArchiveStep& reference,

@@ -1,13 +1,12 @@
-// What a cell holds of an exact solution: the counterpart of a value that a scheme of finite volumes
-// has for a cell, in place of the value at its centre, which at a jump is off by half of it.
+// What a cell holds of an exact solution: the counterpart of a cell's value in a scheme of finite
+// volumes. A value at the centre, in its place, is off by half of a jump that the cell holds.
 //
-// From the means over the cell of density, momentum and energy, <rho>, <m>, <E> (E = rho e + m^2/(2
-// rho)):
-//   rho_CC = <rho>, sp_vol_CC = 1/<rho>, vel_CC = <m>/<rho>,
-//   press_CC = (<E> - <m>^2/(2 <rho>)) / <1/(gamma - 1)>, temp_CC = (<E> - <m>^2/(2 <rho>))/(<rho>
-//   c_v).
-// Solutions of several materials do not tell their laws: press_CC is the mean of the pressure there,
-// temp_CC the mean by mass; vol_frac_CC is the share of the cell.
+// From the means over the cell of density, momentum and energy, <rho>, <m>, <E>, with
+// E = rho e + m^2/(2 rho):
+//   rho_CC = <rho>, sp_vol_CC = 1/<rho>, vel_CC = <m>/<rho>, and with e = <E> - <m>^2/(2 <rho>)
+//   press_CC = e / <1/(gamma - 1)>, temp_CC = e / (<rho> c_v).
+// Solutions of several materials do not tell their laws: press_CC is the mean of the pressure
+// there, temp_CC the mean by mass; vol_frac_CC is the share of the cell.
 #pragma once
 #include <array>
 #include <string>
