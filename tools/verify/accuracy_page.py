@@ -21,8 +21,9 @@ occasional other load, so that they can be compared only within a study.
 
 Errors are those of cell means: what a run has for a cell is compared with the mean of the exact
 solution over that cell, integrated until the norm is known to 0.1 %
-([how](user_guide.md#errors-of-cell-means)). Where there is no exact solution, a finer run takes its place, averaged over each cell; its own
-error is below the dashed level of the picture (the difference from a run with half its cells).
+([how](user_guide.md#errors-of-cell-means)). Where there is no exact solution, a finer run takes its
+place, averaged over each cell; its own error is below the dashed level of the picture (the
+difference from a run with half its cells).
 
 ## Time to an error
 

@@ -188,7 +188,8 @@ exact::ErrorNorms place_error(const ArchiveStep& step, const DeckReference& refe
 }
 
 exact::ErrorNorms archive_error(const ArchiveStep& step, const DeckReference& reference,
-                                const std::string& variable, int component, int material) {
+                                const std::string& variable, int component, int material,
+                                double offset) {
   if (reference.solution->has_places()) {
     if (variable == "p.x") return place_error(step, reference, material);
     throw InputError(fmt::format("the exact solution is a motion: it gives p.x, not {}", variable));
@@ -220,7 +221,7 @@ exact::ErrorNorms archive_error(const ArchiveStep& step, const DeckReference& re
     const Vec3 middle = level.centre(places[n].cell), half = 0.5 * level.spacing;
     exact[n] = of_cell.over(middle - half, middle + half, level.active, tolerance);
   }
-  return exact::error_norms(computed, exact, volumes);
+  return exact::error_norms(computed, exact, volumes, offset);
 }
 
 std::vector<CellValue> uncovered_values(const ArchiveStep& step, const std::string& variable,
@@ -233,7 +234,7 @@ std::vector<CellValue> uncovered_values(const ArchiveStep& step, const std::stri
       const CellRequest request{variable, component, material, static_cast<int>(l)};
       const std::vector<double> values = values_of(step, request, box.cells);
       for_uncovered(grid, l, box, [&](IntVec3 c, std::size_t n) {
-        if (std::isnan(values[n])) return;  // of a material that is not there
+        if (std::isnan(values[n])) return;  // the material is not there
         out.push_back({values[n], level.centre(c), level.spacing, level.active});
       });
     }
@@ -243,7 +244,7 @@ std::vector<CellValue> uncovered_values(const ArchiveStep& step, const std::stri
 
 exact::ErrorNorms archive_error(const ArchiveStep& step, const std::function<double(Vec3)>& exact,
                                 const std::string& variable, int component, int material,
-                                const std::optional<std::pair<Vec3, Vec3>>& within) {
+                                const std::optional<std::pair<Vec3, Vec3>>& within, double offset) {
   std::vector<double> computed, means, volumes;
   for (const CellValue& cell : uncovered_values(step, variable, component, material)) {
     const Vec3 x = cell.centre;
@@ -255,11 +256,12 @@ exact::ErrorNorms archive_error(const ArchiveStep& step, const std::function<dou
     means.push_back(gauss_mean(exact, x, cell.spacing, cell.directions));
     volumes.push_back(cell.spacing.x * cell.spacing.y * cell.spacing.z);
   }
-  return exact::error_norms(computed, means, volumes);
+  return exact::error_norms(computed, means, volumes, offset);
 }
 
 exact::ErrorNorms archive_error(const ArchiveStep& step, const ArchiveStep& reference,
-                                const std::string& variable, int component, int material) {
+                                const std::string& variable, int component, int material,
+                                double offset) {
   const double time = step.info().time, late = reference.info().time;
   if (!(std::fabs(time - late) <= 1e-9 * std::fabs(late)))
     throw InputError(fmt::format(
@@ -293,7 +295,7 @@ exact::ErrorNorms archive_error(const ArchiveStep& step, const ArchiveStep& refe
     }
   }
   if (grid.levels.size() == 1) volumes.clear();
-  return exact::error_norms(computed, exact, volumes);
+  return exact::error_norms(computed, exact, volumes, offset);
 }
 
 }  // namespace sluice

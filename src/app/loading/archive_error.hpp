@@ -29,9 +29,10 @@ std::optional<DeckReference> reference_of_archive(const Archive& archive);
 // exact solution over each cell (exact/base/cell_mean.hpp), each place counted once, on the finest
 // level there. The means are integrated until the norms are known to .1 %. Where the exact solution
 // has several materials, density and velocity are those of the mixture of all, whatever `material`
-// says; vol_frac_CC is that of `material`.
+// says; vol_frac_CC is that of `material`. `offset`: see error_norms().
 exact::ErrorNorms archive_error(const ArchiveStep& step, const DeckReference& reference,
-                                const std::string& variable, int component, int material);
+                                const std::string& variable, int component, int material,
+                                double offset = 0);
 
 // One value of a cell variable: where no finer level lies over the cell.
 struct CellValue {
@@ -46,7 +47,8 @@ std::vector<CellValue> uncovered_values(const ArchiveStep& step, const std::stri
 // points along each direction), of cells whose centres lie in the box `within`.
 exact::ErrorNorms archive_error(const ArchiveStep& step, const std::function<double(Vec3)>& exact,
                                 const std::string& variable, int component, int material,
-                                const std::optional<std::pair<Vec3, Vec3>>& within = {});
+                                const std::optional<std::pair<Vec3, Vec3>>& within = {},
+                                double offset = 0);
 
 // Distances of the particles of a material from where a motion has them, by volume; relative_l1:
 // over their mean distance from the origin. The step holds p.x and p.displacement (and p.volume,
@@ -57,6 +59,7 @@ exact::ErrorNorms place_error(const ArchiveStep& step, const DeckReference& refe
 // The same against another state of the same scene, on one level: its mean over each cell. Throws
 // InputError where its cells do not divide those of `step`, or its time is another.
 exact::ErrorNorms archive_error(const ArchiveStep& step, const ArchiveStep& reference,
-                                const std::string& variable, int component, int material);
+                                const std::string& variable, int component, int material,
+                                double offset = 0);
 
 }  // namespace sluice

@@ -242,8 +242,8 @@ Study read_study(const std::string& file) {
   if (!json.is_object()) refuse(file, "expected an object { ... }");
   refuse_unknown(file, json,
                  {"title", "deck", "variable", "material", "reference", "exact", "reduce", "within",
-                  "norm", "set", "resolution", "resolution_path", "ladders", "targets", "component",
-                  "default_is_slower_because"});
+                  "offset", "norm", "set", "resolution", "resolution_path", "ladders", "targets",
+                  "component", "default_is_slower_because"});
   Study study;
   study.file = file;
   study.title = need_text(file, json, "title");
@@ -254,6 +254,10 @@ Study read_study(const std::string& file) {
   if (json.contains("exact")) read_exact(study, json.at("exact"));
   if (json.contains("reduce")) read_reduce(study, need_text(file, json, "reduce"));
   if (json.contains("within")) read_within(study, json.at("within"));
+  if (json.contains("offset")) {
+    if (!json.at("offset").is_number()) refuse(file, "\"offset\" must be a number");
+    study.offset = json.at("offset").get<double>();
+  }
   if (json.contains("component")) read_part(study, need_text(file, json, "component"));
   if (json.contains("default_is_slower_because"))
     study.why_slower = need_text(file, json, "default_is_slower_because");

@@ -13,11 +13,14 @@
 //     "reference": {"resolution": [800,1,1], "set": []} a run of the deck in place of the exact
 //                                                       solution that it names
 //     "exact": "0.05*y",                                a formula of x, y, z at the end in place of
-//                                                       that solution, a number beside "reduce"
+//                                                       that solution (of p.displacement: of where
+//                                                       particles began), a number with "reduce"
 //     "reduce": "largest",                              one number of the variable: mean, largest,
 //                                                       smallest; last, of a history; compared with
 //                                                       "exact" or the same of the reference
 //     "within": [[0,0,0], [1,1,1]],                     only what lies in this box
+//     "offset": 300,                                    relative errors are those of the variable
+//                                                       less this: of what varies about it
 //     "norm": "l1",                                     l1, l2, linf, relative_l1
 //     "set": ["DataArchiver/outputInterval=0.2"],       for every run
 //     "resolution": [[100,1,1], [200,1,1]],
@@ -61,7 +64,8 @@ struct Study {
   std::optional<std::string> exact;             // formula of x, y, z
   std::string reduce;                           // empty: none
   std::optional<std::pair<Vec3, Vec3>> within;  // lowest and highest corner, m
-  std::string part, why_slower;                 // "component" and the sentence, for the page
+  double offset = 0;
+  std::string part, why_slower;  // "component" and the sentence, for the page
   std::string norm = "l1";
   std::vector<std::string> overrides;
   std::string resolution_path = "Grid/Level/Box/resolution";

@@ -65,8 +65,11 @@ Sample particles_of(const Study& study, const ArchiveStep& step) {
         place != nullptr ? step.read_particles(*place) : std::vector<std::vector<double>>(3, v[0]);
     const auto V =
         volume != nullptr ? step.read_particles(*volume)[0] : std::vector<double>(v[0].size(), 1.0);
+    // A displacement is a function of where the particle began.
+    const bool from_start = study.variable == "p.displacement" && v.size() == 3;
     for (std::size_t p = 0; p < v[0].size(); ++p) {
-      const Vec3 here{x[0][p], x[1][p], x[2][p]};
+      Vec3 here{x[0][p], x[1][p], x[2][p]};
+      if (from_start) here = here - Vec3{v[0][p], v[1][p], v[2][p]};
       if (!inside(study, here)) continue;
       out.values.push_back(v[study.component][p]);
       out.volumes.push_back(V[p]);
@@ -118,9 +121,9 @@ double reduced(const Study& study, const fs::path& archive) {
 }
 
 // Of one number, all norms are alike.
-exact::ErrorNorms of_one(double value, double wanted) {
-  const double d = std::fabs(value - wanted);
-  return {d, d, d, wanted != 0 ? d / std::fabs(wanted) : d, 1};
+exact::ErrorNorms of_one(double value, double wanted, double offset) {
+  const double d = std::fabs(value - wanted), size = std::fabs(wanted - offset);
+  return {d, d, d, size > 0 ? d / size : d, 1};
 }
 
 // Particles have the value of the formula at their places.
@@ -130,7 +133,7 @@ exact::ErrorNorms particles_against(const Study& study, const ArchiveStep& step)
   if (sample.values.empty()) refuse_missing(study);
   std::vector<double> exact;
   for (const Vec3 x : sample.places) exact.push_back(formula(x));
-  return exact::error_norms(sample.values, exact, sample.volumes);
+  return exact::error_norms(sample.values, exact, sample.volumes, study.offset);
 }
 
 // The labels that the deck saves, and those that an override of the study names.
@@ -152,7 +155,7 @@ exact::ErrorNorms measured_error(const Study& study, const fs::path& archive,
   if (!study.reduce.empty()) {
     const double wanted =
         study.exact ? Formula(*study.exact)({}) : reduced(study, reference.value());
-    return of_one(reduced(study, archive), wanted);
+    return of_one(reduced(study, archive), wanted, study.offset);
   }
   const ArchiveStep step = last_output(study, archive);
   if (study.exact && is_of_particles(study)) return particles_against(study, step);
@@ -160,18 +163,19 @@ exact::ErrorNorms measured_error(const Study& study, const fs::path& archive,
     const Formula formula(*study.exact);
     return archive_error(
         step, [&](Vec3 x) { return formula(x); }, study.variable, study.component, study.material,
-        study.within);
+        study.within, study.offset);
   }
   if (reference)
     return archive_error(step, last_output(study, *reference), study.variable, study.component,
-                         study.material);
+                         study.material, study.offset);
   const auto of_deck = reference_of_archive(Archive::open(archive));
   if (!of_deck)
     throw InputError(fmt::format(
         "{}: the deck names no <Meta><exact_solution>, and the study neither \"exact\" nor "
         "\"reference\"; it needs one of them to measure errors",
         study.deck));
-  return archive_error(step, *of_deck, study.variable, study.component, study.material);
+  return archive_error(step, *of_deck, study.variable, study.component, study.material,
+                       study.offset);
 }
 
 void require_measurable(const Study& study) {

@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "app/process/study_process.hpp"
+#include "app/study/study_measure.hpp"
 #include "app/study/study_report.hpp"
 #include "app/study/study_run.hpp"
 #include "framework/base/error.hpp"
@@ -90,6 +91,70 @@ TEST_F(StudyFolder, AReferenceIsARunOfItsOwn) {
   EXPECT_THAT(refusal(R"({"title": "T", "deck": "deck.ups", "resolution": [[1,1,1]],
                           "reference": {"set": []}})"),
               HasSubstr("\"reference\" needs \"resolution\""));
+}
+
+TEST_F(StudyFolder, AFormulaOrANumberMayBeExact) {
+  const std::string head = R"({"title": "T", "deck": "deck.ups", "resolution": [[1,1,1]], )";
+  const Study stress = read_study(write("stress.study", head + R"("variable": "p.stress.yz",
+      "exact": "2*x", "within": [[0,0,0], [1,2,3]], "offset": 300, "component": "solids",
+      "default_is_slower_because": "It is."})"));
+  EXPECT_EQ(stress.variable, "p.stress");
+  EXPECT_EQ(stress.component, 5);
+  EXPECT_EQ(stress.exact, "2*x");
+  EXPECT_EQ(stress.within->second, (Vec3{1, 2, 3}));
+  EXPECT_EQ(stress.offset, 300);
+  EXPECT_EQ(stress.part, "solids");
+  EXPECT_EQ(stress.why_slower, "It is.");
+  const Study length = read_study(write(
+      "length.study", head + R"("variable": "p.x.y", "reduce": "largest", "exact": 0.02145})"));
+  EXPECT_EQ(length.variable, "p.x");
+  EXPECT_EQ(length.component, 1);
+  EXPECT_EQ(length.reduce, "largest");
+  EXPECT_EQ(std::stod(*length.exact), 0.02145);
+  EXPECT_THAT(refusal(head + R"("reduce": "median"})"), HasSubstr("unknown \"reduce\""));
+  EXPECT_THAT(refusal(head + R"("reduce": "mean"})"), HasSubstr("needs \"exact\""));
+  EXPECT_THAT(refusal(head + R"("exact": "2*"})"), HasSubstr("2*"));
+  EXPECT_THAT(refusal(head + R"("exact": 1, "reference": {"resolution": [2,1,1]}})"),
+              HasSubstr("exclude each other"));
+  EXPECT_THAT(refusal(head + R"("variable": "p.stress.xx", "reference": {"resolution": [2,1,1]}})"),
+              HasSubstr("needs \"reduce\""));
+  EXPECT_THAT(refusal(head + R"("component": "flud"})"), HasSubstr("did you mean 'fluid'"));
+  EXPECT_THAT(refusal(head + R"("within": [[0,0,0]]})"), HasSubstr("two corners"));
+}
+
+TEST_F(StudyFolder, TheErrorOfAReferenceIsThatOfHalfItsCells) {
+  const std::string head = R"({"title": "T", "deck": "deck.ups", "resolution": [[10,1,1]],
+      "reference": {"resolution": )";
+  const auto coarser =
+      coarser_reference_point(read_study(write("even.study", head + "[80,4,1]}}")));
+  ASSERT_TRUE(coarser);
+  EXPECT_EQ(coarser->resolution, (IntVec3{40, 2, 1}));
+  EXPECT_EQ(coarser->overrides.back(), "Grid/Level/Box/resolution=[40,2,1]");
+  EXPECT_FALSE(coarser_reference_point(read_study(write("odd.study", head + "[30,15,1]}}"))));
+}
+
+TEST_F(StudyFolder, AVariableThatIsNotSavedIsRefusedBeforeAnyRun) {
+  std::ofstream(folder_ / "deck.ups") << "<Uintah_specification><DataArchiver>"
+                                         "<save label=\"press_CC\"/></DataArchiver>"
+                                         "</Uintah_specification>";
+  const auto refused = [&](const std::string& more) -> std::string {
+    const Study study = read_study(write(
+        "some.study", R"({"title": "T", "deck": "deck.ups", "resolution": [[1,1,1]], )" + more));
+    try {
+      require_measurable(study);
+    } catch (const InputError& fault) {
+      return fault.what();
+    }
+    return "";
+  };
+  EXPECT_THAT(refused(R"("variable": "pres_CC", "exact": 1})"),
+              HasSubstr("does not save \"pres_CC\" (did you mean 'press_CC'?"));
+  EXPECT_THAT(refused(R"("variable": "press_CC"})"), HasSubstr("names no <Meta>"));
+  EXPECT_EQ(refused(R"("variable": "press_CC", "exact": 1})"), "");
+  EXPECT_EQ(refused(R"("variable": "lost energy"})"), "");
+  EXPECT_EQ(refused(R"("variable": "rho_CC", "exact": 1,
+                       "set": "DataArchiver/save[2]/@label=rho_CC"})"),
+            "");
 }
 
 TEST_F(StudyFolder, SaysWhatIsWrongWithAStudy) {
