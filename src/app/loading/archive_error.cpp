@@ -125,8 +125,8 @@ struct Place {
   IntVec3 cell;
 };
 
-// Of the exact mean of a cell, so that the norms of the error are known to .1 %: a small part of the
-// mean error, and no less than what round-off leaves of the values.
+// Of the exact mean of a cell, so that the norms of the error are known to .1 %: a small part of
+// the mean error, and no less than what round-off leaves of the values.
 double tolerance_of(const exact::ErrorNorms& at_centres, const std::vector<double>& exact) {
   double largest = 0;
   for (const double value : exact) largest = std::max(largest, std::fabs(value));
