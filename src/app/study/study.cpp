@@ -143,8 +143,22 @@ void read_material(Study& study, const Json& value) {
   study.material = value.get<int>();
 }
 
-std::string resolution_override(const Study& study, IntVec3 n) {
-  return fmt::format("{}=[{},{},{}]", study.resolution_path, n.x, n.y, n.z);
+// The overrides that give every level of the deck these cells.
+void add_resolution(const Study& study, IntVec3 n, std::vector<std::string>& overrides) {
+  for (const std::string& path : study.resolution_paths)
+    overrides.push_back(fmt::format("{}=[{},{},{}]", path, n.x, n.y, n.z));
+}
+
+void read_resolution_paths(Study& study, const Json& value) {
+  if (value.is_text()) {
+    study.resolution_paths = {value.get<std::string>()};
+    return;
+  }
+  study.resolution_paths.clear();
+  for (const Json& one : list_in(study.file, value, "resolution_path")) {
+    if (!one.is_text()) refuse(study.file, "\"resolution_path\" must be texts");
+    study.resolution_paths.push_back(one.get<std::string>());
+  }
 }
 
 void read_variable(Study& study, const std::string& text) {
@@ -270,7 +284,7 @@ Study read_study(const std::string& file) {
   }
   if (json.contains("set")) study.overrides = overrides_in(file, json.at("set"));
   if (json.contains("resolution_path")) {
-    study.resolution_path = need_text(file, json, "resolution_path");
+    read_resolution_paths(study, json.at("resolution_path"));
   }
   if (!json.contains("resolution") || !json.at("resolution").is_array() ||
       json.at("resolution").empty()) {
@@ -287,23 +301,30 @@ Study read_study(const std::string& file) {
   return study;
 }
 
-StudyPoint reference_point(const Study& study) {
-  StudyPoint point{"reference", false, study.reference.value().resolution, study.overrides};
-  const auto& more = study.reference->overrides;
+namespace {
+
+StudyPoint reference_with(const Study& study, IntVec3 resolution) {
+  StudyPoint point{"reference", false, resolution, study.overrides};
+  const auto& more = study.reference.value().overrides;
   point.overrides.insert(point.overrides.end(), more.begin(), more.end());
-  point.overrides.push_back(resolution_override(study, point.resolution));
+  add_resolution(study, resolution, point.overrides);
   return point;
 }
 
+}  // namespace
+
+StudyPoint reference_point(const Study& study) {
+  return reference_with(study, study.reference.value().resolution);
+}
+
 std::optional<StudyPoint> coarser_reference_point(const Study& study) {
-  StudyPoint point = reference_point(study);
+  IntVec3 resolution = study.reference.value().resolution;
   for (int d = 0; d < 3; ++d) {
-    if (point.resolution[d] == 1) continue;
-    if (point.resolution[d] % 2 != 0) return std::nullopt;
-    point.resolution[d] /= 2;
+    if (resolution[d] == 1) continue;
+    if (resolution[d] % 2 != 0) return std::nullopt;
+    resolution[d] /= 2;
   }
-  point.overrides.back() = resolution_override(study, point.resolution);
-  return point;
+  return reference_with(study, resolution);
 }
 
 std::vector<StudyPoint> points_of(const Study& study) {
@@ -330,7 +351,7 @@ std::vector<StudyPoint> points_of(const Study& study) {
     for (const IntVec3 n : study.resolutions) {
       StudyPoint point = setting;
       point.resolution = n;
-      point.overrides.push_back(resolution_override(study, n));
+      add_resolution(study, n, point.overrides);
       points.push_back(std::move(point));
     }
   }

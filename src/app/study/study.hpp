@@ -68,8 +68,8 @@ struct Study {
   std::string part, why_slower;  // "component" and the sentence, for the page
   std::string norm = "l1";
   std::vector<std::string> overrides;
-  std::string resolution_path = "Grid/Level/Box/resolution";
-  std::vector<IntVec3> resolutions;  // coarse to fine
+  std::vector<std::string> resolution_paths = {"Grid/Level/Box/resolution"};  // of each level
+  std::vector<IntVec3> resolutions;                                           // coarse to fine
   std::vector<Ladder> ladders;
   std::vector<double> targets = {0.01, 0.003, 0.001};  // of the relative error
 };
