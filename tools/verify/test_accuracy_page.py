@@ -50,7 +50,8 @@ class AccuracyPage(unittest.TestCase):
                             row("new", 0, 10, 0.02, 1), row("new", 0, 20, 0.005, 3)],
                    ', "default_is_slower_because": "It is old."')
         text = self.text()
-        self.assertIn("| [The tube](#the-tube) | fluid | 1.74 | 7.43 s · 1.73 s | – | – | new |", text)
+        self.assertIn("| [The tube](#the-tube) | fluid | 1.74 | 7.43 s · 1.73 s | – | – | new |",
+                      text)
         self.assertIn("- **The tube**: the default takes up to 4.3 times as long (new). It is old.",
                       text)
         self.assertIn("## Fluid, explicit steps\n\n### The tube", text)

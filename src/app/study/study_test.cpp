@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -16,6 +17,7 @@
 #include "app/study/study_run.hpp"
 #include "framework/base/error.hpp"
 #include "framework/base/temporary_folder.hpp"
+#include "sluice_source_dir.hpp"
 
 namespace sluice::study_test {
 namespace {
@@ -175,6 +177,19 @@ TEST_F(StudyFolder, SaysWhatIsWrongWithAStudy) {
                 "ladders": [{"name": "order", "default": "3", "values": {"1": "a=b"}}]})"),
               HasSubstr("the default \"3\" is none of its values"));
   EXPECT_THROW(read_study("nowhere.study"), InputError);
+}
+
+// Those of regression/accuracy: each can be measured, and every component has at least six.
+TEST(Studies, CoverEveryComponent) {
+  std::map<std::string, int> counts;
+  for (const auto& entry : fs::directory_iterator(SLUICE_SOURCE_DIR "/regression/accuracy")) {
+    const Study study = read_study(entry.path().string());
+    EXPECT_NO_THROW(require_measurable(study)) << entry.path();
+    EXPECT_FALSE(study.part.empty()) << entry.path();
+    ++counts[study.part];
+  }
+  EXPECT_EQ(counts.size(), 7u);
+  for (const auto& [part, count] : counts) EXPECT_GE(count, 6) << part;
 }
 
 StudyResult result(const std::string& setting, int n, double error, double seconds) {
