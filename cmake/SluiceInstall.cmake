@@ -10,6 +10,8 @@ install(DIRECTORY ${CMAKE_SOURCE_DIR}/inputs DESTINATION ${CMAKE_INSTALL_DATADIR
   FILES_MATCHING PATTERN "*.ups" PATTERN "*.xml")
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/regression/accuracy
   DESTINATION ${CMAKE_INSTALL_DATADIR}/sluice/regression FILES_MATCHING PATTERN "*.study")
+install(DIRECTORY ${CMAKE_SOURCE_DIR}/regression/stability
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/sluice/regression)
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/regression/golden
   DESTINATION ${CMAKE_INSTALL_DATADIR}/sluice/regression
   FILES_MATCHING PATTERN "*.json" PATTERN "*.csv")

@@ -152,10 +152,12 @@ ROOMS = {
     ],
     "app": [
         {"loading": "from the file of a deck to a problem with its components",
-         "process": "child processes, Python tools, data folders",
+         "process": "child processes, decks run as such, files that users write, data folders",
          "tune": "the search for a faster solver of a deck's linear systems"},
         {"command": "what commands share: options, help, endings of a run, pictures",
          "regress": "golden results, written and compared",
+         "accuracy": "error bars of a deck from its own ladder of resolutions",
+         "stability": "hard cases: what must hold, sweeps, maps of where it does",
          "study": "accuracy studies over series of runs"},
         {"plan": "`sluice plan`: tasks, levels, memory and first step of a run, before it runs"},
         {"commands": "one file per command, a row of `commands.cpp` each"},

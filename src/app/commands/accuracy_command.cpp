@@ -1,4 +1,5 @@
-// sluice accuracy STUDY: error against time over ladders of resolution and settings.
+// sluice accuracy STUDY|DECK: error against time over ladders of resolution and settings, and error
+// bars of a user's own deck.
 //
 // Each run is a process of `sluice run` of its own; its time is that of the steps.
 #include <fmt/format.h>
@@ -8,6 +9,7 @@
 #include <fstream>
 #include <memory>
 
+#include "app/accuracy/deck_accuracy.hpp"
 #include "app/command/command_line.hpp"
 #include "app/process/data_folder.hpp"
 #include "app/process/python_tool.hpp"
@@ -26,6 +28,7 @@ namespace fs = std::filesystem;
 
 struct AccuracyRequest {
   std::string study, folder, json, csv, picture, only;
+  std::vector<std::string> overrides;
   int repeats = 7;
 };
 
@@ -41,11 +44,10 @@ void write_file(const fs::path& path, Write&& write) {
 
 // The work-precision picture; a message instead of a failure when Python cannot draw it, because
 // table, CSV and JSON are complete without.
-void draw(const fs::path& json, const fs::path& picture, const StudyReport& report,
-          const fs::path& log) try {
-  const std::string label = fmt::format("{} error of {}", report.study.norm, report.study.variable);
+void draw(const fs::path& json, const fs::path& picture, const std::string& title,
+          const std::string& error_label, const fs::path& log) try {
   const int status = run_python_tool({"workprecision", json.string(), "-o", picture.string(),
-                                      "--title", report.study.title, "--error-label", label},
+                                      "--title", title, "--error-label", error_label},
                                      log);
   if (status == 0)
     fmt::print("picture: {}\n", picture.string());
@@ -90,17 +92,40 @@ StudyReport measure(const Study& study, const AccuracyRequest& request, const fs
   return report;
 }
 
+void make_folder(const fs::path& folder) {
+  std::error_code fault;
+  fs::create_directories(folder, fault);
+  if (fault)
+    throw SystemError(fmt::format("cannot make the folder {}: {}; name another with -o",
+                                  folder.string(), fault.message()));
+}
+
+// Error bars of a deck from its own ladder of resolutions.
+int accuracy_of_deck(const AccuracyRequest& request) {
+  const std::string stem = fs::path(request.study).stem().string();
+  const fs::path folder = request.folder.empty() ? stem + ".accuracy" : request.folder;
+  DeckLadder ladder(own_executable(), request.study, request.overrides, folder);
+  make_folder(folder);
+  const DeckAccuracy found = measure_accuracy(ladder, request.study);
+  fmt::print("{}: error bars from runs at three resolutions, relative to the mean size\n\n{}\n",
+             found.title, accuracy_table(found));
+  for (const Rung& rung : found.rungs) fs::remove_all(rung.archive.parent_path());
+  const fs::path json = request.json.empty() ? folder / (stem + ".json") : fs::path(request.json);
+  write_file(json, [&](std::ostream& out) { out << accuracy_json(found).dump(2) << "\n"; });
+  fmt::print("numbers: {}\n", json.string());
+  draw(json, folder / (stem + ".png"), found.title, "relative error bar", folder / "picture.log");
+  return static_cast<int>(ExitStatus::good);
+}
+
 int accuracy(const AccuracyRequest& request) {
+  if (fs::path(request.study).extension() == ".ups") return accuracy_of_deck(request);
+  if (!request.overrides.empty())
+    throw InputError("--set goes with a deck; a study says itself what it sets");
   const Study study = read_study(find_data(request.study, "regression/accuracy", ".study"));
   require_measurable(study);
   const std::string stem = fs::path(request.study).stem().string();
   const fs::path folder = request.folder.empty() ? stem + ".accuracy" : request.folder;
-  std::error_code fault;
-  fs::create_directories(folder, fault);
-  if (fault) {
-    throw SystemError(fmt::format("cannot make the folder {}: {}; name another with -o",
-                                  folder.string(), fault.message()));
-  }
+  make_folder(folder);
   fmt::print("{}: {} of {}, {}\n", study.title, study.norm, study.variable, study.deck);
   const StudyReport report = measure(study, request, folder);
   fmt::print("\n{}\n{}\n", runs_table(report), targets_table(report));
@@ -110,7 +135,8 @@ int accuracy(const AccuracyRequest& request) {
   write_file(json, [&](std::ostream& out) { out << json_text(report); });
   write_file(csv, [&](std::ostream& out) { write_csv(out, report); });
   fmt::print("numbers: {} and {}\n", json.string(), csv.string());
-  draw(json, folder / (stem + ".png"), report, folder / "picture.log");
+  draw(json, folder / (stem + ".png"), study.title,
+       fmt::format("{} error of {}", study.norm, study.variable), folder / "picture.log");
   for (const StudyResult& r : report.results) {
     if (!r.done()) return static_cast<int>(ExitStatus::failed);
   }
@@ -123,7 +149,8 @@ void declare_accuracy_command(Command& command) {
   auto request = std::make_shared<AccuracyRequest>();
   command
       .option("STUDY", request->study,
-              "Study file (.study), or the name of a study of regression/accuracy: sod")
+              "Study file (.study), the name of a study of regression/accuracy (sod), or a deck "
+              "(.ups): error bars of all that it saves, from runs at three resolutions")
       .required();
   command.option("-o", request->folder, "Folder for the results (STUDY.accuracy)");
   command.option("--json", request->json, "JSON file (in the folder)");
@@ -132,6 +159,8 @@ void declare_accuracy_command(Command& command) {
       .between(1, 1000);
   command.option("--only", request->only,
                  "Only runs whose \"setting, N cells\" contains this text or matches this pattern");
+  command.option("--set", request->overrides, "Override PATH=VALUE of a deck (may be repeated)")
+      .repeatable();
   command.action([request] { return accuracy(*request); });
 }
 

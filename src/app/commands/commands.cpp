@@ -16,6 +16,7 @@ void declare_norms_command(Command& command);
 void declare_plan_command(Command& command);
 void declare_plot_command(Command& command);
 void declare_regress_command(Command& command);
+void declare_stability_command(Command& command);
 void declare_tune_command(Command& command);
 
 namespace {
@@ -42,6 +43,11 @@ constexpr CommandKind kinds[] = {
     {"plot", "Draw an archive: profiles, slices, particles, histories", declare_plot_command},
     {"regress", "Compare short cases with golden results, and with restarts, splits and ranks",
      declare_regress_command},
+    {"stability",
+     "Run hard cases over sweeps of step, resolution and stiffness, and draw where they hold;\nof "
+     "a "
+     "deck: say how far it is from failing",
+     declare_stability_command},
     {"tune",
      "Find the fastest linear solver for a deck: run its first steps, try solvers on the systems "
      "that occur, print a table and the tags for the deck",

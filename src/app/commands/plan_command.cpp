@@ -69,7 +69,9 @@ int plan(const PlanRequest& o) {
   options.force_all = o.run.force_all;
   options.output = !o.run.no_output;
   options.block = o.run.block_extents();
-  const RunPlan plan = plan_run(*loaded, options);
+  RunPlan plan = plan_run(*loaded, options);
+  if (loaded->deck.root->child("MPM") != nullptr)
+    plan.best = best_settings(o.deck, o.run.overrides);
   if (!o.graph.empty())
     write_graph(o.graph, o.every_graph ? to_dot(every_graph(*loaded->component, loaded->scene),
                                                 loaded->component->effects())

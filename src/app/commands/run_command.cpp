@@ -5,16 +5,21 @@
 #include <memory>
 #include <optional>
 
+#include "app/accuracy/target_error.hpp"
 #include "app/command/command_line.hpp"
 #include "app/command/effect_table.hpp"
 #include "app/command/option_values.hpp"
 #include "app/command/run_ending.hpp"
 #include "app/loading/scene_loader.hpp"
 #include "app/loading/switched_parts.hpp"
+#include "app/plan/best_settings.hpp"
 #include "app/plan/memory_check.hpp"
+#include "app/process/study_process.hpp"
 #include "app/process/text_sink.hpp"
 #include "framework/base/communicator.hpp"
+#include "framework/base/console.hpp"
 #include "framework/base/json.hpp"
+#include "framework/base/temporary_folder.hpp"
 #include "framework/run/simulation/simulation.hpp"
 #include "sluice_version.hpp"
 
@@ -26,8 +31,10 @@ struct RunRequest {
   std::string deck, restart, json, progress = "auto";
   std::string parent = ".";
   std::optional<int> step, max_steps;
-  std::optional<double> wall_limit;  // seconds
-  bool copy = false, costs = false, plot = false, any_memory = false;
+  std::optional<double> wall_limit;    // seconds
+  std::optional<double> target_error;  // relative
+  std::string quantity;
+  bool copy = false, costs = false, plot = false, any_memory = false, best_settings = false;
 };
 
 // The deck of the run: as named, or the one that the archive keeps.
@@ -54,6 +61,14 @@ void check_numbers(const RunRequest& o) {
     throw InputError(fmt::format(
         "--wall-limit is {:g}; it takes seconds greater than 0 (leave it out for no limit)",
         *o.wall_limit));
+  if (o.target_error && !(*o.target_error > 0 && *o.target_error < 1))
+    throw InputError(fmt::format(
+        "--target-error is {:g}; it takes a relative error between 0 and 1, as 0.01 for 1 %",
+        *o.target_error));
+  if (o.target_error && !o.restart.empty())
+    throw InputError("--target-error chooses a resolution; a restart has one already");
+  if (!o.quantity.empty() && !o.target_error)
+    throw InputError("--quantity says of what --target-error is; give that as well");
   if (o.step && o.restart.empty())
     throw InputError("--step names a checkpoint of an archive; give that archive with --restart");
   if (o.step && *o.step < 0)
@@ -145,13 +160,59 @@ int run_on(Communicator& ranks, const RunRequest& o) {
   return exit_status_of(report.status);
 }
 
+// With --target-error: the options with the resolution that a ladder of coarse runs promises.
+RunRequest with_chosen_resolution(const Communicator& ranks, RunRequest o) {
+  if (!o.target_error) return o;
+  check_numbers(o);
+  if (ranks.size() > 1)
+    throw InputError(
+        "--target-error runs a ladder of its own and takes one process; choose the resolution so, "
+        "then run on ranks with the --set that it prints");
+  const TemporaryFolder folder(TemporaryFolder::Place::disk);
+  DeckLadder ladder(own_executable(), deck_file(o), o.run.overrides, folder.path());
+  const ResolutionChoice choice = choose_resolution(ladder, *o.target_error, o.quantity);
+  if (progress_of(o) != ProgressMode::none) {
+    fmt::print("ladder of {} coarse runs: {}\n", ladder.rungs().size(),
+               human_duration(choice.ladder_seconds));
+    fmt::print(
+        "chosen: {:.3g} times the cells of the deck along each direction; promised error {} (of "
+        "{}), wanted {}; about {} of stepping\n",
+        choice.factor, human_percent(choice.promised), choice.quantity,
+        human_percent(*o.target_error), human_duration(choice.seconds));
+    for (const std::string& one : choice.overrides) fmt::print("  --set '{}'\n", one);
+  }
+  o.run.overrides.insert(o.run.overrides.end(), choice.overrides.begin(), choice.overrides.end());
+  return o;
+}
+
+// With --best-settings: the options with the basis, form and particles that the studies prove.
+RunRequest with_best_settings(const Communicator& ranks, RunRequest o) {
+  if (!o.best_settings) return o;
+  if (!o.restart.empty())
+    throw InputError("--best-settings chooses particles; a restart has them already");
+  const BestSettings best = best_settings(deck_file(o), o.run.overrides);
+  if (ranks.is_root() && progress_of(o) != ProgressMode::none) {
+    for (const std::string& reason : best.reasons) fmt::print("solids: {}\n", reason);
+    for (const std::string& one : best.overrides) fmt::print("  --set '{}'\n", one);
+    if (!best.overrides.empty() && !o.run.no_output)
+      fmt::print("the deck that runs is input.xml in the archive\n");
+  }
+  o.run.overrides.insert(o.run.overrides.end(), best.overrides.begin(), best.overrides.end());
+  return o;
+}
+
+// Settings first: the ladder is one of the deck that will run.
+RunRequest with_choices(const Communicator& ranks, const RunRequest& o) {
+  return with_chosen_resolution(ranks, with_best_settings(ranks, o));
+}
+
 // Several ranks end together, whether well, in a failure that all know of, or in one that a single
 // rank met while the others wait for its messages.
 int run(const RunRequest& o) {
   Communicator& ranks = world();
-  if (!ranks.uses_mpi()) return run_on(ranks, o);
+  if (!ranks.uses_mpi()) return run_on(ranks, with_choices(ranks, o));
   try {
-    ranks.exit_together(static_cast<ExitStatus>(run_on(ranks, o)));
+    ranks.exit_together(static_cast<ExitStatus>(run_on(ranks, with_choices(ranks, o))));
   } catch (const Error& e) {
     ranks.abort(e.status(), fmt::format("sluice: error: {}", e.what()));
   } catch (const std::exception& e) {
@@ -177,6 +238,14 @@ void declare_run_command(Command& command) {
   command.option("--json", o->json,
                  "Write the report of the run to this file; -: to standard output");
   command.option("--progress", o->progress, "auto, plain or none (warnings and errors only)");
+  command.option(
+      "--target-error", o->target_error,
+      "Choose the resolution whose error bar is at most this relative error (0.01: 1 %)");
+  command.option("--quantity", o->quantity,
+                 "With --target-error: the label or history that it is of (all that is saved)");
+  command.flag("--best-settings", o->best_settings,
+               "Take the basis, form and particles of solids that the accuracy studies prove to be "
+               "best; `sluice plan` names them");
   add_run_options(command, o->run);
   command.flag("--costs", o->costs,
                "Print the measured share of time of each effect, and messages");

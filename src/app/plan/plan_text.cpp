@@ -182,6 +182,26 @@ Json memory_json(const RunPlan& p) {
 
 }  // namespace
 
+namespace {
+
+// What the studies prove for the solids of this deck.
+std::string best_text(const BestSettings& best) {
+  std::string text;
+  for (const std::string& reason : best.reasons) text += fmt::format("  solids: {}\n", reason);
+  for (const std::string& one : best.overrides) text += fmt::format("    --set '{}'\n", one);
+  if (!best.overrides.empty()) text += "    `sluice run --best-settings` takes these\n";
+  return text.empty() ? text : text + "\n";
+}
+
+Json best_json(const BestSettings& best) {
+  Json set = Json::array(), reasons = Json::array();
+  for (const std::string& one : best.overrides) set.push_back(one);
+  for (const std::string& one : best.reasons) reasons.push_back(one);
+  return {{"set", std::move(set)}, {"reasons", std::move(reasons)}};
+}
+
+}  // namespace
+
 std::string plan_text(const RunPlan& p) {
   std::string text = fmt::format(
       "{}{}\n{} on {} x {} x {} = {} cells in {} box{} and {} block{}; {} rank{}, {} thread{} "
@@ -195,8 +215,8 @@ std::string plan_text(const RunPlan& p) {
   text += directions_text(p) + "\n";
   text += planned_effect_table(p.effects, p.effect_fields) + "\n";
   if (p.particles.any())
-    return text + particles_text(p.particles) + "\n" + outputs_text(p) + "\n" + limits_text(p) +
-           "\n" + memory_text(p);
+    return text + particles_text(p.particles) + "\n" + best_text(p.best) + outputs_text(p) + "\n" +
+           limits_text(p) + "\n" + memory_text(p);
   text += fmt::format("  messages: one ghost exchange of {},{},{} layers per step, ", p.halo.x,
                       p.halo.y, p.halo.z);
   text += p.ranks == 1
@@ -210,6 +230,7 @@ std::string plan_text(const RunPlan& p) {
       fmt::format("  skipped blocks: {}; {}{}\n\n", p.skipping_allowed ? "uniform ones" : "none",
                   p.skipping_reason,
                   p.skipping_where.file.empty() ? "" : " (" + short_place(p.skipping_where) + ")");
+  text += best_text(p.best);
   text += outputs_text(p) + "\n";
   text += limits_text(p) + "\n";
   return text + memory_text(p);
@@ -231,6 +252,7 @@ std::string plan_json(const RunPlan& p) {
                      {"effects", effects_json(p)},
                      {"particles", particles_json(p)},
                      {"stages", p.particles.stages},
+                     {"best_settings", best_json(p.best)},
                      {"kind_tasks", p.kind_tasks},
                      {"messages",
                       {{"halo", {p.halo.x, p.halo.y, p.halo.z}},

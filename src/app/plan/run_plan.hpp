@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/loading/scene_loader.hpp"
+#include "app/plan/best_settings.hpp"
 #include "app/plan/planned_hierarchy.hpp"
 #include "app/plan/planned_memory.hpp"
 #include "app/plan/planned_particles.hpp"
@@ -70,6 +71,7 @@ struct RunPlan {
   IntVec3 halo{};               // ghost layers that a step reads
   PlannedMessages messages;
   int reductions = 1;  // of a step of one level by itself
+  BestSettings best;   // of solids; without reasons: nobody asked
   std::vector<PlannedOutput> outputs;
   std::string output_times, checkpoint_times;
   double output_bytes = 0, checkpoint_bytes = 0;  // of one

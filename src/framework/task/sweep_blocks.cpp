@@ -12,7 +12,7 @@ IntVec3 default_block(const Level& level, BlockSize size) {
   // are swept as one, so that flat ones cost nothing: finer parts sleep or need the dearer graphs.
   // By active axes.
   constexpr int large[3][3] = {{512, 1, 1}, {256, 16, 1}, {128, 48, 128}};
-  constexpr int small[3][3] = {{512, 1, 1}, {256, 16, 1}, {64, 16, 16}};
+  constexpr int small[3][3] = {{512, 1, 1}, {128, 16, 1}, {64, 16, 16}};
   const auto& extents = size == BlockSize::small ? small : large;
   constexpr int flat_row = 448;  // of a finer level: its boxes are low, and hardly any part sleeps
   IntVec3 b = level.domain.size();

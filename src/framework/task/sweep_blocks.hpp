@@ -16,8 +16,8 @@ struct Block {
 
 // Cuts the local boxes of a level into blocks no larger than `extents`, as a BlockLattice does.
 std::vector<Block> place_blocks(const std::vector<GridBox>& boxes, IntVec3 extents);
-// Where few cells need a costlier graph than the others (cells that solids cut), small blocks confine
-// them; alike cells are swept fastest in large ones.
+// Where few cells need a costlier graph than the others (cells that solids cut), small blocks
+// confine them; alike cells are swept fastest in large ones.
 enum class BlockSize { large, small };
 // The extents that were measured best for a level.
 IntVec3 default_block(const Level& level, BlockSize size = BlockSize::large);
