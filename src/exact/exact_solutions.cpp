@@ -77,6 +77,7 @@ class PlaneRiemann final : public ExactSolution {
     const GasState gas = solution_.sample(t > 0 ? s / t : s < 0 ? -HUGE_VAL : HUGE_VAL);
     return {gas.density, direction_ * gas.velocity, gas.pressure, gas.gamma};
   }
+  bool varies_along(int d) const override { return direction_[d] != 0; }
 
  private:
   RiemannSolution solution_;

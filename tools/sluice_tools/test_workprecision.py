@@ -69,6 +69,43 @@ class WorkPrecision(unittest.TestCase):
         self.assertEqual(workprecision.main([str(self.csv), "-o", str(target)]), 0)
         self.assertEqual(target.read_text().count(">400<"), 2)  # of order 1 and order 2
 
+    def many(self):
+        """Ten settings, of which the last is best, one diverges and one fails."""
+        rows = ["setting,cells,nx,ny,nz,seconds,error,status,default"]
+        for number in range(10):
+            for step, cells in enumerate((10, 20)):
+                error = 1 / (number + 1) / 2 ** step
+                if number == 1:
+                    error *= 4 ** step
+                done = "failed" if number == 2 and step else "done"
+                rows.append(f"s{number},{cells},{cells},{cells},1,{0.1 * 8 ** step},{error},{done},"
+                            f"{int(number == 1)}")
+        file = self.root / "many.csv"
+        file.write_text("# the error of the reference is below 0.06, relative 0.1\n"
+                        + "\n".join(rows) + "\n")
+        return file
+
+    def test_at_most_six_lines_the_rest_is_counted(self):
+        rows, reference = workprecision.read_results(self.many())
+        self.assertEqual(reference, 0.06)
+        drawn = workprecision.drawn_settings(rows)
+        self.assertEqual(drawn, ["s1", "s9"])  # the default; the best, alone on the front
+        few = [r for r in rows if r["setting"] in ("s0", "s1", "s2", "s3")]
+        self.assertEqual(len(workprecision.drawn_settings(few)), 4)
+        target = self.root / "picture.svg"
+        self.assertEqual(workprecision.main([str(self.many()), "-o", str(target)]), 0)
+        text = target.read_text()
+        for expected in ("8 other settings", "s1 (default): divergence", "order 1", "order 2",
+                         "error of the reference", "#cc0000"):
+            self.assertIn(expected, text)
+
+    def test_divergence_is_growth_on_the_finest_grid(self):
+        rows = workprecision.read_rows(self.many())
+        lines = workprecision.by_setting(rows)
+        self.assertTrue(workprecision.diverges(lines["s1"]))
+        self.assertFalse(workprecision.diverges(lines["s0"]))
+        self.assertFalse(workprecision.diverges(lines["s2"]))  # one run alone is left
+
     def test_missing_column_is_bad_input(self):
         self.csv.write_text("setting,seconds\na,1\n")
         self.assertEqual(workprecision.main([str(self.csv)]), 2)

@@ -1,4 +1,4 @@
 #!/usr/bin/env bash
-# the accuracy studies of the explicit fluid in full, LADDER_REPEAT (3) runs each: docs/accuracy.md
+# studies of explicit fluid, levels and reactions, LADDER_REPEAT (3) runs each: docs/accuracy.md
 "$PYTHON" "$SLUICE_ROOT/tools/verify/ladders.py" --root "$SLUICE_ROOT" --sluice "$SLUICE" \
   --folder "$PART_DIR" --group fluid --repeat "${LADDER_REPEAT:-3}"

@@ -15,6 +15,7 @@
 #include "app/process/python_tool.hpp"
 #include "app/process/study_process.hpp"
 #include "app/study/study.hpp"
+#include "app/study/study_measure.hpp"
 #include "app/study/study_report.hpp"
 #include "app/study/study_run.hpp"
 #include "framework/base/console.hpp"
@@ -58,15 +59,17 @@ void draw(const fs::path& json, const fs::path& picture, const std::string& titl
 }
 
 StudyReport measure(const Study& study, const AccuracyRequest& request, const fs::path& folder) {
-  StudyReport report{study, {}};
+  StudyReport report{study, {}, {}};
   StudyRunner runner;
   runner.executable = own_executable();
   runner.folder = folder;
   runner.repeats = request.repeats;
   const auto points = points_of(study);
   if (study.reference) {
-    const StudyResult r = runner.run_reference(study);
-    fmt::print("reference, N {}: {}\n", r.point.cells(), human_duration(r.seconds));
+    report.reference = runner.run_reference(study);
+    const StudyResult& r = *report.reference;
+    fmt::print("reference, N {}: {}{}\n", r.point.cells(), human_duration(r.seconds),
+               r.error > 0 ? fmt::format(", its own error below {:.3e}", r.error) : "");
     std::fflush(stdout);
   }
   std::size_t number = 0;
@@ -119,6 +122,7 @@ int accuracy(const AccuracyRequest& request) {
   if (!request.overrides.empty())
     throw InputError("--set goes with a deck; a study says itself what it sets");
   const Study study = read_study(find_data(request.study, "regression/accuracy", ".study"));
+  require_measurable(study);
   const std::string stem = fs::path(request.study).stem().string();
   const fs::path folder = request.folder.empty() ? stem + ".accuracy" : request.folder;
   make_folder(folder);

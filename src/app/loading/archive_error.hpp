@@ -1,8 +1,11 @@
 // The exact solution that a deck names, and the error of an archived state against it.
 #pragma once
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "exact/base/error_norms.hpp"
 #include "exact/base/exact_solution.hpp"
@@ -22,12 +25,30 @@ std::optional<DeckReference> reference_of_deck(const DeckNode& root);
 // The same of the deck that an archive keeps as input.xml.
 std::optional<DeckReference> reference_of_archive(const Archive& archive);
 
-// Error norms of a cell variable of a material (component 0, 1, 2 of a vector) at the cell centres,
-// each point counted once, on the finest level there. Where the exact solution has several
-// materials, density and velocity are those of the mixture of all, whatever `material` says;
-// vol_frac_CC is that of `material`.
+// Error norms of a cell variable of a material (component 0, 1, 2 of a vector) from the mean of the
+// exact solution over each cell (exact/base/cell_mean.hpp), each place counted once, on the finest
+// level there. The means are integrated until the norms are known to .1 %. Where the exact solution
+// has several materials, density and velocity are those of the mixture of all, whatever `material`
+// says; vol_frac_CC is that of `material`. `offset`: see error_norms().
 exact::ErrorNorms archive_error(const ArchiveStep& step, const DeckReference& reference,
-                                const std::string& variable, int component, int material);
+                                const std::string& variable, int component, int material,
+                                double offset = 0);
+
+// One value of a cell variable: where no finer level lies over the cell.
+struct CellValue {
+  double value;
+  Vec3 centre, spacing;            // m
+  std::array<bool, 3> directions;  // those that are dimensions of the run
+};
+std::vector<CellValue> uncovered_values(const ArchiveStep& step, const std::string& variable,
+                                        int component, int material);
+
+// The same against a smooth function of place, by its mean over each cell (Gauss's rule with 4
+// points along each direction), of cells whose centres lie in the box `within`.
+exact::ErrorNorms archive_error(const ArchiveStep& step, const std::function<double(Vec3)>& exact,
+                                const std::string& variable, int component, int material,
+                                const std::optional<std::pair<Vec3, Vec3>>& within = {},
+                                double offset = 0);
 
 // Distances of the particles of a material from where a motion has them, by volume; relative_l1:
 // over their mean distance from the origin. The step holds p.x and p.displacement (and p.volume,
@@ -38,6 +59,7 @@ exact::ErrorNorms place_error(const ArchiveStep& step, const DeckReference& refe
 // The same against another state of the same scene, on one level: its mean over each cell. Throws
 // InputError where its cells do not divide those of `step`, or its time is another.
 exact::ErrorNorms archive_error(const ArchiveStep& step, const ArchiveStep& reference,
-                                const std::string& variable, int component, int material);
+                                const std::string& variable, int component, int material,
+                                double offset = 0);
 
 }  // namespace sluice

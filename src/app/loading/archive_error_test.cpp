@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <functional>
 
+#include "exact/exact_solutions.hpp"
 #include "framework/archive/archive_test_support.hpp"
 #include "framework/archive/archive_writer.hpp"
 #include "framework/base/error.hpp"
@@ -75,6 +76,21 @@ TEST_F(MixtureErrors, PressureIsCommonAndFractionsAreOfTheMaterial) {
   EXPECT_THROW(error("temp_CC"), InputError);
 }
 
+// An interface in the middle of the fifth cell, whose halves are what the archive holds there.
+TEST_F(MixtureErrors, AreThoseFromTheMeanOverACell) {
+  const Archive archive = Archive::open(folder_.path() / "box.uda");
+  const ArchiveStep step = archive.read_output(archive.select_output("last"));
+  DeckReference reference;
+  reference.solution = exact::make_exact_solution({"two_materials",
+                                                   {{"left", "[1000, 0, 1e9]"},
+                                                    {"eos_left", "StiffenedGas gamma=4.4 pinf=6e8"},
+                                                    {"right", "[50, 0, 1e5]"},
+                                                    {"eos_right", "ideal_gas gamma=1.4"},
+                                                    {"position", "-0.55"}}});
+  for (const char* variable : {"rho_CC", "press_CC", "vol_frac_CC"})
+    EXPECT_LE(archive_error(step, reference, variable, 0, 0).relative_l1, 1e-9) << variable;
+}
+
 // A state of n cells along x, 2 along y, in the same box, at a time.
 ArchiveStep state(const fs::path& folder, int n, double time,
                   const std::function<double(IntVec3)>& value) {
@@ -90,6 +106,20 @@ ArchiveStep state(const fs::path& folder, int n, double time,
   writer.finish();
   const Archive archive = Archive::open(writer.folder());
   return archive.read_output(archive.select_output("last"));
+}
+
+TEST(ErrorsAgainstAFormula, AreThoseOfItsMeanOverEachCell) {
+  const TemporaryFolder folder;
+  const ArchiveStep step = state(folder.path(), 4, 0.5, [](IntVec3) { return 0.0; });
+  // Over the first cell, of the sixth power of the distance from its low end: (1/4)^6/7.
+  const auto power = [](Vec3 x) { return std::pow(x.x + 1, 6); };
+  const exact::ErrorNorms e =
+      archive_error(step, power, "press_CC", 0, 0, std::pair{Vec3{-1, 0, 0}, Vec3{-.8, 2, 9}});
+  EXPECT_EQ(e.points, 2u);
+  EXPECT_NEAR(e.l1, std::pow(.25, 6) / 7, 1e-18);
+  const exact::ErrorNorms about_one = archive_error(
+      step, [](Vec3) { return 3.0; }, "press_CC", 0, 0, std::nullopt, 1.0);
+  EXPECT_DOUBLE_EQ(about_one.relative_l1, 1.5);
 }
 
 TEST(ErrorsAgainstAFinerRun, AreThoseFromItsMeanOverEachCell) {

@@ -9,7 +9,9 @@
 
 #include "framework/base/error.hpp"
 #include "framework/base/json.hpp"
+#include "framework/base/text.hpp"
 #include "framework/deck/nearest_name.hpp"
+#include "framework/scene/formula.hpp"
 
 namespace sluice {
 namespace {
@@ -141,21 +143,106 @@ void read_material(Study& study, const Json& value) {
   study.material = value.get<int>();
 }
 
-std::string resolution_override(const Study& study, IntVec3 n) {
-  return fmt::format("{}=[{},{},{}]", study.resolution_path, n.x, n.y, n.z);
+// The overrides that give every level of the deck these cells.
+void add_resolution(const Study& study, IntVec3 n, std::vector<std::string>& overrides) {
+  for (const std::string& path : study.resolution_paths)
+    overrides.push_back(fmt::format("{}=[{},{},{}]", path, n.x, n.y, n.z));
+}
+
+void read_resolution_paths(Study& study, const Json& value) {
+  if (value.is_text()) {
+    study.resolution_paths = {value.get<std::string>()};
+    return;
+  }
+  study.resolution_paths.clear();
+  for (const Json& one : list_in(study.file, value, "resolution_path")) {
+    if (!one.is_text()) refuse(study.file, "\"resolution_path\" must be texts");
+    study.resolution_paths.push_back(one.get<std::string>());
+  }
 }
 
 void read_variable(Study& study, const std::string& text) {
   study.variable = text;
-  if (text.starts_with("p.") || is_of_energy(study)) return;  // a label of particles, whole
-  const std::size_t dot = text.find('.');
+  if (is_of_energy(study)) return;
+  const bool of_particles = text.starts_with("p.");
+  const std::size_t dot = text.find('.', of_particles ? 2 : 0);
   if (dot == std::string::npos) return;
   const std::string component = text.substr(dot + 1);
   study.variable = text.substr(0, dot);
-  if (component != "x" && component != "y" && component != "z") {
-    refuse(study.file, fmt::format("variable {}: the component must be x, y or z", text));
+  const auto is_axis = [](char c) { return c >= 'x' && c <= 'z'; };
+  if (of_particles && component.size() == 2 && is_axis(component[0]) && is_axis(component[1])) {
+    study.component = 3 * (component[0] - 'x') + (component[1] - 'x');
+    return;
+  }
+  if (component.size() != 1 || !is_axis(component[0])) {
+    refuse(study.file, fmt::format("variable {}: the component must be x, y or z{}", text,
+                                   of_particles ? ", or two of them of a tensor" : ""));
   }
   study.component = component[0] - 'x';
+}
+
+// A number, or a formula of x, y, z.
+void read_exact(Study& study, const Json& value) {
+  if (!value.is_text() && !value.is_number())
+    refuse(study.file, fmt::format("\"exact\" is {}; expected a formula of x, y, z such as "
+                                   "\"0.05*y\", or a number",
+                                   value.dump()));
+  study.exact = value.is_text() ? value.get<std::string>() : exact_text(value.get<double>());
+  (void)Formula(*study.exact);  // its faults are told now
+}
+
+void read_reduce(Study& study, const std::string& text) {
+  const std::vector<std::string> known = {"mean", "largest", "smallest", "last"};
+  if (std::find(known.begin(), known.end(), text) == known.end())
+    refuse(study.file,
+           fmt::format("unknown \"reduce\" \"{}\" ({})", text, suggest_name(text, known)));
+  study.reduce = text;
+}
+
+Vec3 corner_in(const Study& study, const Json& value) {
+  Vec3 out;
+  bool good = value.is_array() && value.size() == 3;
+  for (int d = 0; good && d < 3; ++d) {
+    good = value.at(d).is_number();
+    if (good) out[d] = value.at(d).get<double>();
+  }
+  if (!good)
+    refuse(study.file,
+           fmt::format("{} in \"within\" is not a corner such as [0,0,0]", value.dump()));
+  return out;
+}
+
+void read_within(Study& study, const Json& value) {
+  if (!value.is_array() || value.size() != 2)
+    refuse(study.file, "\"within\" must be two corners, such as [[0,0,0], [1,1,1]]");
+  study.within = {corner_in(study, value.at(0)), corner_in(study, value.at(1))};
+}
+
+const std::vector<std::string>& parts() {
+  static const std::vector<std::string> all = {"fluid",    "pressure", "levels",   "solids",
+                                               "implicit", "coupled",  "reactions"};
+  return all;
+}
+
+void read_part(Study& study, const std::string& text) {
+  if (std::find(parts().begin(), parts().end(), text) == parts().end())
+    refuse(study.file,
+           fmt::format("unknown component \"{}\" ({})", text, suggest_name(text, parts())));
+  study.part = text;
+}
+
+// What measures the error, against each other.
+void refuse_contradictions(const Study& study) {
+  if (study.exact && study.reference)
+    refuse(study.file, "\"exact\" and \"reference\" exclude each other");
+  if (!study.reduce.empty() && !study.exact && !study.reference)
+    refuse(study.file, "\"reduce\" needs \"exact\", a number, or a \"reference\"");
+  const bool of_particles = study.variable.starts_with("p.");
+  if (of_particles && study.reference && study.reduce.empty())
+    refuse(study.file,
+           fmt::format("particles of two runs are not the same: {} against a reference needs "
+                       "\"reduce\" (mean, largest or smallest)",
+                       study.variable));
 }
 
 }  // namespace
@@ -168,8 +255,9 @@ Study read_study(const std::string& file) {
   const Json json = parse(file);
   if (!json.is_object()) refuse(file, "expected an object { ... }");
   refuse_unknown(file, json,
-                 {"title", "deck", "variable", "material", "reference", "norm", "set", "resolution",
-                  "resolution_path", "ladders", "targets"});
+                 {"title", "deck", "variable", "material", "reference", "exact", "reduce", "within",
+                  "offset", "norm", "set", "resolution", "resolution_path", "ladders", "targets",
+                  "component", "default_is_slower_because"});
   Study study;
   study.file = file;
   study.title = need_text(file, json, "title");
@@ -177,6 +265,17 @@ Study read_study(const std::string& file) {
   if (json.contains("variable")) read_variable(study, need_text(file, json, "variable"));
   if (json.contains("material")) read_material(study, json.at("material"));
   if (json.contains("reference")) read_reference(study, json.at("reference"));
+  if (json.contains("exact")) read_exact(study, json.at("exact"));
+  if (json.contains("reduce")) read_reduce(study, need_text(file, json, "reduce"));
+  if (json.contains("within")) read_within(study, json.at("within"));
+  if (json.contains("offset")) {
+    if (!json.at("offset").is_number()) refuse(file, "\"offset\" must be a number");
+    study.offset = json.at("offset").get<double>();
+  }
+  if (json.contains("component")) read_part(study, need_text(file, json, "component"));
+  if (json.contains("default_is_slower_because"))
+    study.why_slower = need_text(file, json, "default_is_slower_because");
+  refuse_contradictions(study);
   if (json.contains("norm")) study.norm = need_text(file, json, "norm");
   const std::vector<std::string> norms = {"l1", "l2", "linf", "relative_l1"};
   if (std::find(norms.begin(), norms.end(), study.norm) == norms.end()) {
@@ -185,7 +284,7 @@ Study read_study(const std::string& file) {
   }
   if (json.contains("set")) study.overrides = overrides_in(file, json.at("set"));
   if (json.contains("resolution_path")) {
-    study.resolution_path = need_text(file, json, "resolution_path");
+    read_resolution_paths(study, json.at("resolution_path"));
   }
   if (!json.contains("resolution") || !json.at("resolution").is_array() ||
       json.at("resolution").empty()) {
@@ -202,12 +301,30 @@ Study read_study(const std::string& file) {
   return study;
 }
 
-StudyPoint reference_point(const Study& study) {
-  StudyPoint point{"reference", false, study.reference.value().resolution, study.overrides};
-  const auto& more = study.reference->overrides;
+namespace {
+
+StudyPoint reference_with(const Study& study, IntVec3 resolution) {
+  StudyPoint point{"reference", false, resolution, study.overrides};
+  const auto& more = study.reference.value().overrides;
   point.overrides.insert(point.overrides.end(), more.begin(), more.end());
-  point.overrides.push_back(resolution_override(study, point.resolution));
+  add_resolution(study, resolution, point.overrides);
   return point;
+}
+
+}  // namespace
+
+StudyPoint reference_point(const Study& study) {
+  return reference_with(study, study.reference.value().resolution);
+}
+
+std::optional<StudyPoint> coarser_reference_point(const Study& study) {
+  IntVec3 resolution = study.reference.value().resolution;
+  for (int d = 0; d < 3; ++d) {
+    if (resolution[d] == 1) continue;
+    if (resolution[d] % 2 != 0) return std::nullopt;
+    resolution[d] /= 2;
+  }
+  return reference_with(study, resolution);
 }
 
 std::vector<StudyPoint> points_of(const Study& study) {
@@ -234,7 +351,7 @@ std::vector<StudyPoint> points_of(const Study& study) {
     for (const IntVec3 n : study.resolutions) {
       StudyPoint point = setting;
       point.resolution = n;
-      point.overrides.push_back(resolution_override(study, n));
+      add_resolution(study, n, point.overrides);
       points.push_back(std::move(point));
     }
   }

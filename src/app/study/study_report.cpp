@@ -150,6 +150,10 @@ std::string targets_table(const StudyReport& report) {
 }
 
 void write_csv(std::ostream& out, const StudyReport& report) {
+  if (report.reference && report.reference->error > 0)
+    out << fmt::format("# the error of the reference is below {}, relative {}\n",
+                       exact_text(report.reference->error),
+                       exact_text(report.reference->norms.relative_l1));
   out << "setting,default,cells,nx,ny,nz,steps,error,l1,l2,linf,relative_l1,order,seconds,wall_s,"
          "spread,repeats,pareto,status\n";
   for (std::size_t i = 0; i < report.results.size(); ++i) {
@@ -166,22 +170,9 @@ void write_csv(std::ostream& out, const StudyReport& report) {
   }
 }
 
-std::string json_text(const StudyReport& report) {
-  utsname machine{};
-  ::uname(&machine);
-  const Study& study = report.study;
-  Json json = {{"study", study.file},          {"title", study.title},
-               {"deck", study.deck},           {"variable", study.variable},
-               {"component", study.component}, {"material", study.material},
-               {"norm", study.norm},           {"program", std::string("sluice ") + version::kText},
-               {"host", machine.nodename},     {"date", utc_now()}};
-  if (study.reference) {
-    const StudyPoint finer = reference_point(study);
-    const IntVec3 n = finer.resolution;
-    Json settings = Json::array();
-    for (const std::string& one : finer.overrides) settings.push_back(one);
-    json["reference"] = {{"resolution", {n.x, n.y, n.z}}, {"set", std::move(settings)}};
-  }
+namespace {
+
+Json rows_of(const StudyReport& report) {
   Json rows = Json::array();
   for (std::size_t i = 0; i < report.results.size(); ++i) {
     const StudyResult& r = report.results[i];
@@ -206,7 +197,38 @@ std::string json_text(const StudyReport& report) {
     }
     rows.push_back(std::move(row));
   }
-  json["rows"] = std::move(rows);
+  return rows;
+}
+
+}  // namespace
+
+std::string json_text(const StudyReport& report) {
+  utsname machine{};
+  ::uname(&machine);
+  const Study& study = report.study;
+  Json json = {{"study", study.file},
+               {"title", study.title},
+               {"deck", study.deck},
+               {"variable", study.variable},
+               {"component", study.component},
+               {"material", study.material},
+               {"norm", study.norm},
+               {"part", study.part},
+               {"program", std::string("sluice ") + version::kText},
+               {"host", machine.nodename},
+               {"date", utc_now()}};
+  if (study.reference) {
+    const StudyPoint finer = reference_point(study);
+    const IntVec3 n = finer.resolution;
+    Json settings = Json::array();
+    for (const std::string& one : finer.overrides) settings.push_back(one);
+    json["reference"] = {{"resolution", {n.x, n.y, n.z}}, {"set", std::move(settings)}};
+    if (report.reference && report.reference->error > 0) {
+      json["reference"]["error"] = report.reference->error;
+      json["reference"]["relative_l1"] = report.reference->norms.relative_l1;
+    }
+  }
+  json["rows"] = rows_of(report);
   Json targets = Json::array();
   for (const double target : study.targets) {
     Json costs = Json::array();

@@ -13,7 +13,8 @@ namespace sluice {
 
 struct StudyReport {
   Study study;
-  std::vector<StudyResult> results;  // in the order of points_of
+  std::vector<StudyResult> results;           // in the order of points_of
+  std::optional<StudyResult> reference = {};  // with its own error, if the study has one
 
   // Order from the next coarser run of the same setting: log(e1/e2) / log(N2/N1).
   std::optional<double> observed_order(std::size_t result) const;

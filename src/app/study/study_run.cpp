@@ -7,9 +7,8 @@
 #include <fstream>
 #include <numeric>
 
-#include "app/loading/archive_error.hpp"
 #include "app/process/study_process.hpp"
-#include "framework/archive/archive.hpp"
+#include "app/study/study_measure.hpp"
 #include "framework/base/error.hpp"
 #include "framework/base/json.hpp"
 
@@ -45,12 +44,6 @@ std::string shell_text(const std::vector<std::string>& words) {
   return out;
 }
 
-ArchiveStep last_output(const Study& study, const Archive& archive) {
-  if (archive.outputs().empty())
-    throw InputError(fmt::format("{}: the run of {} wrote no output", study.file, study.deck));
-  return archive.read_output(archive.select_output("last"));
-}
-
 // What transfer, integration and contact took (or gave) and did not become heat, over the scale.
 exact::ErrorNorms lost_energy(const Study& study, const Json& told) {
   const Json& budget = told.at("energy_account");
@@ -76,23 +69,6 @@ struct StudyRunner::Once {
   exact::ErrorNorms norms;
   std::string archive;  // empty: none was written
 };
-
-exact::ErrorNorms StudyRunner::measure(const Study& study, const std::string& path) const {
-  const Archive archive = Archive::open(path);
-  const ArchiveStep step = last_output(study, archive);
-  if (study.reference) {
-    const Archive finer = Archive::open(reference_);
-    return archive_error(step, last_output(study, finer), study.variable, study.component,
-                         study.material);
-  }
-  const auto reference = reference_of_archive(archive);
-  if (!reference)
-    throw InputError(
-        fmt::format("{}: the deck names no <Meta><exact_solution>, and the study no "
-                    "\"reference\"; it needs one of them to measure errors",
-                    study.deck));
-  return archive_error(step, *reference, study.variable, study.component, study.material);
-}
 
 Timing timing_of(std::vector<double> seconds) {
   if (seconds.empty()) return {};
@@ -142,25 +118,36 @@ StudyRunner::Once StudyRunner::run_once(const Study& study, const StudyPoint& po
     throw InputError(fmt::format("{}: the run of {} wrote no archive", study.file, study.deck));
   once.archive = told.at("archive").get<std::string>();
   if (measure_error)
-    once.norms = is_of_energy(study) ? lost_energy(study, told) : measure(study, once.archive);
+    once.norms = is_of_energy(study) ? lost_energy(study, told)
+                                     : measured_error(study, once.archive, reference_);
+  return once;
+}
+
+StudyRunner::Once StudyRunner::must_run(const Study& study, const StudyPoint& point,
+                                        bool measure_error) const {
+  Once once = run_once(study, point, measure_error);
+  if (once.status != "done")
+    throw InputError(
+        fmt::format("{}: the reference is {}: {}", study.file, once.status, once.message));
   return once;
 }
 
 StudyResult StudyRunner::run_reference(const Study& study) {
   StudyResult result;
   result.point = reference_point(study);
-  const Once once = run_once(study, result.point, false);
-  if (once.status != "done")
-    throw InputError(
-        fmt::format("{}: the reference is {}: {}", study.file, once.status, once.message));
+  const Once once = must_run(study, result.point, false);
   reference_ = folder / "reference";
-  fs::remove_all(reference_);
-  fs::rename(once.archive, reference_);
-  fs::remove_all(folder / "run");
+  fs::remove_all(*reference_);
+  fs::rename(once.archive, *reference_);
   result.status = once.status;
   result.steps = once.steps;
   result.seconds = once.seconds;
   result.wall_seconds = once.wall_seconds;
+  if (const auto coarser = coarser_reference_point(study)) {
+    result.norms = must_run(study, *coarser, true).norms;
+    result.error = in_norm(result.norms, study.norm);
+  }
+  fs::remove_all(folder / "run");
   return result;
 }
 

@@ -5,6 +5,7 @@
 #pragma once
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,16 +39,17 @@ struct StudyRunner {
   double patience = 20;              // no more repeats once they took so many seconds in all
 
   // Before run(), of a study with a reference: its run, whose archive stays in the folder. Throws
-  // InputError if it does not come to its end.
+  // InputError if it does not come to its end. Its error is that of a run with half of its cells
+  // against it, 0 where there is none: the error of the reference is less if refinement helps.
   StudyResult run_reference(const Study& study);
   StudyResult run(const Study& study, const StudyPoint& point) const;
 
  private:
   struct Once;
-  exact::ErrorNorms measure(const Study& study, const std::string& archive) const;
+  Once must_run(const Study& study, const StudyPoint& point, bool measure_error) const;
   Once run_once(const Study& study, const StudyPoint& point, bool measure_error) const;
 
-  std::filesystem::path reference_;  // archive
+  std::optional<std::filesystem::path> reference_;  // archive
 };
 
 // Middle of the values (s), and (third quartile - first quartile) / middle, a ratio.

@@ -7,14 +7,17 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "app/process/study_process.hpp"
+#include "app/study/study_measure.hpp"
 #include "app/study/study_report.hpp"
 #include "app/study/study_run.hpp"
 #include "framework/base/error.hpp"
 #include "framework/base/temporary_folder.hpp"
+#include "sluice_source_dir.hpp"
 
 namespace sluice::study_test {
 namespace {
@@ -92,6 +95,70 @@ TEST_F(StudyFolder, AReferenceIsARunOfItsOwn) {
               HasSubstr("\"reference\" needs \"resolution\""));
 }
 
+TEST_F(StudyFolder, AFormulaOrANumberMayBeExact) {
+  const std::string head = R"({"title": "T", "deck": "deck.ups", "resolution": [[1,1,1]], )";
+  const Study stress = read_study(write("stress.study", head + R"("variable": "p.stress.yz",
+      "exact": "2*x", "within": [[0,0,0], [1,2,3]], "offset": 300, "component": "solids",
+      "default_is_slower_because": "It is."})"));
+  EXPECT_EQ(stress.variable, "p.stress");
+  EXPECT_EQ(stress.component, 5);
+  EXPECT_EQ(stress.exact, "2*x");
+  EXPECT_EQ(stress.within->second, (Vec3{1, 2, 3}));
+  EXPECT_EQ(stress.offset, 300);
+  EXPECT_EQ(stress.part, "solids");
+  EXPECT_EQ(stress.why_slower, "It is.");
+  const Study length = read_study(write(
+      "length.study", head + R"("variable": "p.x.y", "reduce": "largest", "exact": 0.02145})"));
+  EXPECT_EQ(length.variable, "p.x");
+  EXPECT_EQ(length.component, 1);
+  EXPECT_EQ(length.reduce, "largest");
+  EXPECT_EQ(std::stod(*length.exact), 0.02145);
+  EXPECT_THAT(refusal(head + R"("reduce": "median"})"), HasSubstr("unknown \"reduce\""));
+  EXPECT_THAT(refusal(head + R"("reduce": "mean"})"), HasSubstr("needs \"exact\""));
+  EXPECT_THAT(refusal(head + R"("exact": "2*"})"), HasSubstr("2*"));
+  EXPECT_THAT(refusal(head + R"("exact": 1, "reference": {"resolution": [2,1,1]}})"),
+              HasSubstr("exclude each other"));
+  EXPECT_THAT(refusal(head + R"("variable": "p.stress.xx", "reference": {"resolution": [2,1,1]}})"),
+              HasSubstr("needs \"reduce\""));
+  EXPECT_THAT(refusal(head + R"("component": "flud"})"), HasSubstr("did you mean 'fluid'"));
+  EXPECT_THAT(refusal(head + R"("within": [[0,0,0]]})"), HasSubstr("two corners"));
+}
+
+TEST_F(StudyFolder, TheErrorOfAReferenceIsThatOfHalfItsCells) {
+  const std::string head = R"({"title": "T", "deck": "deck.ups", "resolution": [[10,1,1]],
+      "reference": {"resolution": )";
+  const auto coarser =
+      coarser_reference_point(read_study(write("even.study", head + "[80,4,1]}}")));
+  ASSERT_TRUE(coarser);
+  EXPECT_EQ(coarser->resolution, (IntVec3{40, 2, 1}));
+  EXPECT_EQ(coarser->overrides.back(), "Grid/Level/Box/resolution=[40,2,1]");
+  EXPECT_FALSE(coarser_reference_point(read_study(write("odd.study", head + "[30,15,1]}}"))));
+}
+
+TEST_F(StudyFolder, AVariableThatIsNotSavedIsRefusedBeforeAnyRun) {
+  std::ofstream(folder_ / "deck.ups") << "<Uintah_specification><DataArchiver>"
+                                         "<save label=\"press_CC\"/></DataArchiver>"
+                                         "</Uintah_specification>";
+  const auto refused = [&](const std::string& more) -> std::string {
+    const Study study = read_study(write(
+        "some.study", R"({"title": "T", "deck": "deck.ups", "resolution": [[1,1,1]], )" + more));
+    try {
+      require_measurable(study);
+    } catch (const InputError& fault) {
+      return fault.what();
+    }
+    return "";
+  };
+  EXPECT_THAT(refused(R"("variable": "pres_CC", "exact": 1})"),
+              HasSubstr("does not save \"pres_CC\" (did you mean 'press_CC'?"));
+  EXPECT_THAT(refused(R"("variable": "press_CC"})"), HasSubstr("names no <Meta>"));
+  EXPECT_EQ(refused(R"("variable": "press_CC", "exact": 1})"), "");
+  EXPECT_EQ(refused(R"("variable": "lost energy"})"), "");
+  EXPECT_EQ(refused(R"("variable": "rho_CC", "exact": 1,
+                       "set": "DataArchiver/save[2]/@label=rho_CC"})"),
+            "");
+}
+
 TEST_F(StudyFolder, SaysWhatIsWrongWithAStudy) {
   const std::string head = R"({"title": "T", "deck": "deck.ups", )";
   EXPECT_THAT(refusal("{"), HasSubstr("this is not JSON"));
@@ -110,6 +177,19 @@ TEST_F(StudyFolder, SaysWhatIsWrongWithAStudy) {
                 "ladders": [{"name": "order", "default": "3", "values": {"1": "a=b"}}]})"),
               HasSubstr("the default \"3\" is none of its values"));
   EXPECT_THROW(read_study("nowhere.study"), InputError);
+}
+
+// Those of regression/accuracy: each can be measured, and every component has at least six.
+TEST(Studies, CoverEveryComponent) {
+  std::map<std::string, int> counts;
+  for (const auto& entry : fs::directory_iterator(SLUICE_SOURCE_DIR "/regression/accuracy")) {
+    const Study study = read_study(entry.path().string());
+    EXPECT_NO_THROW(require_measurable(study)) << entry.path();
+    EXPECT_FALSE(study.part.empty()) << entry.path();
+    ++counts[study.part];
+  }
+  EXPECT_EQ(counts.size(), 7u);
+  for (const auto& [part, count] : counts) EXPECT_GE(count, 6) << part;
 }
 
 StudyResult result(const std::string& setting, int n, double error, double seconds) {

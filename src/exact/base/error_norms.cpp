@@ -22,7 +22,7 @@ double exact_value(const State& state, const std::string& variable, int componen
 }
 
 ErrorNorms error_norms(const std::vector<double>& computed, const std::vector<double>& exact,
-                       const std::vector<double>& volumes) {
+                       const std::vector<double>& volumes, double offset) {
   const bool weighted = !volumes.empty();
   if (computed.size() != exact.size() || computed.empty() ||
       (weighted && volumes.size() != exact.size())) {
@@ -37,7 +37,7 @@ ErrorNorms error_norms(const std::vector<double>& computed, const std::vector<do
     const double d = std::abs(computed[i] - exact[i]), w = weighted ? volumes[i] : 1.0;
     absolute.add(w * d);
     squares.add(w * d * d);
-    size.add(w * std::abs(exact[i]));
+    size.add(w * std::abs(exact[i] - offset));
     all.add(w);
     if (std::isnan(d) || d > norms.linf) norms.linf = d;  // a NaN stays: nothing exceeds it
   }

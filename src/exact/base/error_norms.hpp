@@ -19,8 +19,9 @@ struct ErrorNorms {
   double l1 = 0, l2 = 0, linf = 0, relative_l1 = 0;
   std::size_t points = 0;
 };
-// `volumes` weights the points, in any unit; empty: all alike.
+// `volumes` weights the points, in any unit; empty: all alike. With an `offset` relative_l1 divides
+// by the mean |exact - offset|: of what varies about a large value.
 ErrorNorms error_norms(const std::vector<double>& computed, const std::vector<double>& exact,
-                       const std::vector<double>& volumes = {});
+                       const std::vector<double>& volumes = {}, double offset = 0);
 
 }  // namespace sluice::exact

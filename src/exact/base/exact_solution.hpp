@@ -34,6 +34,8 @@ class ExactSolution {
   // The state at point x and time t >= 0. Reference solutions march to t on the first call of a
   // time and keep the result, so ask for all points of one time before the next.
   virtual State at(Vec3 x, double t) const = 0;
+  // False where the state is the same all along direction d, for means over cells.
+  virtual bool varies_along(int /*d*/) const { return true; }
   // How many materials take part. With more than one, density and velocity are those of the
   // mixture of a cell.
   virtual int materials() const { return 1; }

@@ -21,4 +21,10 @@ inline RadialPoint radial_point(Vec3 x, int dimension, Vec3 axis) {
   return r > 0 ? RadialPoint{r, out * (1 / r)} : RadialPoint{};
 }
 
+// Whether anything changes along direction d: not along an axis, nor across the normal of a plane.
+inline bool varies_radially(int dimension, Vec3 axis, int d) {
+  if (dimension == 1) return axis[d] != 0;
+  return dimension == 3 || std::abs(axis[d]) != 1;
+}
+
 }  // namespace sluice::exact

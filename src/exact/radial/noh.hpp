@@ -8,6 +8,7 @@
 // SI units: kg/m^3, m/s, Pa, m, s.
 #pragma once
 #include "exact/base/exact_solution.hpp"
+#include "exact/base/symmetry.hpp"
 
 namespace sluice::exact {
 
@@ -26,6 +27,9 @@ class Noh final : public ExactSolution {
   double plateau_density() const;
   double plateau_pressure() const;
   State at(Vec3 x, double t) const override;
+  bool varies_along(int d) const override {
+    return varies_radially(inflow_.dimension, inflow_.axis, d);
+  }
 
  private:
   Inflow inflow_;

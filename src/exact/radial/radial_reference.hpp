@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "exact/base/exact_solution.hpp"
+#include "exact/base/symmetry.hpp"
 #include "exact/radial/radial_lagrangian.hpp"
 
 namespace sluice::exact {
@@ -13,6 +14,7 @@ class RadialReference final : public ExactSolution {
  public:
   RadialReference(RadialProblem problem, Vec3 origin, Vec3 axis);
   State at(Vec3 x, double t) const override;
+  bool varies_along(int d) const override { return varies_radially(problem_.dimension, axis_, d); }
 
  private:
   RadialProblem problem_;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "exact/base/exact_solution.hpp"
+#include "exact/base/symmetry.hpp"
 
 namespace sluice::exact {
 
@@ -55,6 +56,9 @@ class Sedov final : public ExactSolution {
   double shock_radius(double t) const;  // m
   double shock_speed(double t) const;   // m/s
   State at(Vec3 x, double t) const override;
+  bool varies_along(int d) const override {
+    return varies_radially(blast_.dimension, blast_.axis, d);
+  }
 
  private:
   Blast blast_;

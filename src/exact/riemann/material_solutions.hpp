@@ -29,6 +29,7 @@ class TwoMaterials final : public ExactSolution {
       : solution_(std::move(solution)), place_(place) {}
   int materials() const override { return 2; }
   State at(Vec3 x, double t) const override;
+  bool varies_along(int d) const override { return place_.direction[d] != 0; }
   const MaterialRiemann& riemann() const { return solution_; }
 
  private:
@@ -43,6 +44,7 @@ class ShockAtInterface final : public ExactSolution {
       : solution_(std::move(solution)), place_(place) {}
   int materials() const override { return 2; }
   State at(Vec3 x, double t) const override;
+  bool varies_along(int d) const override { return place_.direction[d] != 0; }
   const ShockMeetsInterface& flow() const { return solution_; }
 
  private:

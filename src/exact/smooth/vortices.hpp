@@ -21,6 +21,7 @@ class IsentropicVortex final : public ExactSolution {
   };
   explicit IsentropicVortex(Stream stream) : stream_(stream) {}
   State at(Vec3 x, double t) const override;
+  bool varies_along(int d) const override { return d != 2; }
 
  private:
   Stream stream_;
@@ -33,6 +34,7 @@ class GreshoVortex final : public ExactSolution {
   GreshoVortex(double mach, double gamma, Vec3 centre)
       : mach_(mach), gamma_(gamma), centre_(centre) {}
   State at(Vec3 x, double t) const override;
+  bool varies_along(int d) const override { return d != 2; }
 
  private:
   double mach_, gamma_;

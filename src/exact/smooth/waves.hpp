@@ -15,6 +15,7 @@ class Uniform final : public ExactSolution {
  public:
   explicit Uniform(State state) : state_(state) {}
   State at(Vec3, double) const override { return state_; }
+  bool varies_along(int /*d*/) const override { return false; }
 
  private:
   State state_;
@@ -26,6 +27,7 @@ class AdvectedWave final : public ExactSolution {
   AdvectedWave(State mean, double amplitude, Vec3 wave_vector, Vec3 origin)
       : mean_(mean), amplitude_(amplitude), wave_vector_(wave_vector), origin_(origin) {}
   State at(Vec3 x, double t) const override;
+  bool varies_along(int d) const override { return wave_vector_[d] != 0; }
 
  private:
   State mean_;
@@ -43,6 +45,7 @@ class SoundWave final : public ExactSolution {
         sense_(sense),
         origin_(origin) {}
   State at(Vec3 x, double t) const override;
+  bool varies_along(int d) const override { return wave_vector_[d] != 0; }
 
  private:
   State mean_;
@@ -59,6 +62,7 @@ class SimpleWave final : public ExactSolution {
   SimpleWave(State mean, double amplitude, Vec3 wave_vector, int sense, Vec3 origin);
   double breaking_time() const { return breaking_time_; }
   State at(Vec3 x, double t) const override;  // InputError at or after the breaking time
+  bool varies_along(int d) const override { return direction_[d] != 0; }
 
  private:
   struct Foot {
@@ -83,6 +87,7 @@ class HydrostaticColumn final : public ExactSolution {
   HydrostaticColumn(State base, Vec3 gravity, bool isothermal, Vec3 origin)
       : base_(base), gravity_(gravity), isothermal_(isothermal), origin_(origin) {}
   State at(Vec3 x, double t) const override;
+  bool varies_along(int d) const override { return gravity_[d] != 0; }
 
  private:
   State base_;

@@ -31,6 +31,7 @@ std::optional<FormulaFill> read_formula(const DeckNode* ice) {
   if (node == nullptr) return std::nullopt;
   FormulaFill fill;
   fill.where = node->where;
+  fill.over_cells = node->attribute("over").value_or("centre") == "cell";
   fill.density = formula_text(*node, "density");
   fill.pressure = formula_text(*node, "pressure");
   fill.temperature = formula_text(*node, "temperature");

@@ -39,6 +39,7 @@ struct IceMaterial {
 struct FormulaFill {
   std::optional<std::string> density, pressure, temperature;
   std::array<std::optional<std::string>, 3> velocity;
+  bool over_cells = false;  // means over cells, not values at their centres
   Location where;
 };
 

@@ -75,7 +75,14 @@ TagSpec custom_initialization() {
              "is applied first, and a formula after all others")
       .with_children(ice::custom_start_tags())
       .child(
-          tag("formula", "initial state as formulas of x, y, z at the centre of each cell")
+          tag("formula", "initial state as formulas of x, y, z")
+              .attribute(
+                  attribute("over",
+                            "centre: values at the centre of each cell; cell: what the cell holds, "
+                            "from the means of density, momentum and energy over it (Gauss's rule "
+                            "with 4 points along each direction)")
+                      .words({"centre", "cell"})
+                      .by_default("centre"))
               .with_children(
                   {formula_of("density", "density"), formula_of("velocity_x", "velocity"),
                    formula_of("velocity_y", "velocity"), formula_of("velocity_z", "velocity"),

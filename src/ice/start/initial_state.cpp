@@ -16,8 +16,8 @@
 #include <cmath>
 
 #include "framework/deck/faults.hpp"
-#include "framework/scene/formula.hpp"
 #include "ice/start/custom_start.hpp"
+#include "ice/start/formula_fill.hpp"
 #include "ice/start/initial_state_parts.hpp"
 
 namespace sluice::ice {
@@ -79,40 +79,8 @@ void apply_objects(const IceMaterial& m, bool with_solids, const Level& level,
   });
 }
 
-// Evaluates one formula in every cell, into `values`.
-void evaluate(const std::optional<std::string>& text, const Level& level, const IndexBox& cells,
-              std::vector<double>& values) {
-  if (!text) return;
-  const Formula formula(*text);
-  std::size_t n = 0;
-  for_each_cell(cells, [&](IntVec3 c) { values[n++] = formula(level.centre(c)); });
-}
-
 double law_pressure(const IceMaterial& m, double density, double temperature) {
   return m.fluid.pressure(density, m.fluid.energy_from_temperature(density, temperature));
-}
-
-// Two of density, pressure and temperature give the third; of one alone the others are those of the
-// geometry objects, as far as the law can have them.
-void apply_formula(const FormulaFill& f, const IceMaterial& m, const Level& level,
-                   PrimitiveFill& fill) {
-  const std::vector<double> before = fill.pressure;
-  evaluate(f.density, level, fill.cells, fill.density);
-  evaluate(f.temperature, level, fill.cells, fill.temperature);
-  for (std::size_t d = 0; d < 3; ++d) evaluate(f.velocity[d], level, fill.cells, fill.velocity[d]);
-  if (f.density || f.temperature)
-    for (std::size_t n = 0; n < fill.density.size(); ++n)
-      fill.pressure[n] = law_pressure(m, fill.density[n], fill.temperature[n]);
-  evaluate(f.pressure, level, fill.cells, fill.pressure);
-  if (f.pressure && f.temperature && !f.density) {
-    for (std::size_t n = 0; n < fill.density.size(); ++n)
-      fill.density[n] = m.fluid.density(fill.pressure[n], fill.temperature[n]);
-    return;
-  }
-  if (!f.pressure || m.fluid.depends_on_energy()) return;
-  for (std::size_t n = 0; n < fill.density.size(); ++n)
-    if (fill.pressure[n] != before[n])
-      fill.density[n] = m.fluid.density(fill.pressure[n], fill.temperature[n]);
 }
 
 void apply_custom(const IceScene& scene, double reference_pressure, const IceMaterial& m,
