@@ -13,6 +13,7 @@
 #include "app/command/command_line.hpp"
 #include "app/process/data_folder.hpp"
 #include "app/process/python_tool.hpp"
+#include "app/process/run_journal.hpp"
 #include "app/process/study_process.hpp"
 #include "app/study/study.hpp"
 #include "app/study/study_measure.hpp"
@@ -65,6 +66,10 @@ StudyReport measure(const Study& study, const AccuracyRequest& request, const fs
   runner.folder = folder;
   runner.repeats = request.repeats;
   const auto points = points_of(study);
+  RunJournal journal(folder);
+  if (journal.size() > 0)
+    fmt::print("{} runs are taken from {}: a study that did not come to its end\n", journal.size(),
+               folder.string());
   if (study.reference) {
     report.reference = runner.run_reference(study);
     const StudyResult& r = *report.reference;
@@ -76,7 +81,13 @@ StudyReport measure(const Study& study, const AccuracyRequest& request, const fs
   for (const StudyPoint& point : points) {
     ++number;
     if (!request.only.empty() && !matches(point, request.only)) continue;
-    report.results.push_back(runner.run(study, point));
+    const std::string key = runner.key_of(study, point);
+    if (const auto found = journal.find(key)) {
+      report.results.push_back(result_from_json(*found, study, point));
+    } else {
+      report.results.push_back(runner.run(study, point));
+      journal.add(key, to_json(report.results.back()));
+    }
     const StudyResult& r = report.results.back();
     fmt::print("[{}/{}] {}, N {}: {}\n", number, points.size(), point.setting, point.cells(),
                r.done() ? fmt::format("error {:.3e}, {}{}", r.error, human_duration(r.seconds),
@@ -84,6 +95,7 @@ StudyReport measure(const Study& study, const AccuracyRequest& request, const fs
                         : r.status + ": " + r.message);
     std::fflush(stdout);
   }
+  journal.finish();
   if (report.results.empty()) {
     throw InputError(fmt::format("--only {} matches none of the {} runs; the first is \"{}, N {}\"",
                                  request.only, points.size(), points[0].setting,
@@ -107,7 +119,7 @@ int accuracy_of_deck(const AccuracyRequest& request) {
   DeckLadder ladder(own_executable(), request.study, request.overrides, folder);
   make_folder(folder);
   const DeckAccuracy found = measure_accuracy(ladder, request.study);
-  fmt::print("{}: error bars from runs at three resolutions, relative to the mean size\n\n{}\n",
+  fmt::print("{}: error bars from runs at several resolutions, relative to the mean size\n\n{}\n",
              found.title, accuracy_table(found));
   for (const Rung& rung : found.rungs) fs::remove_all(rung.archive.parent_path());
   const fs::path json = request.json.empty() ? folder / (stem + ".json") : fs::path(request.json);
@@ -150,7 +162,7 @@ void declare_accuracy_command(Command& command) {
   command
       .option("STUDY", request->study,
               "Study file (.study), the name of a study of regression/accuracy (sod), or a deck "
-              "(.ups): error bars of all that it saves, from runs at three resolutions")
+              "(.ups): error bars of all that it saves, from runs at several resolutions")
       .required();
   command.option("-o", request->folder, "Folder for the results (STUDY.accuracy)");
   command.option("--json", request->json, "JSON file (in the folder)");

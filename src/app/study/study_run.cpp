@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <numeric>
 
-#include "app/process/study_process.hpp"
+#include "app/process/deck_process.hpp"
+#include "app/process/run_journal.hpp"
 #include "app/study/study_measure.hpp"
 #include "framework/base/error.hpp"
 #include "framework/base/json.hpp"
@@ -24,24 +24,8 @@ double in_norm(const exact::ErrorNorms& norms, const std::string& norm) {
   return norms.l1;
 }
 
-std::vector<std::string> run_words(const StudyRunner& runner, const Study& study,
-                                   const StudyPoint& point) {
-  std::vector<std::string> words = {runner.executable.string(), "run", study.deck};
-  for (const std::string& one : point.overrides) {
-    words.emplace_back("--set");
-    words.push_back(one);
-  }
-  return words;
-}
-
-// For a person's shell: words with blanks or brackets in quotes.
-std::string shell_text(const std::vector<std::string>& words) {
-  std::string out = "sluice";
-  for (std::size_t i = 1; i < words.size(); ++i) {
-    const bool plain = words[i].find_first_of(" []*?$'\"@=") == std::string::npos;
-    out += plain ? " " + words[i] : " '" + words[i] + "'";
-  }
-  return out;
+DeckRequest request_of(const StudyRunner& runner, const Study& study, const StudyPoint& point) {
+  return {runner.executable, study.deck, point.overrides, {}, runner.folder / "run"};
 }
 
 // What transfer, integration and contact took (or gave) and did not become heat, over the scale.
@@ -85,38 +69,19 @@ Timing timing_of(std::vector<double> seconds) {
 
 StudyRunner::Once StudyRunner::run_once(const Study& study, const StudyPoint& point,
                                         bool measure_error) const {
-  const fs::path here = folder / "run";
-  fs::remove_all(here);
-  fs::create_directories(here);
-  const fs::path json = here / "run.json", log = here / "run.log";
-  ProcessRequest request;
-  request.words = run_words(*this, study, point);
-  for (const std::string& word : {std::string("-o"), here.string(), std::string("--json"),
-                                  json.string(), std::string("--progress"), std::string("none")}) {
-    request.words.push_back(word);
-  }
-  request.output = log;
+  const DeckOutcome outcome = run_deck(request_of(*this, study, point));
   Once once;
-  const int exit_status = run_process(request);
-  if (exit_status == static_cast<int>(ExitStatus::bad_input)) {
-    throw InputError(fmt::format("{} does not run:\n{}", shell_text(run_words(*this, study, point)),
-                                 last_lines(log, 20)));
-  }
-  std::ifstream in(json);
-  const Json told = Json::parse_or_null({std::istreambuf_iterator<char>(in), {}});
-  if (!told.is_object()) {
-    once.message = fmt::format("exit status {}: {}", exit_status, last_lines(log, 5));
-    return once;
-  }
-  once.status = told.value("status", std::string("failed"));
+  once.message = outcome.message;
+  const Json& told = outcome.report;
+  if (!told.is_object()) return once;
+  once.status = outcome.status();
   once.steps = told.value("steps", 0);
   once.wall_seconds = told.value("wall_s", 0.0);
   once.seconds = told.value("stepping_s", once.wall_seconds);
-  if (once.status != "done") once.message = last_lines(log, 5);
   if (once.status != "done") return once;
-  if (!told.contains("archive") || !told.at("archive").is_text())
+  once.archive = outcome.archive();
+  if (once.archive.empty())
     throw InputError(fmt::format("{}: the run of {} wrote no archive", study.file, study.deck));
-  once.archive = told.at("archive").get<std::string>();
   if (measure_error)
     once.norms = is_of_energy(study) ? lost_energy(study, told)
                                      : measured_error(study, once.archive, reference_);
@@ -154,7 +119,7 @@ StudyResult StudyRunner::run_reference(const Study& study) {
 StudyResult StudyRunner::run(const Study& study, const StudyPoint& point) const {
   StudyResult result;
   result.point = point;
-  result.command = shell_text(run_words(*this, study, point));
+  result.command = shell_text(run_words(request_of(*this, study, point)));
   std::vector<double> seconds, wall_seconds;
   double spent = 0;
   Timing timing;
@@ -180,6 +145,46 @@ StudyResult StudyRunner::run(const Study& study, const StudyPoint& point) const 
   result.repeats = static_cast<int>(seconds.size());
   fs::remove_all(folder / "run");
   return result;
+}
+
+std::string StudyRunner::key_of(const Study& study, const StudyPoint& point) const {
+  std::vector<std::string> words = run_words(request_of(*this, study, point));
+  words.push_back(fmt::format("{} {} of {}.{}, material {}, {} repeats", study.file, study.norm,
+                              study.variable, study.component, study.material, repeats));
+  return RunJournal::key_of(words, study.deck);
+}
+
+Json to_json(const StudyResult& r) {
+  return {{"status", r.status},
+          {"message", r.message},
+          {"command", r.command},
+          {"steps", r.steps},
+          {"seconds", r.seconds},
+          {"wall_s", r.wall_seconds},
+          {"spread", r.spread},
+          {"repeats", r.repeats},
+          {"norms", {r.norms.l1, r.norms.l2, r.norms.linf, r.norms.relative_l1}},
+          {"points", r.norms.points}};
+}
+
+StudyResult result_from_json(const Json& json, const Study& study, const StudyPoint& point) {
+  StudyResult r;
+  r.point = point;
+  r.status = json.at("status").get<std::string>();
+  r.message = json.at("message").get<std::string>();
+  r.command = json.at("command").get<std::string>();
+  r.steps = json.at("steps").get<int>();
+  r.seconds = json.at("seconds").get<double>();
+  r.wall_seconds = json.at("wall_s").get<double>();
+  r.spread = json.at("spread").get<double>();
+  r.repeats = json.at("repeats").get<int>();
+  const auto norm = [&](std::size_t n) {  // what is not finite is null
+    const Json& value = json.at("norms").at(n);
+    return value.is_number() ? value.get<double>() : NAN;
+  };
+  r.norms = {norm(0), norm(1), norm(2), norm(3), json.at("points").get<std::size_t>()};
+  r.error = in_norm(r.norms, study.norm);
+  return r;
 }
 
 }  // namespace sluice

@@ -11,6 +11,7 @@
 
 #include "app/study/study.hpp"
 #include "exact/base/error_norms.hpp"
+#include "framework/base/json.hpp"
 
 namespace sluice {
 
@@ -43,6 +44,8 @@ struct StudyRunner {
   // against it, 0 where there is none: the error of the reference is less if refinement helps.
   StudyResult run_reference(const Study& study);
   StudyResult run(const Study& study, const StudyPoint& point) const;
+  // All that the result of a run depends on, as text: for the journal of a study.
+  std::string key_of(const Study& study, const StudyPoint& point) const;
 
  private:
   struct Once;
@@ -51,6 +54,10 @@ struct StudyRunner {
 
   std::optional<std::filesystem::path> reference_;  // archive
 };
+
+// For the journal of a study. JsonError where it is no result.
+Json to_json(const StudyResult& result);
+StudyResult result_from_json(const Json& json, const Study& study, const StudyPoint& point);
 
 // Middle of the values (s), and (third quartile - first quartile) / middle, a ratio.
 struct Timing {
