@@ -59,7 +59,7 @@ IceMaterial read_material(const DeckNode& node, int index, const GeometryReader&
 }
 
 void read_numerics(const DeckNode& root, const DeckNode& cfd, IceScene& s) {
-  s.cfl = cfd.real("cfl");
+  if (const DeckNode* cfl = cfd.child("cfl")) s.cfl = cfl->as_real();
   s.cfl_where = place(cfd.child("cfl"));
   const DeckNode* ice = cfd.child("ICE");
   if (ice == nullptr) return;
@@ -208,6 +208,15 @@ void place_added_heat(IceScene& s, std::vector<Fault>& faults) {
 
 bool IceScene::one_velocity() const {
   return materials.size() < 2 || exchange.momentum.min_of_pairs() >= one_velocity_coefficient;
+}
+
+double IceScene::courant_number(const Scene& scene) const {
+  constexpr double usual = 0.4, along_one_direction = 0.8;
+  const IntVec3 cells = scene.grid.levels.front().domain.size();
+  const bool one_direction = (cells.x > 1) + (cells.y > 1) + (cells.z > 1) <= 1;
+  const bool plain = materials.size() == 1 && solids == 0 && !implicit && !internal_energy_form &&
+                     !turbulence && !models.mixed && !models.any_source() && models.scalars.empty();
+  return cfl.value_or(one_direction && plain ? along_one_direction : usual);
 }
 
 const IceMaterial& IceScene::surrounding() const {

@@ -56,7 +56,7 @@ struct IceScene {
   bool compatible_fluxes = true;
   bool shears_shocks = true;  // shearAlongShocks
   std::optional<ImplicitSettings> implicit;
-  double cfl = 0.4;                     // Courant number
+  std::optional<double> cfl;            // Courant number; none: courant_number() chooses
   double sound_speed_factor = 1;        // weight of c in the deck's time-step rule
   double diffusion_factor = 1;          // weight of diffusion in it
   bool conservative_time_step = false;  // Scheme_for_delT_calc
@@ -77,6 +77,9 @@ struct IceScene {
 
   // Drag so strong in every pair that all materials move together (one_velocity_coefficient).
   bool one_velocity() const;
+  // Courant number that the deck says, or the default: 0.8 for explicit steps of one fluid along one
+  // direction, where the error is the same at half the steps (docs/accuracy.md); 0.4 otherwise.
+  double courant_number(const Scene& scene) const;
   // The material whose weight makes the hydrostatic pressure: the one marked, or the only one.
   const IceMaterial& surrounding() const;
 };

@@ -123,18 +123,17 @@ std::optional<CustomStart> read_one(const DeckNode& node) {
 std::vector<TagSpec> custom_start_tags() {
   std::vector<TagSpec> tags = {
       tag("vortices", "Gaussian vortices, truncated at their radius")
-          .child(
-              tag("vortex", "one vortex")
-                  .at_least_once()
-                  .with_children(
-                      {axis_tag(),
-                       tag("origin", "centre of the vortex").once().vector().unit("length"),
-                       tag("strength",
-                           "strength C of u = C r w/(rho R^2), "
-                           "w = exp(-r^2/(2 R^2))")
-                           .once()
-                           .real(),
-                       length_tag("radius", "R")})),
+          .child(tag("vortex", "one vortex")
+                     .at_least_once()
+                     .with_children(
+                         {axis_tag(),
+                          tag("origin", "centre of the vortex").once().vector().unit("length"),
+                          tag("strength",
+                              "strength C of u = C r w/(rho R^2), "
+                              "w = exp(-r^2/(2 R^2))")
+                              .once()
+                              .real(),
+                          length_tag("radius", "R")})),
       tag("vortexPairs",
           "vortices of alternating sense across the domain: u += S sin^2(pi y) cos(2 pi n z) from "
           "side to side, divergence-free and at rest at both sides")

@@ -115,7 +115,12 @@ TagSpec ice_block() {
 TagSpec fluid_dynamics() {
   return tag("CFD", "the fluid")
       .with_children(
-          {tag("cfl", "fraction of the stable time step").once().real().above(0).at_most(1),
+          {tag("cfl",
+               "Courant number: fraction of the stable time step; absent: 0.8 in explicit steps of "
+               "one fluid in one row of cells without models, 0.4 otherwise")
+               .real()
+               .above(0)
+               .at_most(1),
            ice_block()});
 }
 

@@ -64,7 +64,7 @@ MethodOptions method_options(const Scene& scene, const IceScene& ice) {
   s.second_order = ice.second_order;
   s.shears_shocks = shears_shocks(scene, ice);
   s.compatible_fluxes = ice.compatible_fluxes;
-  s.cfl = ice.cfl;
+  s.cfl = ice.courant_number(scene);
   s.sound_speed_factor = ice.sound_speed_factor;
   s.diffusion_factor = ice.diffusion_factor;
   s.conservative_time_step = ice.conservative_time_step;
