@@ -114,6 +114,11 @@ CellValues CaseRun::exact_field(const CellValues& like, const std::string& varia
   return out;
 }
 
+exact::ErrorNorms CaseRun::error_at_centres(const std::string& variable, int component) const {
+  const CellValues computed = field(variable, component);
+  return exact::error_norms(computed.values, exact_field(computed, variable, component).values);
+}
+
 exact::ErrorNorms CaseRun::error(const std::string& variable, int component) const {
   const Archive opened = Archive::open(archive());
   const auto reference = reference_of_archive(opened);

@@ -62,6 +62,8 @@ class CaseRun {
                          int component = 0) const;
   // Against the deck's exact solution, last output.
   exact::ErrorNorms error(const std::string& variable, int component = 0) const;
+  // The same from the exact values at the centres of cells, of one level.
+  exact::ErrorNorms error_at_centres(const std::string& variable, int component = 0) const;
 
   // Largest |drift| of the conserved totals, as the share of sum |q|; boundary fluxes, impulses and
   // sources counted.

@@ -149,8 +149,8 @@ CellMean::Amounts CellMean::along(const Cell& cell, std::size_t number, Vec3 x,
   const auto line = [&](double place) {
     Vec3 there = x;
     there[d] = place;
-    // What an inner mean is off must not look like a feature along d.
-    return along(cell, number + 1, there, 0.125 * tolerance);
+    // What an inner mean is off counts like a difference along d.
+    return along(cell, number + 1, there, 0.5 * tolerance);
   };
   return adaptive_mean<std::tuple_size_v<Amounts>>(line, cell.low[d], cell.high[d], differ);
 }
