@@ -1,5 +1,5 @@
-// Steps of the third order: order in smooth flow, positive states behind strong waves, conservation,
-// mirror images, small waves, columns at rest.
+// Steps of the third order: order in smooth flow, positive states behind strong waves,
+// conservation, mirror images, small waves, columns at rest.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -101,17 +101,19 @@ TEST_P(StrongWaves, StayPositive) {
 
 INSTANTIATE_TEST_SUITE_P(
     Parabolas, StrongWaves,
-    testing::Values(StrongWave{"blast", {100, 1, 1}, gas(1, 1e5), gas(1, 1)},
-                    StrongWave{"fans_5", {100, 1, 1}, gas(1, 0.4, -5), gas(1, 0.4, 5)},
-                    StrongWave{"fans_20", {100, 1, 1}, gas(1, 0.4, -20), gas(1, 0.4, 20)},
-                    StrongWave{"vacuum", {100, 1, 1}, gas(1, 1), gas(1e-12, 1e-12)},
-                    StrongWave{"leblanc", {100, 1, 1}, gas(1, 1.0 / 15), gas(1e-3, 2e-10 / 3)},
-                    StrongWave{"collision", {100, 1, 1}, gas(1, 1e-6, 10), gas(1, 1e-6, -10)},
-                    StrongWave{"blast_2d", {32, 32, 1}, gas(1, 1e5), gas(1, 1)},
-                    StrongWave{"blast_3d", {12, 12, 12}, gas(1, 1e10), gas(1, 1)},
-                    StrongWave{"contact_2d", {24, 24, 1}, gas(1000, 1, 8, 8), gas(1, 1, 8, 8)},
-                    StrongWave{
-                        "contact_3d", {12, 12, 12}, gas(1000, 1, 8, 8, 8), gas(1, 1, 8, 8, 8)}),
+    testing::Values(
+        StrongWave{"blast", {100, 1, 1}, gas(1, 1e5), gas(1, 1)},
+        StrongWave{"fans_5", {100, 1, 1}, gas(1, 0.4, -5), gas(1, 0.4, 5)},
+        StrongWave{"fans_20", {100, 1, 1}, gas(1, 0.4, -20), gas(1, 0.4, 20)},
+        StrongWave{"vacuum", {100, 1, 1}, gas(1, 1), gas(1e-12, 1e-12)},
+        StrongWave{"leblanc", {100, 1, 1}, gas(1, 1.0 / 15), gas(1e-3, 2e-10 / 3)},
+        StrongWave{"collision", {100, 1, 1}, gas(1, 1e-6, 10), gas(1, 1e-6, -10)},
+        StrongWave{"heavy_on_light", {100, 1, 1}, gas(1000, 1e-6, 10), gas(1, 1e-6, -10)},
+        StrongWave{"light_on_heavy", {100, 1, 1}, gas(1, 1e-6, 10), gas(1e4, 1, -1)},
+        StrongWave{"blast_2d", {32, 32, 1}, gas(1, 1e5), gas(1, 1)},
+        StrongWave{"blast_3d", {12, 12, 12}, gas(1, 1e10), gas(1, 1)},
+        StrongWave{"contact_2d", {24, 24, 1}, gas(1000, 1, 8, 8), gas(1, 1, 8, 8)},
+        StrongWave{"contact_3d", {12, 12, 12}, gas(1000, 1, 8, 8, 8), gas(1, 1, 8, 8, 8)}),
     [](const testing::TestParamInfo<StrongWave>& w) { return w.param.name; });
 
 TEST(Parabolas, KeepMassMomentumAndEnergy) {

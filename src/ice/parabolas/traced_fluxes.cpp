@@ -7,7 +7,8 @@
 //   u* = ((z_L u_L + z_R u_R) + (p_L - p_R))/(z_L + z_R)
 //   p* = ((z_R p_L + z_L p_R) + z_L z_R (u_L - u_R))/(z_L + z_R),
 // and on either side of the contact, K the side that u* leaves, d = u* - u_L or u_R - u*,
-//   rho* = rho_K w/(w + d),   E* = (w E_K - d p_K)/(w + d) + rho* d^2/2
+//   rho* = rho_K w/(w + d),   E* = (w E_K - d p_K)/(w + d) + rho* d^2/2,
+//   w = max(w_K, c_K + max(A, 1) max(0, -d))  (the shock that d drives: w + d > 0)
 // (the three waves of HLLC: Toro, Spruce, Speares, Shock Waves 4 (1994) 25). A face that both waves
 // leave to one side has the state of the other. Then, l = dt/dx,
 //   u_f = u*, p_f = p*, F = l u* rho*, U = (u*, what is tangential in K), G = l u* E*:
@@ -25,19 +26,15 @@
 namespace sluice::ice {
 namespace {
 
-// threshold: smallest distance of a contact from the wave before it, of the wave's own speed; it
-//   bounds the density behind a shock; unit: 1; test: none
-constexpr double min_distance = 0.05;
-
 struct Handles {
   In rho, energy, velocity, sound, traced;
   Out face_velocity, face_pressure, flux;
 };
 
 struct Law {
-  double shock_slope = 1;
-  double pi = 0;                  // minus the lowest pressure
-  double energy_of_pressure = 0;  // 1/(gamma - 1) of an ideal gas
+  double shock_slope = 1, driving_slope = 1;  // of impedances; of shocks before contacts, >= 1
+  double pi = 0;                              // minus the lowest pressure
+  double energy_of_pressure = 0;              // 1/(gamma - 1) of an ideal gas
 };
 
 struct Side {
@@ -57,12 +54,11 @@ struct Passing {
   return larger(p, smaller(-law.pi, p + 30.0 * z * larger(0.0, parting)));
 }
 
-// What passes a face with the star state behind a wave of speed w in K. d: how much faster the
-// contact leaves the wave than K does.
+// What passes a face with the star state behind the wave in K, which moves with w: at least as fast
+// as the shock that the contact drives. d: how much faster the contact leaves the wave than K does.
 [[gnu::always_inline]] inline Passing behind_wave(const Side& K, double w, double d,
                                                   const Star& star) {
-  const double inverse = 1.0 / larger(w + d, min_distance * w);
-  const double rho = K.rho * w * inverse;
+  const double inverse = 1.0 / (w + d), rho = K.rho * w * inverse;
   return {rho, star.u, star.p, (w * K.E - d * K.p) * inverse + 0.5 * rho * (d * d)};
 }
 
@@ -82,7 +78,8 @@ struct Passing {
   star.p = without_pull((zR * L.p + zL * R.p) * inverse + z * du, du, z, ca + cb, law);
   left = star.u >= 0.0;
   const Side K{left ? L.rho : R.rho, left ? L.u : R.u, left ? L.p : R.p, left ? L.E : R.E};
-  const double w = left ? wL : wR, d = left ? star.u - L.u : R.u - star.u;
+  const double d = left ? star.u - L.u : R.u - star.u;
+  const double w = larger(left ? wL : wR, (left ? ca : cb) + law.driving_slope * larger(0.0, -d));
   const double speed = left ? L.u : -R.u;
   const Passing in = behind_wave(K, w, d, star);
   const bool past = speed >= w;
@@ -149,7 +146,8 @@ void wall_face(const Row& row, const Handles& h, const Rows<C, Scaled>& r, int a
   const double* const* inside = plus ? r.L : r.R;
   const Side K = r.side(inside, axis, i);
   const double c = plus ? r.ca[i] : r.cb[i], towards = plus ? K.u - u : u - K.u;
-  const double w = c + r.law.shock_slope * larger(0.0, towards), z = K.rho * w;
+  const double z = K.rho * (c + r.law.shock_slope * larger(0.0, towards));
+  const double w = c + r.law.driving_slope * larger(0.0, towards);
   const double p = without_pull(K.p + z * towards, 2.0 * towards, 0.5 * z, 2.0 * c, r.law);
   Passing f = behind_wave(K, w, -towards, {u, p});
   const bool enters = plus ? u < 0.0 : u > 0.0;
@@ -169,7 +167,7 @@ template <int C, bool Scaled>
 void row_of_axis(const Row& row, const Handles& h, int axis, const SchemeOptions& o) {
   const Fluid& fluid = o.materials.fluid;
   const eos::IdealGas* gas = fluid.gamma_law();
-  const Law law{fluid.shock_slope(), -fluid.lowest_pressure(),
+  const Law law{fluid.shock_slope(), larger(fluid.shock_slope(), 1.0), -fluid.lowest_pressure(),
                 gas == nullptr ? 0.0 : 1.0 / (gas->gamma - 1.0)};
   const double l = row.step().dt / row.step().spacing[o.grid.axes.direction[axis]];
   const Rows<C, Scaled> rows(row, h, axis, l, law);
