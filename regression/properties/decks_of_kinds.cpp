@@ -15,6 +15,8 @@ const char* const kinds[] = {
     "cube_gravity",
     "amr_explosion_ratio_4",
     "amr_cube_all",
+    "cube_gravity_third_order",  // parabolas
+    "amr_explosion_ratio_4_third_order",
     "held_region_classic",  // the classic form
     "amr_shock_tube_classic",
     "two_gases_transport",  // several materials of one velocity

@@ -370,9 +370,13 @@ const std::vector<PropertyDeck>& property_decks() {
   static const std::vector<PropertyDeck> decks = [] {
     std::vector<PropertyDeck> all;
     for (const std::vector<Entry>& table : {own(), of_materials(), on_levels()})
-      for (const Entry& e : table)
+      for (const Entry& e : table) {
         all.push_back({e.name, std::string(SLUICE_SOURCE_DIR "/inputs/ice/") + e.deck + ".ups",
                        with_control(e.overrides)});
+        if (!bears_parabolas(e.name)) continue;
+        all.push_back({all.back().name + "_third_order", all.back().file, all.back().overrides});
+        all.back().overrides.emplace_back("CFD/ICE/advection/@type=ThirdOrder");
+      }
     const auto folder = folder_in_environment("SLUICE_DECKS");
     for (const Entry& e : collection())
       all.push_back({e.name, folder ? folder->string() + "/inputs/" + e.deck + ".ups" : "",

@@ -27,6 +27,9 @@ const std::vector<PropertyDeck>& property_decks();
 std::vector<PropertyDeck> decks_of_kinds();
 std::vector<PropertyDeck> other_decks();
 
+// Whether a deck runs with <advection type="ThirdOrder"> too, as NAME_third_order.
+bool bears_parabolas(const std::string& name);
+
 // Steps of a run, and steps between its outputs and between its checkpoints; both are kept at the
 // steps 1 + n interval.
 inline constexpr int interval = 9, steps = 1 + 3 * interval;

@@ -245,8 +245,10 @@ EffectList find_effects(const Scene& scene, const IceScene& ice) {
          ice.internal_energy_form ? "classic scheme: one stage, internal energy"
                                   : "conservative scheme: Lagrangian phase and remap",
          ice.scheme_where});
-  e.add({"second order", ice.second_order,
-         ice.second_order ? "<advection type=\"SecondOrder\">" : "<advection type=\"FirstOrder\">",
+  e.add({ice.third_order ? "third order" : "second order", ice.second_order,
+         ice.third_order    ? "<advection type=\"ThirdOrder\">: parabolas in all cells"
+         : ice.second_order ? "<advection type=\"SecondOrder\">"
+                            : "<advection type=\"FirstOrder\">",
          ice.advection_where});
   e.add({"gravity", gravity, gravity ? "<gravity> is not zero" : "<gravity> is zero",
          ice.gravity_where});

@@ -61,7 +61,7 @@ IntVec3 FluidLevels::interface_depth(const Level& level) const {
       r.adaptive && !r.once &&
       !(part_->scene().criteria.empty() && r.errors.empty() && r.interfaces.empty());
   if (part_->options().scheme.internal_energy_form || !part_->options().scheme.second_order ||
-      follow)
+      part_->options().scheme.third_order || follow)
     return {};
   return leaving_depth(level);
 }

@@ -23,11 +23,14 @@ std::vector<SlotInfo> FluidState::slots() const {
   const int around = part_->options().materials.multi_velocity ? (filtered ? 3 : 2)
                      : filtered                                ? 2
                                                                : 0;
-  // Slopes of the semi-implicit step reach one cell further.
-  const int own = part_->options().scheme.internal_energy_form
-                      ? internal_energy_form::ghost_layers(part_->options())
-                  : part_->options().scheme.implicit ? 4
-                                                     : 3;
+  // Slopes of the semi-implicit step reach one cell further, and so do parabolas where scalars ask
+  // for the Lagrangian phase of cells beside the box.
+  const MethodOptions& scheme = part_->options().scheme;
+  const bool far =
+      scheme.implicit || (scheme.third_order && !part_->scene().models.scalars.empty());
+  const int own = scheme.internal_energy_form ? internal_energy_form::ghost_layers(part_->options())
+                  : far                       ? 4
+                                              : 3;
   // What cells without fluid close to is known of their neighbours' neighbours, and of several
   // fluids what they pass on is what the neighbours give.
   const int closing = part_->scene().solids == 0 ? 0 : part_->material_count() == 1 ? 1 : 2;

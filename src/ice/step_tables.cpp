@@ -2,6 +2,7 @@
 
 #include "ice/cut_cell_inputs.hpp"
 #include "ice/mixture/surface.hpp"
+#include "ice/parabolas/tasks.hpp"
 #include "ice/pressure/variables.hpp"
 #include "ice/scalars/heat_release.hpp"
 #include "ice/scalars/reactions.hpp"
@@ -17,6 +18,7 @@ namespace sluice::ice {
 void declare_step_of_full_cells(TaskList& list, const SchemeOptions& o, const EffectList& effects) {
   const bool several = o.materials.mixture, one = !several;
   const bool apart = several && o.materials.multi_velocity, together = several && !apart;
+  const bool traced = o.scheme.third_order, remapped = one && !traced;
   mixture::Variables m = declare_full_cells(list, o, apart);
   const SchemeVariables& v = m.common;
   constexpr int flow = effect_flow, second_order = effect_second_order,
@@ -30,7 +32,10 @@ void declare_step_of_full_cells(TaskList& list, const SchemeOptions& o, const Ef
   row(several, add_mixture_primitives, m, equilibrium);      // state -> who is where, u, p, c
   row(several, mixture::add_surface, m, drag);               // V_m -> where gas slips
   row(apart, mixture::add_slip_motion, m, drag);             // state -> u_m; u, c of volume
-  add_face_states(list, v, o);                               // u, p, c -> slopes, u_f, p_f
+  row(traced, add_traced_states, v, second_order);           // rho, u, p -> states at edges
+  row(traced, add_traced_fluxes, v, flow);                   // these -> u_f, p_f, F, G, U
+  row(traced, add_slopes, v, second_order);                  // u, p -> slopes: of scalars alone
+  if (!traced) add_face_states(list, v, o);                  // u, p, c -> slopes, u_f, p_f
   row(true, add_shock_shear, v, effect_shock_shear);         // u, p, c -> k along shocks
   row(one, add_transport_models, v, friction);               // rho, E, u -> mu, k of cells
   row(one, add_viscous_stress, v, friction);                 // u -> t_f
@@ -43,10 +48,10 @@ void declare_step_of_full_cells(TaskList& list, const SchemeOptions& o, const Ef
   row(true, add_lagrangian, v, flow);                        // faces -> rho_L, E_L, v, E*
   row(several, mixture::add_material_lagrangian, m, flow);   // u_f, p_f -> E_mL, scales
   row(apart, mixture::add_slip_faces, m, drag);              // drift -> u_fm, outflow
-  row(one, add_remap_bases, v, second_order);                // Lagrange -> bases
+  row(remapped, add_remap_bases, v, second_order);           // Lagrange -> bases
   row(several, mixture::add_remap_bases, m, second_order);   // Lagrange -> bases
   row(apart, mixture::add_slip_bases, m, drag);              // Lagrange -> bases of u_m
-  row(one, add_remap_fluxes, v, flow);                       // u_f, bases -> F, G, U
+  row(remapped, add_remap_fluxes, v, flow);                  // u_f, bases -> F, G, U
   row(together, mixture::add_remap_fluxes, m, flow);         // bases -> FV, FM, FE of each, U
   row(apart, mixture::add_slip_fluxes, m, flow);             // bases -> FV, FM, FE, U of each
   row(one, add_update, v, flow);                             // fluxes -> new state, rates

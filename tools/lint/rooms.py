@@ -90,7 +90,9 @@ ROOMS = {
          "tracers": "particles that move with the flow"},
         {"one_material": "the default scheme for one material, one step of the theory per file",
          "internal_energy_form": "the classic form (internal energy), one step of the theory per "
-                                 "file"},
+                                 "file",
+         "parabolas": "the third order: parabolas in cells of one material, traced along "
+                      "characteristics"},
         {"mixture": "the default scheme where several materials meet"},
         {"multi_velocity": "the tasks that a step has in addition with one velocity per "
                            "material"},

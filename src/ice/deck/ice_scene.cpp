@@ -12,6 +12,7 @@
 #include "ice/deck/read_transport.hpp"
 #include "ice/deck/schema.hpp"
 #include "ice/deck/scheme.hpp"
+#include "ice/deck/third_order.hpp"
 
 namespace sluice::ice {
 namespace {
@@ -66,7 +67,8 @@ void read_numerics(const DeckNode& root, const DeckNode& cfd, IceScene& s) {
   s.internal_energy_form = scheme_of(root).internal_energy;
   if (const DeckNode* scheme = ice->child("scheme")) s.scheme_where = scheme->where;
   if (const DeckNode* advection = ice->child("advection")) {
-    s.second_order = advection->attribute("type").value_or("SecondOrder") == "SecondOrder";
+    s.third_order = is_third_order(root);
+    s.second_order = advection->attribute("type").value_or("SecondOrder") != "FirstOrder";
     s.compatible_fluxes = advection->attribute("useCompatibleFluxes").value_or("true") == "true";
     s.shears_shocks = advection->attribute("shearAlongShocks").value_or("true") == "true";
     s.advection_where = advection->where;

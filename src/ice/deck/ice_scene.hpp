@@ -52,7 +52,8 @@ struct RefinementCriterion {
 struct IceScene {
   int solids = 0;  // materials of solids, which come first among those of the scene
   bool internal_energy_form = false;  // <scheme>classic</scheme>
-  bool second_order = true;           // <advection type=>
+  bool second_order = true;           // <advection type=>, or a higher order
+  bool third_order = false;           // the same: parabolas
   bool compatible_fluxes = true;
   bool shears_shocks = true;  // shearAlongShocks
   std::optional<ImplicitSettings> implicit;

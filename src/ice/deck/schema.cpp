@@ -17,6 +17,7 @@
 #include "ice/deck/read_fluid.hpp"
 #include "ice/deck/read_transport.hpp"
 #include "ice/deck/scheme.hpp"
+#include "ice/deck/third_order.hpp"
 #include "ice/fluid/labels.hpp"
 #include "models/gases/adiabatic_table.hpp"
 #include "models/gases/gas_combustion.hpp"
@@ -29,9 +30,11 @@ TagSpec advection() {
   return tag("advection", "order of the scheme in space and time")
       .once()
       .with_attributes(
-          {attribute("type", "the order")
+          {attribute("type",
+                     "the order; ThirdOrder (also PPM): parabolas with characteristic tracing, for "
+                     "one material and explicit steps of the conservative scheme")
                .once()
-               .words({"FirstOrder", "SecondOrder"})
+               .words({"FirstOrder", "SecondOrder", "ThirdOrder", "PPM"})
                .not_built({"FirstOrderGPU"}),
            attribute("useCompatibleFluxes", "classic scheme: fluxes of q/m weighted with mass")
                .boolean()
@@ -343,6 +346,7 @@ void add_ice_tags(Schema& schema) {
   schema.rules.emplace_back(ice::check_ice_exchange);
   schema.rules.emplace_back(ice::check_transport);
   schema.rules.emplace_back(ice::check_implicit);
+  schema.rules.emplace_back(ice::check_third_order);
   schema.rules.emplace_back(check_ice_fill);
   schema.rules.emplace_back(check_ice_conditions);
   schema.rules.emplace_back(check_ice_coverage);

@@ -150,7 +150,8 @@ void add_lagrangian(TaskList& list, const LagrangianInput& v, const SchemeOption
   h.energy_star = task.write(v.energy_star);
   h.courant = task.write(v.donors.courant);
   h.inverse_courant = task.write(v.donors.inverse_courant);
-  const bool scaled = o.materials.fluid.gamma_law() == nullptr;
+  // What the remap of the second order takes of it.
+  const bool scaled = o.materials.fluid.gamma_law() == nullptr && !o.scheme.third_order;
   if (scaled && !o.materials.mixture) h.energy_scale = task.write(v.donors.energy_scale);
   if (o.keeps_work()) h.mixture = task.write(v.lagrangian_mixture);
   h.forces.impulse = task.write(v.impulse);

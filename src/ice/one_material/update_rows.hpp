@@ -103,6 +103,20 @@ void update_row(const Row& row, const UpdateHandles& h) {
   }
 }
 
+// Of the third order, whose fluxes ask nothing of the Lagrangian phase.
+inline void check_row_of_new_state(const Row& row, const UpdateHandles& h, const SchemeOptions& o,
+                                   int material) {
+  const double *rho = row(h.next.rho), *energy = row(h.next.energy), *admissible = energy;
+  if (o.materials.fluid.gamma_law() == nullptr) {
+    admissible_row(o.materials.fluid, row.count(), rho, energy, row(h.next.closure, 2));
+    admissible = row(h.next.closure, 2);
+  }
+  admissible_row<2>(
+      row, o.grid.axes,
+      {{{rho, fault_density}, {admissible, fault_of_material * (material + 1), nullptr, energy}}},
+      material);
+}
+
 // An ideal gas needs a positive energy, any other law says itself what it bears. `material`: whose
 // law it is.
 inline void check_row(const Row& row, const UpdateHandles& h, const SchemeOptions& o,
@@ -111,6 +125,7 @@ inline void check_row(const Row& row, const UpdateHandles& h, const SchemeOption
   const Axes& axes = o.grid.axes;
   const int state = fault_of_material * (material + 1);
   const double* energy = row(h.next.energy);
+  if (o.scheme.third_order) return check_row_of_new_state(row, h, o, material);
   if (o.materials.fluid.gamma_law() == nullptr) {
     admissible_row(o.materials.fluid, row.count(), row(h.next.rho), energy, row(h.next.closure, 2));
     return admissible_row<4>(row, axes,
@@ -166,7 +181,7 @@ inline UpdateHandles declare_update(TaskBuilder& task, const UpdateInput& v,
   if (o.transport.conducting && !constant_heat_capacity(o.materials.fluid))
     h.next.heat_capacity = task.write(v.heat_capacity);
   if (o.materials.fluid.gamma_law() != nullptr) return h;
-  h.energy_scale = task.read(v.energy_scale);
+  if (!o.scheme.third_order) h.energy_scale = task.read(v.energy_scale);
   h.next.closure = task.write(v.closure);
   return h;
 }

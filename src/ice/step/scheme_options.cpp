@@ -62,6 +62,7 @@ MethodOptions method_options(const Scene& scene, const IceScene& ice) {
   s.internal_energy_form = ice.internal_energy_form;
   s.implicit = ice.implicit.has_value();
   s.second_order = ice.second_order;
+  s.third_order = ice.third_order;
   s.shears_shocks = shears_shocks(scene, ice);
   s.compatible_fluxes = ice.compatible_fluxes;
   s.cfl = ice.courant_number(scene);

@@ -75,6 +75,7 @@ struct MethodOptions {
   bool internal_energy_form = false;  // the classic form, see internal_energy_form/
   bool implicit = false;              // one pressure is solved for, see pressure/
   bool second_order = true;
+  bool third_order = false;       // parabolas, see parabolas/; second_order is true too
   bool shears_shocks = false;     // along strong shocks: shock_shear.hpp
   bool compatible_fluxes = true;  // of the classic form
   bool masked = false;            // a redo: slopes vanish where the mask says so

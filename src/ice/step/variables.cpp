@@ -5,6 +5,7 @@
 
 #include "ice/fluid/labels.hpp"
 #include "ice/step/source_change.hpp"
+#include "ice/step/traced_components.hpp"
 
 namespace sluice::ice {
 
@@ -85,8 +86,12 @@ void declare_conservative_temporaries(TaskList& list, const SchemeOptions& o, Sc
 SchemeVariables declare_conservative_variables(TaskList& list, const SchemeOptions& o) {
   SchemeVariables v = declare_common_variables(list, o);
   declare_conservative_temporaries(list, o, v);
+  if (o.scheme.third_order)
+    for (int a = 0; a < o.grid.axes.count; ++a)
+      v.traced[a] = list.temporary("traced states of axis " + std::to_string(a),
+                                   2 * TracedComponents::of(o).count());
   if (o.materials.fluid.gamma_law() == nullptr) {
-    v.energy_scale = list.temporary("energy scale");
+    if (!o.scheme.third_order) v.energy_scale = list.temporary("energy scale");
     v.closure = list.temporary("closure of the new state", 3);
   }
   if (o.transport.conducting) v.heat_capacity = list.temporary("heat capacity of the new state");

@@ -118,6 +118,8 @@ struct SchemeVariables {
   VariableId source_change;        // what sources add, see sources/sources.hpp
   VariableId pressure_change;      // of the classic form; elsewhere that of the whole step
   std::array<VariableId, 3> base;  // by axis: rho, energy, velocity (2-D and 3-D)
+  // Of the third order, by axis: the states at the edges of cells; parabolas/tasks.hpp.
+  std::array<VariableId, 3> traced;
   std::array<VariableId, 3> flux;  // by axis: mass F, energy G, velocity U
   // Of a mixture, by axis: what passes of each material, see mixture/variables.hpp.
   std::array<VariableId, 3> material_flux;
