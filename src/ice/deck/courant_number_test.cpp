@@ -20,6 +20,9 @@ TEST(CourantNumber, IsLargeWhereOneFluidMovesAlongOneDirectionAlone) {
   EXPECT_EQ(ice.courant_number(scene_of({1, 1, 7})), .8);
   EXPECT_EQ(ice.courant_number(scene_of({100, 2, 1})), .4);
   EXPECT_EQ(ice.courant_number(scene_of({10, 10, 10})), .4);
+  Scene levels = scene_of({100, 1, 1});
+  levels.grid.levels.push_back(levels.grid.levels[0]);
+  EXPECT_EQ(ice.courant_number(levels), .4);
   ice.cfl = .3;
   EXPECT_EQ(ice.courant_number(scene_of({100, 1, 1})), .3);
 }

@@ -215,7 +215,8 @@ bool IceScene::one_velocity() const {
 double IceScene::courant_number(const Scene& scene) const {
   constexpr double usual = 0.4, along_one_direction = 0.8;
   const IntVec3 cells = scene.grid.levels.front().domain.size();
-  const bool one_direction = (cells.x > 1) + (cells.y > 1) + (cells.z > 1) <= 1;
+  const bool one_direction =
+      scene.grid.levels.size() == 1 && (cells.x > 1) + (cells.y > 1) + (cells.z > 1) <= 1;
   const bool plain = materials.size() == 1 && solids == 0 && !implicit && !internal_energy_form &&
                      !turbulence && !models.mixed && !models.any_source() && models.scalars.empty();
   return cfl.value_or(one_direction && plain ? along_one_direction : usual);
