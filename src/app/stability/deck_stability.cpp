@@ -158,17 +158,16 @@ class Sweeper {
           fmt::format("factor {:g} and beyond were not tried: the budget ended", factor);
       return;
     }
-    try {
-      const StabilityResult& result = at(factor, overrides);
-      if (result.verdict == StabilityVerdict::green) {
-        distance.held = factor;
-      } else {
-        distance.failed = factor;
-        distance.message = result.message;
-      }
-    } catch (const InputError& refused) {
+    const StabilityResult& result = at(factor, overrides);
+    if (result.status == "refused") {
+      distance.note = fmt::format("factor {:g}: {}", factor, result.message);
       found_.map.hard.sweeps.back().values.pop_back();
-      distance.note = fmt::format("factor {:g}: {}", factor, refused.what());
+      found_.map.results.pop_back();
+    } else if (result.verdict == StabilityVerdict::green) {
+      distance.held = factor;
+    } else {
+      distance.failed = factor;
+      distance.message = result.message;
     }
   }
 

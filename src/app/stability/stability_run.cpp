@@ -85,7 +85,13 @@ StabilityResult StabilityRunner::run(const StabilityCase& hard, const StabilityP
   std::filesystem::remove_all(request.folder);
   return result;
 } catch (const InputError& fault) {
-  throw InputError(fmt::format("{}: {}", hard.file, fault.what()));
+  if (point.sweep < 0) throw InputError(fmt::format("{}: {}", hard.file, fault.what()));
+  StabilityResult refused;
+  refused.point = point;
+  refused.status = "refused";
+  refused.message = fault.what();
+  refused.command = shell_text(run_words(request_of(*this, hard, point, "")));
+  return refused;
 }
 
 std::string StabilityRunner::key_of(const StabilityCase& hard, const StabilityPoint& point) const {

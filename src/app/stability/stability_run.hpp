@@ -36,8 +36,9 @@ struct StabilityRunner {
   std::filesystem::path executable;  // sluice
   std::filesystem::path folder;      // for archives and logs, which are removed when judged
 
-  // `number`: of the run, for the name of its folder: several threads may run at once. InputError
-  // where the deck is refused or a bound asks for what the run does not say.
+  // `number`: of the run, for the name of its folder: several threads may run at once. Where the
+  // deck is refused, or a bound asks for what the run does not say: InputError for the default run;
+  // a run of a sweep is red, of status "refused".
   StabilityResult run(const StabilityCase& hard, const StabilityPoint& point, int number) const;
   // All that the result depends on, as text.
   std::string key_of(const StabilityCase& hard, const StabilityPoint& point) const;
