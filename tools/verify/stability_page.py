@@ -13,15 +13,15 @@ import sys
 
 HEAD = """# Where hard cases hold
 
-This page is written by `./dev verify stability`, which runs every case of `regression/stability` with all
-values of its sweeps. `sluice stability NAME` repeats one; [user_guide.md](user_guide.md#hard-cases) explains
-the command, which also sweeps a deck of your own.
+This page is written by `./dev verify stability`, which runs every case of `regression/stability`
+with all values of its sweeps. `sluice stability NAME` repeats one;
+[user_guide.md](user_guide.md#hard-cases) explains the command, which also sweeps a deck of your own.
 
 {headline}
 
-Bold: the default. ~~Struck~~: red, something did not hold. (In brackets): amber, it held, but too many steps were
-redone. A † marks values beyond the limit of the scheme itself, which need not hold. The *margin* is the largest
-value up to which all from the default on are green, over the default.
+Bold: the default. ~~Struck~~: red, something did not hold. (In brackets): amber, it held, but too
+many steps were redone. A † marks values beyond the limit of the scheme itself, which need not hold.
+The *margin* is the largest value up to which all from the default on are green, over the default.
 
 ![map of verdicts](stability/stability.png)
 """

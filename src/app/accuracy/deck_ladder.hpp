@@ -64,8 +64,8 @@ class DeckLadder {
 };
 
 // Factors of the runs that say most of a deck's own resolution at the least cost: an eighth, a
-// quarter, half and all of it; finer ones where the coarsest would have fewer than eight cells along
-// a direction.
+// quarter, half and all of it; finer ones where the coarsest would have fewer than eight cells
+// along a direction.
 std::vector<double> factors_for(int fewest_cells);
 
 }  // namespace sluice

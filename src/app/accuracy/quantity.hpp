@@ -35,8 +35,8 @@ struct Bins {
 Bins bins_of(const ArchiveStep& step);
 
 // Means over bins, x fastest, in the unit of the label: of cells by volume, finer levels where they
-// are; of particles by p.mass (all alike where it is not saved), each in the bin where it was at the
-// start (where it is, without p.displacement).
+// are; of particles by p.mass (all alike where it is not saved), each in the bin where it was at
+// the start (where it is, without p.displacement).
 struct BinnedField {
   std::vector<std::vector<double>> means;  // by component and bin
   std::vector<double> weights;             // by bin; 0: it holds nothing
@@ -51,7 +51,7 @@ struct History {
 // InputError where the file is not there or a line is no row of numbers.
 History read_history(const Archive& archive, const Quantity& quantity);
 
-// Mean |a - b| over the bins that both have or over time, summed over components, and mean |b| alike.
+// Mean |a - b| over the bins that both have or over time, summed over components, and mean |b|.
 struct MeanDifference {
   double difference = 0, size = 0;  // in the unit of the quantity
 };

@@ -60,7 +60,7 @@ TEST_F(StabilityCommand, WhatHoldsIsGreenAndWhatDoesNotIsRedWithItsPlace) {
   EXPECT_EQ(map()["cases"][0]["runs"][0]["verdict"], "red");
 }
 
-// The bound of the step is five times the one that deck and scheme have: steps are redone, if no more.
+// The bound of the step is five times that of deck and scheme: steps are redone, if no more.
 TEST_F(StabilityCommand, AWrongBoundOfTheStepIsNotGreen) {
   write_case(right_bound, R"({"name": "bound", "default": "1",
     "values": {"1": "Time/timestep_multiplier=1", "5": "Time/timestep_multiplier=5"}})");

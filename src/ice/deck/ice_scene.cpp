@@ -213,7 +213,12 @@ bool IceScene::one_velocity() const {
 }
 
 double IceScene::courant_number(const Scene& scene) const {
-  constexpr double usual = 0.4, along_one_direction = 0.8;
+  // threshold: Courant number where the deck says none; unit: 1; test:
+  //   CourantNumber.IsUsualWithWhatNoMapProves
+  constexpr double usual = 0.4;
+  // threshold: the same of one fluid along one direction, where the error is the same at half the
+  //   steps; unit: 1; test: CourantNumber.IsLargeWhereOneFluidMovesAlongOneDirectionAlone
+  constexpr double along_one_direction = 0.8;
   const IntVec3 cells = scene.grid.levels.front().domain.size();
   const bool one_direction =
       scene.grid.levels.size() == 1 && (cells.x > 1) + (cells.y > 1) + (cells.z > 1) <= 1;
