@@ -2,7 +2,8 @@
 // passes through it.
 //
 // Impedances as in one_material/faces.cpp (Dukowicz with one correction), here of the traced
-// densities: z = rho w, w = c + A max(0, squeeze), c of the cells. Between two waves that move with
+// densities: z = rho w, w = c + A max(0, squeeze), c of the cells; each w then rises to what the
+// velocity that follows from it asks for, as it must where a dense gas meets a thin one. Between two waves that move with
 // u_L - w_L and u_R + w_R lies one velocity and one pressure,
 //   u* = ((z_L u_L + z_R u_R) + (p_L - p_R))/(z_L + z_R)
 //   p* = ((z_R p_L + z_L p_R) + z_L z_R (u_L - u_R))/(z_L + z_R),
@@ -69,7 +70,12 @@ struct Passing {
   const double squeeze = 0.5 * A * larger(0.0, du);
   double zL = L.rho * (ca + squeeze), zR = R.rho * (cb + squeeze);
   const double u0 = ((zL * L.u + zR * R.u) + (L.p - R.p)) / (zL + zR);
-  const double wL = ca + A * larger(0.0, L.u - u0), wR = cb + A * larger(0.0, u0 - R.u);
+  double wL = ca + A * larger(0.0, L.u - u0), wR = cb + A * larger(0.0, u0 - R.u);
+  zL = L.rho * wL;
+  zR = R.rho * wR;
+  const double u1 = ((zL * L.u + zR * R.u) + (L.p - R.p)) / (zL + zR);
+  wL = larger(wL, ca + A * larger(0.0, L.u - u1));
+  wR = larger(wR, cb + A * larger(0.0, u1 - R.u));
   zL = L.rho * wL;
   zR = R.rho * wR;
   const double inverse = 1.0 / (zL + zR), z = zL * zR * inverse;
