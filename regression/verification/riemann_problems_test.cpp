@@ -1,8 +1,8 @@
 // Six Riemann problems against their exact solution: mean density error over the cells, gamma 1.4.
 //
 // The limits are 1.25 times the errors of a second-order Godunov code (VL2, PLM, HLLC) at the same
-// resolution, CFL 0.4; at CFL 0.05 the error may be 1.3 times that at 0.4. The other code's errors are
-// those from the exact values at the centres of cells, and so are ours here.
+// resolution, CFL 0.4; at CFL 0.05 the error may be 1.3 times that at 0.4. The other code's errors
+// are those from the exact values at the centres of cells, and so are ours here.
 #include <gtest/gtest.h>
 
 #include "verification/case_run.hpp"
