@@ -14,8 +14,9 @@ namespace {
 
 // Relative mean difference of the start from the means of the exact solution over cells. A cell
 // that the circle of an explosion cuts has one of the two states, half a jump from its mean
-// (measured: 1 % of the density on 128 x 128 cells); Sedov's point is spread over a Gaussian. Gauss's rule of
-// formulas does not see the kinks of Gresho's vortex (measured: 5.5e-9, 9e-4 of the velocity).
+// (measured: 1 % of the density on 128 x 128 cells); Sedov's point is spread over a Gaussian.
+// Gauss's rule of formulas does not see the kinks of Gresho's vortex (measured: 5.5e-9, 9e-4 of the
+// velocity).
 constexpr double allowed = 1e-13, allowed_of_cut_cells = 2e-2, allowed_of_kinks = 1e-8;
 constexpr double allowed_velocity = 1e-12, allowed_velocity_of_kinks = 1e-3;
 

@@ -15,7 +15,8 @@ HEAD = """# Where hard cases hold
 
 This page is written by `./dev verify stability`, which runs every case of `regression/stability`
 with all values of its sweeps. `sluice stability NAME` repeats one;
-[user_guide.md](user_guide.md#hard-cases) explains the command, which also sweeps a deck of your own.
+[user_guide.md](user_guide.md#hard-cases) explains the command, which also sweeps a deck of your
+own.
 
 {headline}
 

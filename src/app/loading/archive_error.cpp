@@ -126,8 +126,8 @@ struct Place {
 };
 
 // Of the exact mean of a cell, so that the norms of the error are known to .1 %: a thousandth of
-// the mean error (means of smooth cells are far better; measured on an explosion, the L1 norm is known
-// to 4e-5), and no less than what round-off leaves of the values.
+// the mean error (means of smooth cells are far better; measured on an explosion, the L1 norm is
+// known to 4e-5), and no less than what round-off leaves of the values.
 double tolerance_of(const exact::ErrorNorms& at_centres, const std::vector<double>& exact) {
   double largest = 0;
   for (const double value : exact) largest = std::max(largest, std::fabs(value));
