@@ -3,8 +3,8 @@
 //
 // Impedances as in one_material/faces.cpp (Dukowicz with one correction), here of the traced
 // densities: z = rho w, w = c + A max(0, squeeze), c of the cells; each w then rises to what the
-// velocity that follows from it asks for, as it must where a dense gas meets a thin one. Between two waves that move with
-// u_L - w_L and u_R + w_R lies one velocity and one pressure,
+// velocity that follows from it asks for, as it must where a dense gas meets a thin one. Between
+// two waves that move with u_L - w_L and u_R + w_R lies one velocity and one pressure,
 //   u* = ((z_L u_L + z_R u_R) + (p_L - p_R))/(z_L + z_R)
 //   p* = ((z_R p_L + z_L p_R) + z_L z_R (u_L - u_R))/(z_L + z_R),
 // and on either side of the contact, K the side that u* leaves, d = u* - u_L or u_R - u*,
