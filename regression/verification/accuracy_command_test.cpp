@@ -34,14 +34,15 @@ class Accuracy : public testing::Test {
 
 TEST_F(Accuracy, CornerOfTheSodStudy) {
   const fs::path out = folder_ / "out";
-  ASSERT_EQ(
-      accuracy({study_, "-o", out.string(), "--repeat", "1", "--only", "*CFL 0.4, N [124]00"}), 0)
+  ASSERT_EQ(accuracy({study_, "-o", out.string(), "--repeat", "1", "--only",
+                      "*order [12], CFL 0.8, N [124]00"}),
+            0)
       << log();
   std::ifstream in(out / "sod.json");
   const auto json = nlohmann::json::parse(in);
   const auto& rows = json.at("rows");
   ASSERT_EQ(rows.size(), 6u);
-  EXPECT_EQ(rows[4].at("setting"), "order 2, CFL 0.4");
+  EXPECT_EQ(rows[4].at("setting"), "order 2, CFL 0.8");
   EXPECT_EQ(rows[4].at("cells"), 200);
   EXPECT_TRUE(rows[4].at("default").get<bool>());
   EXPECT_LE(rows[4].at("error").get<double>(), 1.25 * 2.59e-3);
@@ -90,7 +91,7 @@ TEST_F(Accuracy, WithoutThePythonToolsTheNumbersAreStillThere) {
 TEST_F(Accuracy, BadStudiesAndPatternsAreRefused) {
   EXPECT_EQ(accuracy({(folder_ / "no.study").string()}), 2);
   EXPECT_EQ(accuracy({study_, "-o", (folder_ / "out").string(), "--only", "order 7"}), 2);
-  EXPECT_THAT(log(), testing::HasSubstr("matches none of the 36 runs"));
+  EXPECT_THAT(log(), testing::HasSubstr("matches none of the 54 runs"));
 }
 
 }  // namespace

@@ -130,11 +130,11 @@ TEST(AmrPassage, LeavesARegionOfTheRegridderAlike) {
 // A round shock that leaves a square of fine cells through all its sides.
 TEST(AmrPassage, LeavesAllSidesAlike) {
   const std::string formula = "CFD/ICE/customInitialization/formula/";
-  const CaseRun run(
-      "amr_vortex",
-      {level_resolution(1, 32, 32), level_resolution(2, 64, 64), formula + "velocity_x=0",
-       formula + "velocity_y=0", formula + "density=1", formula + "pressure=x^2 + y^2 < 10 ? 5 : 1",
-       "Time/maxTime=2", "DataArchiver/outputInterval=2"});
+  const CaseRun run("amr_vortex",
+                    {level_resolution(1, 32, 32), level_resolution(2, 64, 64),
+                     formula + "@over=centre", formula + "velocity_x=0", formula + "velocity_y=0",
+                     formula + "density=1", formula + "pressure=x^2 + y^2 < 10 ? 5 : 1",
+                     "Time/maxTime=2", "DataArchiver/outputInterval=2"});
   for (const int level : {0, 1}) {
     std::map<std::pair<double, double>, double> values;
     for (const LevelCell& c : level_cells(run, "press_CC"))

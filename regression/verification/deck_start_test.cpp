@@ -16,9 +16,12 @@ namespace {
 // that the circle of an explosion cuts has one of the two states, half a jump from its mean
 // (measured: 1 % of the density on 128 x 128 cells); Sedov's point is spread over a Gaussian.
 // Gauss's rule of formulas does not see the kinks of Gresho's vortex (measured: 5.5e-9, 9e-4 of the
-// velocity).
-constexpr double allowed = 1e-13, allowed_of_cut_cells = 2e-2, allowed_of_kinks = 1e-8;
-constexpr double allowed_velocity = 1e-12, allowed_velocity_of_kinks = 1e-3;
+// velocity); on smooth formulas it differs from the adaptive one by 8e-13 (velocities, absolute:
+// 5.4e-11, both of observed_vortex). A mean pressure is what the mean energy leaves of the kinetic
+// one, of which little remains in cold gas (measured: 6.9e-6 of Noh's 6e-9 Pa).
+constexpr double allowed = 1e-12, allowed_of_cut_cells = 2e-2, allowed_of_kinks = 1e-8;
+constexpr double allowed_of_cold_pressure = 1e-5;
+constexpr double allowed_velocity = 1e-10, allowed_velocity_of_kinks = 1e-3;
 
 std::vector<std::string> all_decks() {
   std::vector<std::string> names;
@@ -45,7 +48,8 @@ TEST_P(EveryDeck, StartsFromItsExactSolution) {
   const bool kinks = GetParam() == "gresho";
   const double limit = is_run ? allowed_of_cut_cells : kinks ? allowed_of_kinks : allowed;
   EXPECT_LE(archive_error(start, *reference, "rho_CC", 0, 0).relative_l1, limit);
-  EXPECT_LE(archive_error(start, *reference, "press_CC", 0, 0).relative_l1, limit);
+  EXPECT_LE(archive_error(start, *reference, "press_CC", 0, 0).relative_l1,
+            GetParam() == "noh_1d" ? allowed_of_cold_pressure : limit);
   for (const int d : {0, 1, 2}) {
     EXPECT_LE(archive_error(start, *reference, "vel_CC", d, 0).linf,
               kinks ? allowed_velocity_of_kinks : allowed_velocity);

@@ -39,10 +39,13 @@ INSTANTIATE_TEST_SUITE_P(One, SmoothWave,
                          [](const auto& test) { return std::string(test.param.deck); });
 
 TEST(SmoothFlow, LeftAndRightGoingSoundHaveTheSameErrorToTheBit) {
-  const CaseRun right("sound_wave");
+  // Means over cells are sums of rounded values at places that mirror images do not share.
+  const std::string centre = "CFD/ICE/customInitialization/formula/@over=centre";
+  const CaseRun right("sound_wave", {centre});
   const CaseRun left(
       "sound_wave",
-      {"CFD/ICE/customInitialization/formula/velocity_x=-5*((1 + 1e-6*cos(2*pi*x))^0.2 - 1)",
+      {centre,
+       "CFD/ICE/customInitialization/formula/velocity_x=-5*((1 + 1e-6*cos(2*pi*x))^0.2 - 1)",
        "Meta/exact_solution/sense=-1"});
   const CellValues a = right.field("rho_CC"), b = left.field("rho_CC");
   const CellValues ua = right.field("vel_CC"), ub = left.field("vel_CC");
