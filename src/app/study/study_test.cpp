@@ -81,7 +81,7 @@ TEST_F(StudyFolder, EveryCombinationRunsAtEveryResolution) {
 
 TEST_F(StudyFolder, AReferenceIsARunOfItsOwn) {
   const Study study = read_study(write("finer.study", R"({
-    "title": "Tube", "deck": "deck.ups", "variable": "p.x", "material": 1,
+    "title": "Tube", "deck": "deck.ups", "variable": "p.x", "reduce": "mean", "material": 1,
     "set": "Time/maxTime=0.1",
     "resolution": [[100,1,1]], "reference": {"resolution": [800,1,1], "set": ["c=0.1"]}})"));
   EXPECT_EQ(study.material, 1);
