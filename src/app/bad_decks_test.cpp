@@ -261,9 +261,8 @@ TEST(BadDeckChecks, AllFaultsAreFoundInOnePass) {
   edit("<upper>[1,", "<upper>[-1,");
   const Outcome outcome = check(folder.write("many.ups", text));
   EXPECT_EQ(outcome.status, 2);
-  for (const char* message :
-       {"<clf> does not exist", "<CFD> needs <cfl>", "<material> needs <gamma>", "idael_gas",
-        "Velocty", "no condition for Velocity", "inverted in x"}) {
+  for (const char* message : {"<clf> does not exist", "<material> needs <gamma>", "idael_gas",
+                              "Velocty", "no condition for Velocity", "inverted in x"}) {
     EXPECT_THAT(outcome.text, HasSubstr(message));
   }
 }

@@ -54,8 +54,11 @@ TEST(BestSettings, TheGainIsThatOfTheStudy) {
   }
   const auto usual = finest.at("basis GIMP, particles 2 x 2");
   const auto corners = finest.at("basis CPDI, particles 1");
+  const auto total = finest.at("basis total Lagrangian GIMP, particles 2 x 2");
   EXPECT_NEAR(corners.first / usual.first / corner_basis_gain.error, 1, .3);
   EXPECT_NEAR(corners.second / usual.second / corner_basis_gain.time, 1, .3);
+  EXPECT_NEAR(total.first / usual.first / total_lagrangian_gain.error, 1, .3);
+  EXPECT_NEAR(total.second / usual.second / total_lagrangian_gain.time, 1, .3);
 }
 
 }  // namespace

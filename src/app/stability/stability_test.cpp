@@ -221,7 +221,8 @@ TEST(DeckScaling, EveryModulusIsScaledAndNothingElse) {
       "</constitutive_model></material>"
       "<material><constitutive_model type='b'><youngs_modulus>3</youngs_modulus>"
       "</constitutive_model></material></MPM></MaterialProperties>"
-      "<Grid><Level><Box><resolution>[40, 20, 1]</resolution></Box></Level></Grid>"
+      "<Grid><Level><Box><lower>[0,0,0]</lower><upper>[4,2,0.1]</upper><resolution>[40, 20, "
+      "1]</resolution></Box></Level></Grid>"
       "</Uintah_specification>",
       "deck.ups");
   EXPECT_THAT(
