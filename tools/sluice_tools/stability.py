@@ -23,6 +23,7 @@ MARKS = {"green": "", "amber": "–", "red": "×"}
 ROW = 0.21  # inches of a row
 VALUE_WIDTH = 1.0  # of a field, in units of the axis
 GAP = 0.5
+LETTER = 0.115  # the width of a letter above a sweep, in the same units
 LEAST_WIDTH = 7  # inches
 
 
@@ -57,12 +58,13 @@ def fields_of(case):
     fields, heads, x = [], [], 0.0
     for sweep in case["sweeps"]:
         heads.append((x, sweep["name"] + margin_text(sweep)))
+        end = x + LETTER * len(heads[-1][1])
         for value in sweep["values"]:
             run = run_of(case, sweep, value)
             if run is not None:
                 fields.append((x, value, run, value == sweep["default"]))
                 x += VALUE_WIDTH
-        x += GAP
+        x = max(x, end) + GAP
     if not case["sweeps"]:
         heads.append((x, ""))
         fields.append((x, "default", default_of(case), True))
