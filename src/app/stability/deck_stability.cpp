@@ -13,10 +13,10 @@
 namespace sluice {
 namespace {
 
-constexpr double most_growth = 0.01;     // of the total energy, over that of the deck's own run
-constexpr double widest_bracket = 1.1;   // of the factor of the step
-constexpr double longest_step = 2;       // factor; beyond it is far enough
-constexpr double step_has_effect = 0.9;  // steps of a run that the factor should have halved
+constexpr double most_growth = 0.01;    // of the total energy, over that of the deck's own run
+constexpr double widest_bracket = 1.1;  // of the factor of the step
+constexpr double longest_step = 4;      // factor; beyond it is far enough
+constexpr double step_is_taken = 0.8;   // of the factor that was asked for
 
 class Sweeper {
  public:
@@ -104,9 +104,12 @@ class Sweeper {
       const StabilityResult& result = at(factor, step_overrides(root(), factor));
       if (result.verdict == StabilityVerdict::green) {
         distance.held = factor;
-        if (factor == longest_step && result.steps > step_has_effect * own_steps)
-          distance.note = fmt::format("a longer step is not taken: it is held at {} steps by {}",
-                                      result.steps, limits_of(result));
+        const double taken = own_steps / std::max(1.0, static_cast<double>(result.steps));
+        if (factor == longest_step && taken < step_is_taken * factor) {
+          distance.held = std::max(1.0, taken);
+          distance.note = fmt::format("longer steps are not taken: {}", limits_of(result));
+          return;
+        }
       } else {
         distance.failed = factor;
         distance.message = result.message;

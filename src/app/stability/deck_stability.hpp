@@ -3,7 +3,7 @@
 //
 // What must hold: the run comes to its end, at most 1 % of its steps are redone, and the total
 // energy grows by at most 1 % of its scale more than in the deck's own run. The factor of the step
-// is found by bisection (on a logarithmic scale) between 1 and 2 to within 10 %.
+// is found by bisection (on a logarithmic scale) between 1 and 4 to within 10 %.
 #pragma once
 #include <functional>
 #include <string>
