@@ -42,6 +42,13 @@ TEST(CourantNumber, IsUsualWithWhatNoMapProves) {
   ice.internal_energy_form = true;
   EXPECT_EQ(ice.courant_number(row), .4);
   ice.internal_energy_form = false;
+  ice.materials[0].viscosity = 1e-5;
+  EXPECT_EQ(ice.courant_number(row), .4);
+  ice.materials[0].viscosity = 0;
+  ice.materials[0].conductivity = 1;
+  EXPECT_EQ(ice.courant_number(row), .4);
+  ice.materials[0].conductivity = 0;
+  EXPECT_EQ(ice.courant_number(row), .8);
   ice.models.scalars.emplace_back();
   EXPECT_EQ(ice.courant_number(row), .4);
 }

@@ -222,8 +222,10 @@ double IceScene::courant_number(const Scene& scene) const {
   const IntVec3 cells = scene.grid.levels.front().domain.size();
   const bool one_direction =
       scene.grid.levels.size() == 1 && (cells.x > 1) + (cells.y > 1) + (cells.z > 1) <= 1;
-  const bool plain = materials.size() == 1 && solids == 0 && !implicit && !internal_energy_form &&
-                     !turbulence && !models.mixed && !models.any_source() && models.scalars.empty();
+  const bool plain = materials.size() == 1 && !materials[0].viscous() &&
+                     materials[0].conductivity == 0 && solids == 0 && !implicit &&
+                     !internal_energy_form && !turbulence && !models.mixed &&
+                     !models.any_source() && models.scalars.empty();
   return cfl.value_or(one_direction && plain ? along_one_direction : usual);
 }
 

@@ -78,9 +78,9 @@ struct IceScene {
 
   // Drag so strong in every pair that all materials move together (one_velocity_coefficient).
   bool one_velocity() const;
-  // Courant number that the deck says, or the default: 0.8 for explicit steps of one fluid along
-  // one direction of one level, where the error is the same at half the steps (docs/accuracy.md),
-  // 0.4 otherwise.
+  // Courant number that the deck says, or the default: 0.8 for explicit steps of one inviscid fluid
+  // along one direction of one level, where the error is the same at half the steps
+  // (docs/accuracy.md), 0.4 otherwise.
   double courant_number(const Scene& scene) const;
   // The material whose weight makes the hydrostatic pressure: the one marked, or the only one.
   const IceMaterial& surrounding() const;

@@ -120,7 +120,7 @@ TagSpec fluid_dynamics() {
       .with_children(
           {tag("cfl",
                "Courant number: fraction of the stable time step; absent: 0.8 in explicit steps of "
-               "one fluid in one row of cells on one level without models, 0.4 otherwise")
+               "one inviscid fluid in one row of cells on one level without models, 0.4 otherwise")
                .real()
                .above(0)
                .at_most(1),
