@@ -63,7 +63,7 @@ class MixtureErrors : public ::testing::Test {
 };
 
 TEST_F(MixtureErrors, DensityIsTheSumAndVelocityTheMeanByMass) {
-  // The interface lies on a face: the mean of a cell beside it is integrated to a part of the error.
+  // The interface lies on a face: the mean of a cell near it is integrated to a part of the error.
   const double density = .1 * (1000 - 525), known = 1e-4;
   EXPECT_NEAR(error("rho_CC").l1, density, known * density);
   const double mixed = (500 * 3 + 25 * 9) / 525.0;
