@@ -10,7 +10,6 @@ beyond the scheme's own limit a pale colour.
 import argparse
 import base64
 import html
-import io
 import json
 import pathlib
 import sys
@@ -170,12 +169,10 @@ def page_html(told, picture):
                        cases="\n".join(case_html(c) for c in cases), **COLOURS)
 
 
-def write_page(told, path):
-    with style.pyplot() as plt:
-        picture = io.BytesIO()
-        draw(told, plt).savefig(picture, format="png")
-    text = page_html(told, base64.b64encode(picture.getvalue()).decode("ascii"))
-    pathlib.Path(path).write_text(text, encoding="utf-8")
+def write_page(told, picture, path):
+    """The page, with the picture that was saved as a PNG."""
+    image = base64.b64encode(pathlib.Path(picture).read_bytes()).decode("ascii")
+    pathlib.Path(path).write_text(page_html(told, image), encoding="utf-8")
 
 
 def main(arguments=None):
@@ -188,7 +185,7 @@ def main(arguments=None):
                                 given.output, MapError)
     if status == 0 and given.page:
         try:
-            write_page(read_map(given.map), given.page)
+            write_page(read_map(given.map), given.output, given.page)
         except OSError as error:
             print(f"stability: {error}", file=sys.stderr)
             return 3

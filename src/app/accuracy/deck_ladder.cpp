@@ -10,22 +10,11 @@
 #include "app/loading/sluice_schema.hpp"
 #include "app/process/deck_process.hpp"
 #include "framework/base/error.hpp"
-#include "framework/deck/load_deck.hpp"
 
 namespace sluice {
 namespace {
 
 constexpr int fewest_useful_cells = 8;  // along a direction, of a run whose error says something
-
-Deck load(const std::string& file, const std::vector<std::string>& overrides) {
-  Deck deck = load_deck(file, overrides, sluice_schema());
-  if (deck.good()) return deck;
-  std::string faults;
-  for (const Fault& fault : deck.faults)
-    if (fault.severity == Severity::error)
-      faults += (faults.empty() ? "" : "\n") + to_string(fault);
-  throw InputError(faults);
-}
 
 }  // namespace
 
@@ -35,7 +24,7 @@ DeckLadder::DeckLadder(std::filesystem::path executable, std::string deck,
       folder_(std::move(folder)),
       deck_(std::move(deck)),
       overrides_(std::move(overrides)),
-      read_(load(deck_, overrides_)),
+      read_(load_good_deck(deck_, overrides_)),
       own_cells_(cells_of_deck(*read_.root)) {
   const DeckNode* title = read_.root->find("Meta/title");
   title_ = title == nullptr ? deck_ : title->text;

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "app/loading/archive_error.hpp"
 #include "framework/base/error.hpp"
 
 namespace sluice {
@@ -27,14 +28,6 @@ void add_once(std::vector<Quantity>& list, Quantity::Kind kind, const FieldInfo&
     return q.kind == kind && q.name == field.name && q.material == field.material;
   });
   if (!known) list.push_back({kind, field.name, field.material, field.unit});
-}
-
-// Does another level hold this cell in finer cells.
-bool covered(const Grid& grid, std::size_t level, IntVec3 c) {
-  if (level + 1 >= grid.levels.size()) return false;
-  const Level& fine = grid.levels[level + 1];
-  return std::any_of(fine.boxes.begin(), fine.boxes.end(),
-                     [&](const GridBox& box) { return box.cells.contains(c * fine.ratio); });
 }
 
 // The bins that an interval [low, high] of direction d meets, with how much of it lies in each.

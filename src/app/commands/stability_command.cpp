@@ -15,6 +15,7 @@
 #include "app/process/data_folder.hpp"
 #include "app/process/python_tool.hpp"
 #include "app/process/study_process.hpp"
+#include "app/process/text_sink.hpp"
 #include "app/stability/deck_stability.hpp"
 #include "app/stability/stability_series.hpp"
 #include "framework/base/console.hpp"
@@ -67,11 +68,9 @@ std::vector<StabilityCase> chosen_cases(const StabilityRequest& o) {
 }
 
 void write_json(const fs::path& path, const Json& json) {
-  std::ofstream out(path);
-  out << json.dump(1) << "\n";
-  if (!out.flush())
-    throw SystemError(
-        fmt::format("cannot write {}: is the disk full or the folder read-only?", path.string()));
+  TextSink sink(path.string());
+  sink.write(json.dump(1) + "\n");
+  sink.close();
 }
 
 // Picture and page; a message where Python cannot draw, because table and JSON are complete.

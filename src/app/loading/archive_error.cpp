@@ -11,18 +11,30 @@
 #include "framework/base/error.hpp"
 
 namespace sluice {
-namespace {
 
-// Cells of `level` that lie under the next finer one.
-bool covered(const Grid& grid, std::size_t level, IntVec3 c) {
+const std::vector<std::string>& norm_names() {
+  static const std::vector<std::string> names = {"l1", "l2", "linf", "relative_l1"};
+  return names;
+}
+
+double in_norm(const exact::ErrorNorms& norms, const std::string& name) {
+  if (name == "l2") return norms.l2;
+  if (name == "linf") return norms.linf;
+  if (name == "relative_l1") return norms.relative_l1;
+  return norms.l1;
+}
+
+bool covered(const Grid& grid, std::size_t level, IntVec3 cell) {
   if (level + 1 >= grid.levels.size()) return false;
   const Level& fine = grid.levels[level + 1];
-  const IntVec3 low = c * fine.ratio;
+  const IntVec3 low = cell * fine.ratio;
   for (const GridBox& box : fine.boxes) {
     if (box.cells.contains(low)) return true;
   }
   return false;
 }
+
+namespace {
 
 struct CellRequest {
   const std::string& variable;

@@ -22,6 +22,13 @@ struct DeckReference {
 // Nothing when the deck has no <Meta><exact_solution>; InputError when it makes no sense.
 std::optional<DeckReference> reference_of_deck(const DeckNode& root);
 
+// l1, l2, linf, relative_l1: what studies and cases may name, and that one of them.
+const std::vector<std::string>& norm_names();
+double in_norm(const exact::ErrorNorms& norms, const std::string& name);
+
+// Does a cell of this level lie under the next finer one.
+bool covered(const Grid& grid, std::size_t level, IntVec3 cell);
+
 // The same of the deck that an archive keeps as input.xml.
 std::optional<DeckReference> reference_of_archive(const Archive& archive);
 

@@ -3,8 +3,10 @@
 
 #include "app/loading/components.hpp"
 #include "app/loading/exact_solution_tag.hpp"
+#include "framework/base/error.hpp"
 #include "framework/deck/faults.hpp"
 #include "framework/deck/format/framework_schema.hpp"
+#include "framework/deck/load_deck.hpp"
 #include "framework/field/label.hpp"
 #include "framework/solve/solver_tags.hpp"
 #include "models/models.hpp"
@@ -44,6 +46,16 @@ Schema sluice_schema() {
   schema.rewrites.emplace_back(complete_for_component);
   schema.rules.emplace_back(check_labels);
   return schema;
+}
+
+Deck load_good_deck(const std::string& file, const std::vector<std::string>& overrides) {
+  Deck deck = load_deck(file, overrides, sluice_schema());
+  if (deck.good()) return deck;
+  std::string faults;
+  for (const Fault& fault : deck.faults)
+    if (fault.severity == Severity::error)
+      faults += (faults.empty() ? "" : "\n") + to_string(fault);
+  throw InputError(faults);
 }
 
 }  // namespace sluice

@@ -6,7 +6,6 @@
 
 #include "app/loading/scene_loader.hpp"
 #include "app/loading/sluice_schema.hpp"
-#include "framework/base/error.hpp"
 #include "framework/deck/load_deck.hpp"
 
 namespace sluice {
@@ -22,22 +21,10 @@ bool is_flag(const DeckNode& mpm, const char* name) {
   return node != nullptr && node->text == "true";
 }
 
-Deck loaded(const std::string& file, const std::vector<std::string>& overrides) {
-  return load_deck(file, overrides, sluice_schema());
-}
-
 class Chooser {
  public:
   Chooser(const std::string& file, const std::vector<std::string>& overrides)
-      : file_(file), given_(overrides), deck_(loaded(file, overrides)) {
-    if (!deck_.good()) {
-      std::string faults;
-      for (const Fault& fault : deck_.faults)
-        if (fault.severity == Severity::error)
-          faults += (faults.empty() ? "" : "\n") + to_string(fault);
-      throw InputError(faults);
-    }
-  }
+      : file_(file), given_(overrides), deck_(load_good_deck(file, overrides)) {}
 
   BestSettings choose() {
     const DeckNode* mpm = root().child("MPM");
@@ -124,7 +111,7 @@ class Chooser {
   bool takes(std::vector<std::string> overrides, std::string reason) {
     std::vector<std::string> all = given_;
     all.insert(all.end(), overrides.begin(), overrides.end());
-    const Deck tried = loaded(file_, all);
+    const Deck tried = load_deck(file_, all, sluice_schema());
     if (!tried.good()) return false;
     const auto faults = scene_faults(tried);
     if (std::any_of(faults.begin(), faults.end(),

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <fstream>
 
 #include "app/process/study_process.hpp"
@@ -35,6 +36,20 @@ std::string DeckOutcome::archive() const {
   const bool named =
       report.is_object() && report.contains("archive") && report.at("archive").is_text();
   return named ? report.at("archive").get<std::string>() : std::string{};
+}
+
+double lost_energy(const Json& report) {
+  const Json& account = report.at("energy_account");
+  if (account.empty())
+    throw InputError("the run has no energy budget: no solids deform in explicit steps");
+  const auto number = [](const Json& value) {
+    return value.is_number() ? value.get<double>() : NAN;
+  };
+  double lost = 0;  // J
+  for (const auto& [name, value] : account.members())
+    if (name != "within particles") lost += number(value);
+  const double scale = number(report.at("conservation").at("total energy").at("scale"));
+  return scale == 0 ? 0 : std::fabs(lost) / scale;
 }
 
 DeckOutcome run_deck(const DeckRequest& asked) {

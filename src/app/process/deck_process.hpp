@@ -30,6 +30,11 @@ struct DeckOutcome {
   std::string archive() const;  // empty: none was written
 };
 
+// What transfer, integration and contact took from solids (or gave) and did not turn into heat,
+// over the scale of the total energy: by a run's report. NaN where the report has numbers that are
+// not finite; InputError where no solids deform in explicit steps.
+double lost_energy(const Json& report);
+
 // Waits for the end of the run. InputError with the deck's faults where the run refuses the deck;
 // SystemError where it cannot be started. Safe for several threads with folders of their own.
 DeckOutcome run_deck(const DeckRequest& request);

@@ -7,8 +7,6 @@
 
 #include "app/loading/deck_scaling.hpp"
 #include "app/loading/sluice_schema.hpp"
-#include "framework/base/error.hpp"
-#include "framework/deck/load_deck.hpp"
 
 namespace sluice {
 namespace {
@@ -22,14 +20,7 @@ class Sweeper {
  public:
   Sweeper(const std::string& file, const std::vector<std::string>& overrides, double budget,
           const RunPoint& run)
-      : deck_(load_deck(file, overrides, sluice_schema())), budget_(budget), run_(run) {
-    if (!deck_.good()) {
-      std::string faults;
-      for (const Fault& fault : deck_.faults)
-        if (fault.severity == Severity::error)
-          faults += (faults.empty() ? "" : "\n") + to_string(fault);
-      throw InputError(faults);
-    }
+      : deck_(load_good_deck(file, overrides)), budget_(budget), run_(run) {
     StabilityCase& hard = found_.map.hard;
     hard.file = hard.deck = file;
     hard.name = std::filesystem::path(file).stem().string();

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/loading/archive_error.hpp"
+#include "app/process/deck_process.hpp"
 #include "app/stability/extremes.hpp"
 #include "framework/base/error.hpp"
 
@@ -64,14 +65,7 @@ class LostEnergyRequirement : public Requirement {
         most_);
   }
   Finding check(const Evidence& evidence) const override {
-    const Json& account = evidence.report.at("energy_account");
-    if (account.empty())
-      throw InputError("the run has no energy account: no solids deform in explicit steps");
-    double lost = 0;  // J
-    for (const auto& [name, value] : account.members())
-      if (name != "within particles") lost += value.is_number() ? value.get<double>() : NAN;
-    const double scale = number_in(evidence.report.at("conservation").at("total energy"), "scale");
-    const double share = scale == 0 ? 0 : std::fabs(lost) / scale;
+    const double share = lost_energy(evidence.report);
     return {share <= most_, share, {}};
   }
 
@@ -128,7 +122,7 @@ class ErrorRequirement : public Requirement {
         component_(file.whole(object, "component", 0, 2, 0)),
         most_(file.number(object, "at_most")) {
     file.refuse_unknown(object, {"error_of", "norm", "material", "component", "at_most"});
-    file.refuse_unless_known(norm_, "norm", {"l1", "l2", "linf", "relative_l1"});
+    file.refuse_unless_known(norm_, "norm", norm_names());
   }
 
   std::string text() const override {
@@ -140,12 +134,8 @@ class ErrorRequirement : public Requirement {
     if (!reference)
       throw InputError("the deck names no <Meta><exact_solution>, which \"error_of\" needs");
     const ArchiveStep step = archive.read_output(archive.select_output("last"));
-    const exact::ErrorNorms norms =
-        archive_error(step, *reference, variable_, component_, material_);
-    const double error = norm_ == "l2"            ? norms.l2
-                         : norm_ == "linf"        ? norms.linf
-                         : norm_ == "relative_l1" ? norms.relative_l1
-                                                  : norms.l1;
+    const double error =
+        in_norm(archive_error(step, *reference, variable_, component_, material_), norm_);
     return {error <= most_, error, {}};
   }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "app/loading/archive_error.hpp"
 #include "app/process/json_file.hpp"
 #include "framework/base/error.hpp"
 #include "framework/base/json.hpp"
@@ -208,8 +209,7 @@ Study read_study(const std::string& name) {
     study.why_slower = file.text(json, "default_is_slower_because");
   refuse_contradictions(file, study);
   if (json.contains("norm")) study.norm = file.text(json, "norm");
-  const std::vector<std::string> norms = {"l1", "l2", "linf", "relative_l1"};
-  file.refuse_unless_known(study.norm, "norm", norms);
+  file.refuse_unless_known(study.norm, "norm", norm_names());
   if (json.contains("set")) study.overrides = file.overrides(json.at("set"));
   if (json.contains("resolution_path")) {
     read_resolution_paths(file, study, json.at("resolution_path"));

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "app/loading/archive_error.hpp"
 #include "app/process/deck_process.hpp"
 #include "app/process/run_journal.hpp"
 #include "app/study/study_measure.hpp"
@@ -17,30 +18,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-double in_norm(const exact::ErrorNorms& norms, const std::string& norm) {
-  if (norm == "l2") return norms.l2;
-  if (norm == "linf") return norms.linf;
-  if (norm == "relative_l1") return norms.relative_l1;
-  return norms.l1;
-}
-
 DeckRequest request_of(const StudyRunner& runner, const Study& study, const StudyPoint& point) {
   return {runner.executable, study.deck, point.overrides, {}, runner.folder / "run"};
 }
 
-// What transfer, integration and contact took (or gave) and did not become heat, over the scale.
-exact::ErrorNorms lost_energy(const Study& study, const Json& told) {
-  const Json& budget = told.at("energy_account");
-  if (budget.empty())
-    throw InputError(
-        fmt::format("{}: the run of {} has no energy budget: no solids deform in explicit steps",
-                    study.file, study.deck));
-  double lost = 0;
-  for (const auto& [name, value] : budget.members())
-    if (name != "within particles") lost += value.get<double>();
-  const double scale = told.at("conservation").at("total energy").at("scale").get<double>();
-  const double share = scale > 0 ? std::fabs(lost) / scale : 0;
+exact::ErrorNorms lost_energy_of(const Study& study, const Json& report) try {
+  const double share = lost_energy(report);
   return {share, share, share, share};
+} catch (const InputError& fault) {
+  throw InputError(fmt::format("{}: {}: {}", study.file, study.deck, fault.what()));
 }
 
 }  // namespace
@@ -83,7 +69,7 @@ StudyRunner::Once StudyRunner::run_once(const Study& study, const StudyPoint& po
   if (once.archive.empty())
     throw InputError(fmt::format("{}: the run of {} wrote no archive", study.file, study.deck));
   if (measure_error)
-    once.norms = is_of_energy(study) ? lost_energy(study, told)
+    once.norms = is_of_energy(study) ? lost_energy_of(study, told)
                                      : measured_error(study, once.archive, reference_);
   return once;
 }
