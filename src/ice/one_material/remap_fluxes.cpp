@@ -6,6 +6,65 @@
 namespace sluice::ice {
 namespace {
 
+// Faces of which the donor's velocities differ by more than its sound: its slope gives what passes
+// kinetic energy that internal energy must pay. What the receiver has to pay with is what comes in
+// and what mixing the velocities turns into heat,
+//
+//   th^2 d2/(1-f) <= 2 c e_s/rho_s + mu |v_r - v - th (U - v)|^2,  mu = m_r/(|F| + m_r)
+//
+// m_r: the receiver's mass that stays. The slope is taken th times, the largest that holds.
+template <int D, int C, bool Scaled>
+void limit_cold_faces(const Row& row, const RemapFluxHandles& h, int axis, double l) {
+  auto a = [&](In in, int c = 0) { return row(in, c, axis, -1); };
+  const In energy = Scaled ? h.energy_scale : h.energy_L;
+  const double *uf = row(h.face_velocity), *rLa = a(h.rho_L), *rLb = row(h.rho_L);
+  const double *sca = a(energy), *scb = row(energy);
+  const double *wa = a(h.inverse_rho), *wb = row(h.inverse_rho);
+  const double *Na = a(h.courant), *Nb = row(h.courant);
+  const double* F = row(h.flux, 0);
+  double* G = row(h.flux, 1);
+  const double *va[3], *vb[3];
+  double* U[3];
+  for (int c = 0; c < C; ++c) {
+    va[c] = a(h.velocity_L, c);
+    vb[c] = row(h.velocity_L, c);
+    U[c] = row(h.flux, 2 + c);
+  }
+  for (int i = 0; i < row.count(); ++i) {
+    const bool left = uf[i] * l < 0.0;
+    const double rL = chosen(left, rLb[i], rLa[i]), sc = chosen(left, scb[i], sca[i]);
+    // As in flux_row: components along axes and carried ones apart.
+    double d2 = 0, across = 0, along = 0, carried[3] = {};
+    for (int c = 0; c < C; ++c) {
+      const double v = chosen(left, vb[c][i], va[c][i]), other = chosen(left, va[c][i], vb[c][i]);
+      const double way = U[c][i] - v, jump = other - v;
+      (c < D ? d2 : carried[0]) += way * way;
+      (c < D ? across : carried[1]) += jump * jump;
+      (c < D ? along : carried[2]) += jump * way;
+    }
+    d2 += carried[0], across += carried[1], along += carried[2];
+    if (!(d2 * rL > sc) || F[i] == 0) continue;
+    const double f = smaller(std::fabs(F[i]) * chosen(left, wb[i], wa[i]), max_mass_passing);
+    const auto K_of = [&](double x) {
+      return -0.5 * (x * x * rL) / ((1.0 - f) * (x * rL + 0.25 * sc));
+    };
+    const double internal = G[i] - F[i] * K_of(d2);
+    const double stays =
+        (1.0 - smaller(chosen(left, Na[i], Nb[i]), max_mass_passing)) / chosen(left, wa[i], wb[i]);
+    const double mu = stays / (std::fabs(F[i]) + stays);
+    const double A = d2 / (1.0 - f) - mu * d2, B = mu * along;
+    const double paid = larger(0.0, 2 * cold_pays * internal / F[i]) + mu * across;
+    const double root = B + std::sqrt(B * B + A * paid);
+    if (!(root > paid)) continue;  // th >= 1
+    const double theta = paid / root;
+    for (int c = 0; c < C; ++c) {
+      const double v = chosen(left, vb[c][i], va[c][i]);
+      U[c][i] = v + theta * (U[c][i] - v);
+    }
+    G[i] = internal + F[i] * K_of(theta * theta * d2);
+  }
+}
+
 // The bound is known when the loop is compiled: a choice in it costs its vectors or its registers;
 // so would a call.
 template <int D, int C, bool Second, bool Masked, bool Scaled, FaceDensityLimiter Bound>
@@ -52,6 +111,7 @@ template <int D, int C, bool Second, bool Masked, bool Scaled, FaceDensityLimite
   }
   double* __restrict F = row(h.flux, 0);
   double* __restrict G = row(h.flux, 1);
+  std::uint64_t cold = 0;
 #pragma GCC ivdep
   for (int i = 0; i < n; ++i) {
     const double H = l * uf[i];
@@ -96,6 +156,10 @@ template <int D, int C, bool Second, bool Masked, bool Scaled, FaceDensityLimite
     const double K = -0.5 * (d2 * d2 * rL) / ((1.0 - f) * (d2 * rL + 0.25 * sc));
     F[i] = flow;
     G[i] = H * es + flow * K;
+    if constexpr (Second) cold |= static_cast<std::uint64_t>(d2 * rL > sc);
+  }
+  if constexpr (Second) {
+    if (cold != 0) limit_cold_faces<D, C, Scaled>(row, h, axis, l);
   }
 }
 

@@ -21,6 +21,10 @@ constexpr double energy_left = 0.25;
 //   finite; unit: 1; test: none
 constexpr double max_mass_passing = 0.99;
 
+// threshold: share of its internal energy with which what passes may pay for the kinetic energy
+//   that its slope gives it; unit: 1; test: ColdFlow.NeedsNoStepRedone
+constexpr double cold_pays = 0.9;
+
 // What passes may have at most (gone + left N)/N of the density (internal energy) of the donor, N
 // its outflow number.
 constexpr double density_gone = 1.0 - density_left;
