@@ -28,11 +28,16 @@ target_compile_options(sluice_options INTERFACE
   $<$<BOOL:${SLUICE_ARCH}>:-march=${SLUICE_ARCH}>
   $<$<BOOL:${SLUICE_VECTOR_REPORT}>:-fopt-info-vec-missed=vector.report>)
 target_include_directories(sluice_options INTERFACE ${CMAKE_SOURCE_DIR}/src)
+string(TOUPPER "${CMAKE_BUILD_TYPE}" sluice_configuration)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND
+   NOT "${CMAKE_CXX_FLAGS_${sluice_configuration}}" MATCHES "-O3")
+  # Below -O3 GCC 12 takes AVX-512 registers that are undefined on purpose for a fault (its bug
+  # 105593).
+  target_compile_options(sluice_options INTERFACE -Wno-uninitialized)
+endif()
 if(SLUICE_SANITIZE)
   target_compile_options(sluice_options INTERFACE -fsanitize=address,undefined
-    -fno-sanitize-recover=all -fno-omit-frame-pointer
-    # GCC 12 takes AVX-512 registers that are undefined on purpose for a fault (its bug 105593).
-    $<$<CXX_COMPILER_ID:GNU>:-Wno-uninitialized>)
+    -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(sluice_options INTERFACE -fsanitize=address,undefined)
 endif()
 

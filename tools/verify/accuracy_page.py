@@ -192,6 +192,37 @@ def slow_defaults(summaries):
     return lines
 
 
+BARS = """
+## Error bars of decks
+
+`sluice accuracy DECK` gives error bars without an exact solution, and `sluice run --target-error`
+chooses a resolution by them ([how](user_guide.md)). `./dev verify bars` holds both against the true
+errors of these studies, each at the resolution of its deck: {covered} of {all} bars cover the true
+error, {sharp} are at most five times the error; of {asked} runs that were asked for the true error
+of the deck's own resolution, {kept} have it or less. [All numbers](accuracy/bars.csv).
+
+| study | quantity | bar over true error | error of the chosen run over the target |
+| --- | --- | --- | --- |
+"""
+
+
+def bars_section(table, studies):
+    """Lines of Markdown: how bars and targets compare with true errors."""
+    rows = read_rows(table)
+    ratios = [float(row["ratio"]) for row in rows]
+    reached = {row["study"]: float(row["reached"]) / float(row["target"])
+               for row in rows if row["reached"]}
+    lines = [BARS.format(covered=sum(r >= 1 for r in ratios), all=len(rows),
+                         sharp=sum(r <= 5 for r in ratios), asked=len(reached),
+                         kept=sum(r <= 1 for r in reached.values()))]
+    for row, ratio in zip(rows, ratios):
+        title = studies[row["study"]]["title"]
+        chosen = f"{reached[row['study']]:.2g}" if row["study"] in reached else "refused"
+        lines.append(f"| [{title}](#{anchor(title)}) | `{row['quantity']}` | {ratio:.2g} "
+                     f"| {chosen} |\n")
+    return lines
+
+
 def write_page(root, repeats):
     summaries, sections = [], {c: [] for c in COMPONENTS}
     for name, study in studies_of(root).items():
@@ -208,6 +239,9 @@ def write_page(root, repeats):
              "| --- | --- | --- | --- | --- | --- | --- |\n"]
     lines += [s.line() for s in summaries]
     lines += slow_defaults(summaries)
+    bars = root / "docs/accuracy/bars.csv"
+    if bars.exists():
+        lines += bars_section(bars, studies_of(root))
     for component, title in COMPONENTS.items():
         if sections[component]:
             lines += [f"\n## {title}\n"] + sections[component]

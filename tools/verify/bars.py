@@ -19,6 +19,10 @@ COLUMNS = ("study", "quantity", "error", "bar", "ratio", "target", "promised", "
 COVERED, SHARP = 0.8, 5  # the share that bars must cover; a bar of so many errors is still sharp
 
 
+class NotSaved(Exception):
+    """The ladder has no such quantity."""
+
+
 class Failed(Exception):
     """A command ended with a fault; its last line."""
 
@@ -70,7 +74,7 @@ def bar_of(given, study, folder):
         if quantity["name"] == name and quantity["material"] == study.get("material", 0):
             bar = quantity["relative_error_bars"][own]
             return bar * quantity["mean_size"], found["runs"][own]["cells"]
-    raise Failed(f"the deck saves no {name}")
+    raise NotSaved(f"no bar of {name}: the deck does not save it, or it tells where, not what")
 
 
 def label_of(study):
@@ -125,8 +129,9 @@ def main():
     for name in given.only or studies_of(given.root):
         try:
             row = measured(given, name)
-        except Failed as why:
-            failed.append(name)
+        except (Failed, NotSaved) as why:
+            if isinstance(why, Failed):
+                failed.append(name)
             print(f"{name}: {why}", flush=True)
             continue
         if row:

@@ -1,4 +1,6 @@
 #!/usr/bin/env bash
 # error bars and target errors of decks against the true errors of their studies: docs/accuracy.md
 "$PYTHON" "$SLUICE_ROOT/tools/verify/bars.py" --root "$SLUICE_ROOT" --sluice "$SLUICE" \
-  --folder "$PART_DIR"
+  --folder "$PART_DIR" || status=$?
+"$PYTHON" "$SLUICE_ROOT/tools/verify/ladders.py" --root "$SLUICE_ROOT" --page
+exit "${status:-0}"

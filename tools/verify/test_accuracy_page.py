@@ -56,6 +56,19 @@ class AccuracyPage(unittest.TestCase):
                       text)
         self.assertIn("## Fluid, explicit steps\n\n### The tube", text)
 
+    def test_bars_are_counted(self):
+        self.study("tube", [row("a", 1, 10, 0.03, 1), row("a", 1, 20, 0.009, 9)])
+        self.study("wave", [row("a", 1, 10, 0.03, 1), row("a", 1, 20, 0.009, 9)])
+        (self.root / "docs/accuracy/bars.csv").write_text(
+            "study,quantity,error,bar,ratio,target,promised,reached\n"
+            "tube,rho_CC,0.01,0.03,3,0.02,,0.01\n"
+            "wave,rho_CC,0.01,0.08,8,0.02,nothing covers it,\n")
+        text = self.text()
+        self.assertIn("2 of 2 bars cover the true\nerror, 1 are at most five times", text)
+        self.assertIn("of 1 runs", text)
+        self.assertIn("| [The tube](#the-tube) | `rho_CC` | 3 | 0.5 |", text)
+        self.assertIn("| [The wave](#the-wave) | `rho_CC` | 8 | refused |", text)
+
     def test_divergence_and_failures_are_called_so(self):
         self.study("bad", [row("a", 1, 10, 0.1, 1), row("a", 1, 20, 0.2, 4)])
         self.study("worse", [row("a", 1, 10, 0.1, 1), row("a", 1, 20, 0, 4, "failed")])
