@@ -15,8 +15,9 @@ import sys
 
 from accuracy_page import read_study, studies_of
 
-COLUMNS = ("study", "quantity", "error", "bar", "ratio", "target", "promised", "reached")
+COLUMNS = ("study", "quantity", "error", "bar", "ratio", "target", "reached", "refused")
 COVERED, SHARP = 0.8, 5  # the share that bars must cover; a bar of so many errors is still sharp
+EXACT = 1e-9  # a relative error that is round-off
 
 
 class NotSaved(Exception):
@@ -47,7 +48,7 @@ def settings(study):
 
 
 def true_error(given, study, cells, folder):
-    """The L1 error of the default setting with these cells, absolute and relative."""
+    """The L1 error of the default setting with these cells, in the unit of the variable."""
     one = dict(study, resolution=[cells], deck=str(study["deck_path"]))
     one["ladders"] = [dict(ladder, values={ladder["default"]: ladder["values"][ladder["default"]]})
                       for ladder in study.get("ladders", [])]
@@ -59,11 +60,12 @@ def true_error(given, study, cells, folder):
         row = next(csv.DictReader(line for line in rows if not line.startswith("#")))
     if row["status"] != "done":
         raise Failed(f"the run with {cells} cells is {row['status']}")
-    return float(row["l1"]), float(row["relative_l1"])
+    return float(row["l1"])
 
 
 def bar_of(given, study, folder):
-    """The absolute bar of the study's variable at the deck's own resolution, and those cells."""
+    """Of the study's variable: the relative bar at the deck's own resolution, its mean size, and
+    those cells."""
     words = [word for change in settings(study) for word in ("--set", change)]
     sluice(given, "accuracy", study["deck_path"], "-o", folder / "bar", "--json",
            folder / "bar.json", *words)
@@ -72,8 +74,8 @@ def bar_of(given, study, folder):
     name = label_of(study)
     for quantity in found["quantities"]:
         if quantity["name"] == name and quantity["material"] == study.get("material", 0):
-            bar = quantity["relative_error_bars"][own]
-            return bar * quantity["mean_size"], found["runs"][own]["cells"]
+            return (quantity["relative_error_bars"][own], quantity["mean_size"],
+                    found["runs"][own]["cells"])
     raise NotSaved(f"no bar of {name}: the deck does not save it, or it tells where, not what")
 
 
@@ -90,12 +92,12 @@ def cells_chosen(text, own):
     return [int(n) for n in found.groups()] if found else own
 
 
-def target_of(given, study, folder, relative, cells):
-    """Promised and true relative error of the run that is chosen for this error."""
+def reached_by(given, study, folder, relative, cells):
+    """The true error of the run that is chosen for this relative error."""
     words = [word for change in settings(study) for word in ("--set", change)]
     text = sluice(given, "run", study["deck_path"], "-o", folder / "chosen.uda", "--target-error",
                   f"{relative:.6g}", "--quantity", label_of(study), *words)
-    return true_error(given, study, cells_chosen(text, cells), folder)[1]
+    return true_error(given, study, cells_chosen(text, cells), folder)
 
 
 def measured(given, name):
@@ -107,14 +109,16 @@ def measured(given, name):
     study["deck_path"] = (path.parent / study["deck"]).resolve()
     folder = given.folder / name
     folder.mkdir(parents=True, exist_ok=True)
-    bar, cells = bar_of(given, study, folder)
-    error, relative = true_error(given, study, cells, folder)
+    bar, size, cells = bar_of(given, study, folder)
+    error = true_error(given, study, cells, folder) / size
+    if error < EXACT:
+        return None
     row = {"study": name, "quantity": study.get("variable", "rho_CC"), "error": error, "bar": bar,
-           "ratio": bar / error if error > 0 else float("inf")}
+           "ratio": bar / error}
     try:
-        row |= {"target": relative, "reached": target_of(given, study, folder, relative, cells)}
+        row |= {"target": error, "reached": reached_by(given, study, folder, error, cells) / size}
     except Failed as refused:
-        row["promised"] = str(refused)
+        row["refused"] = str(refused)
     return row
 
 

@@ -60,9 +60,9 @@ class AccuracyPage(unittest.TestCase):
         self.study("tube", [row("a", 1, 10, 0.03, 1), row("a", 1, 20, 0.009, 9)])
         self.study("wave", [row("a", 1, 10, 0.03, 1), row("a", 1, 20, 0.009, 9)])
         (self.root / "docs/accuracy/bars.csv").write_text(
-            "study,quantity,error,bar,ratio,target,promised,reached\n"
-            "tube,rho_CC,0.01,0.03,3,0.02,,0.01\n"
-            "wave,rho_CC,0.01,0.08,8,0.02,nothing covers it,\n")
+            "study,quantity,error,bar,ratio,target,reached,refused\n"
+            "tube,rho_CC,0.01,0.03,3,0.02,0.01,\n"
+            "wave,rho_CC,0.01,0.08,8,0.02,,nothing covers it\n")
         text = self.text()
         self.assertIn("2 of 2 bars cover the true\nerror, 1 are at most five times", text)
         self.assertIn("of 1 runs", text)

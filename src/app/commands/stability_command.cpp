@@ -44,17 +44,24 @@ bool is_deck(const std::string& name) {
   return fs::path(name).extension() == ".ups";
 }
 
+bool is_case_file(const std::string& name) {
+  return fs::path(name).extension() == ".stability";
+}
+
 std::vector<StabilityCase> chosen_cases(const StabilityRequest& o) {
   std::vector<StabilityCase> chosen;
   std::vector<std::string> known;
-  const auto all = read_stability_cases(o.cases_folder().string());
+  // Files that are named need no folder of cases.
+  std::vector<StabilityCase> all;
+  if (o.names.empty() || !std::all_of(o.names.begin(), o.names.end(), is_case_file))
+    all = read_stability_cases(o.cases_folder().string());
   for (const StabilityCase& hard : all) known.push_back(hard.name);
   for (const std::string& name : o.names) {
     const auto found =
         std::find_if(all.begin(), all.end(), [&](const auto& c) { return c.name == name; });
     if (found != all.end())
       chosen.push_back(*found);
-    else if (fs::path(name).extension() == ".stability")
+    else if (is_case_file(name))
       chosen.push_back(read_stability_case(name));
     else
       throw InputError(
