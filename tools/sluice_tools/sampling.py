@@ -26,7 +26,7 @@ def indices(field, points):
     return found
 
 
-def _boxes_of(field):
+def boxes_of(field):
     """True where a box of the level lies, in the shape of its values."""
     mask = np.zeros(field.values.shape[-3:], dtype=bool)
     for low, high in field.level.boxes:
@@ -47,7 +47,7 @@ def sample_scalar(step, name, points, material=None, along=None):
         field = level_field(step, name, material, level, along)
         at = indices(field, points)
         inside = (at >= 0).all(axis=1)
-        inside[inside] = _boxes_of(field)[tuple(at[inside].T)]
+        inside[inside] = boxes_of(field)[tuple(at[inside].T)]
         values[inside] = field.values[tuple(at[inside].T)]
         levels[inside] = level
     return values, levels

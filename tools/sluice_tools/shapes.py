@@ -2,7 +2,8 @@
 
 A particle is the image of a box under its deformation gradient F. The widths of the box are those
 that the deck gave it: the spacing of a cell over the number of particles along it. Where F is not
-saved, the box keeps its proportions and has the saved volume, or stays as it was.
+saved, the box keeps its proportions and has the saved volume, or stays as it was (in axisymmetric
+runs, whose volumes go around the axis).
 """
 import numpy as np
 
@@ -50,6 +51,15 @@ def first_widths(step, material, volumes):
     return widths[np.abs(np.log(safe[:, None] / sizes[None, :])).argmin(axis=1)]
 
 
+def _volumes(step, table):
+    """p.volume; None where it is not saved, or counts the way around an axis."""
+    deck = materials.deck(step.archive)
+    around = (deck.findtext("MPM/axisymmetric") or "") if deck is not None else ""
+    if "p.volume" not in table or around.strip() == "true":
+        return None
+    return np.abs(table["p.volume"])
+
+
 def _determinants(table, name):
     return np.abs(np.linalg.det(table[name].reshape(-1, 3, 3)))
 
@@ -60,7 +70,7 @@ def edges(step, material, table):
     count = len(table["p.x"])
     if "p.scalefactor" in table:
         return table["p.scalefactor"].reshape(-1, 3, 3)
-    volumes = np.abs(table["p.volume"]) if "p.volume" in table else None
+    volumes = _volumes(step, table)
     if "p.deformationMeasure" in table:
         deformed = table["p.deformationMeasure"].reshape(-1, 3, 3)
         if volumes is not None:

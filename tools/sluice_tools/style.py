@@ -77,7 +77,7 @@ def misplaced_texts(fig):
                if ax.get_visible()]:
         titles += [t for t in (ax.title, ax._left_title) if t.get_text()]
         for axis, ends in ((ax.xaxis, (0, 2)), (ax.yaxis, (1, 3))):
-            labels = [t for t in axis.get_ticklabels() if t.get_text()]
+            labels = [t for t in axis.get_ticklabels(which="both") if t.get_text()]
             beyond |= {t for t in labels if not _is_shown(t, axis)}
             boxes = [t.get_window_extent(renderer).extents[list(ends)] for t in labels
                      if t not in beyond]

@@ -227,7 +227,8 @@ class Movies(Scenes):
         import unittest.mock
         self.bubble()
         program = self.root.parent / "ffmpeg"
-        program.write_text('#!/bin/sh\nfor last; do :; done\necho "$@" > "$last"\nwc -c >> "$last"\n')
+        program.write_text('#!/bin/sh\nfor last; do :; done\n'
+                           'echo "$@" > "$last"\nwc -c >> "$last"\n')
         program.chmod(0o755)
         path = f"{program.parent}{os.pathsep}{os.environ['PATH']}"
         with unittest.mock.patch.dict(os.environ, {"PATH": path}):

@@ -127,7 +127,8 @@ class Graphs(Written):
         with self.assertRaisesRegex(ArchiveError, "tells no effects"):
             self.graphs("effects")
         (self.root / "run.json").write_text(json.dumps({"effects": [
-            {"name": "flow", "on": True, "seconds": 2.0}, {"name": "heat", "on": False, "seconds": 0},
+            {"name": "flow", "on": True, "seconds": 2.0},
+            {"name": "heat", "on": False, "seconds": 0},
             {"name": "drag", "on": True, "seconds": 3.0}]}))
         graph, = self.graphs("effects")
         self.assertEqual(list(graph.bars.items()), [("drag", 3.0), ("flow", 2.0)])

@@ -67,6 +67,7 @@ class Edges(unittest.TestCase):
             return types.SimpleNamespace(spacing=(size, size, 0.5 * size),
                                          active_directions=lambda: [0, 1])
         self.step = types.SimpleNamespace(levels=[level(1.0), level(0.5)], archive=None)
+        self.enterContext(mock.patch.object(shapes.materials, "deck", lambda archive: None))
         self.enterContext(mock.patch.object(shapes, "_counts",
                                             lambda *_: [[2, 2, 1], [1, 4, 1]]))
 
