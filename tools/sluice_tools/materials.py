@@ -38,6 +38,12 @@ def elements(archive):
             for e in root.iterfind(f"MaterialProperties/{method}/material")]
 
 
+def is_fluid(archive, material):
+    """Whether particles of this material are tracers that a fluid carries, not pieces of a solid."""
+    found = elements(archive)
+    return material < len(found) and found[material][0] == "ICE"
+
+
 def names(archive):
     """By number, for all numbers of which the deck or the fields of the archive know."""
     told = {n: (e.get("name") or "").strip() for n, (_, e) in enumerate(elements(archive))}

@@ -83,6 +83,16 @@ def add_particles(ax, cut, **look):
     return ax.add_collection(PolyCollection(cut.corners, **look))
 
 
+def add_tracers(ax, cut, **look):
+    """Points: what a fluid carries has no size."""
+    return ax.scatter(cut.centres[:, 0], cut.centres[:, 1], s=3, linewidths=0, zorder=4, **look)
+
+
+def solids(shot):
+    """Materials with particles that are pieces of a body."""
+    return [m for m in shot.step.particle_materials() if not materials.is_fluid(shot.archive, m)]
+
+
 def _joined(outline):
     """All lines of a contour as one path."""
     from matplotlib.path import Path
@@ -152,7 +162,7 @@ def draw_outlines(ax, shot, colour_of=style.solid_colour, width=0.9):
     """A line around the bodies of each material."""
     for material in materials_of(shot):
         cut = _cut_of(shot, material)
-        if cut is None or not len(cut.corners):
+        if materials.is_fluid(shot.archive, material) or cut is None or not len(cut.corners):
             continue
         x, y, image = cut.covered()
         ax.contour(x, y, image, levels=[0.5], linewidths=width, zorder=5,
@@ -170,6 +180,9 @@ def draw_bodies(ax, shot):
     for cut in shot.cuts("p.x"):
         if not len(cut.corners):
             continue
+        if materials.is_fluid(shot.archive, cut.material):
+            add_tracers(ax, cut, color="black")
+            continue
         add_particles(ax, cut, zorder=4, facecolors=style.solid_colour(cut.material))
         drawn.append(cut.material)
     draw_outlines(ax, shot, lambda material: "black", 0.6)
@@ -184,9 +197,12 @@ def draw_coloured(fig, ax, shot, name):
         return
     low, high, _ = scalars.colour_range(np.concatenate([cut.numbers for cut in cuts]))
     for cut in cuts:
-        drawn = add_particles(ax, cut, zorder=4, array=cut.numbers, cmap="magma",
-                              clim=(low, high))
-    bar = fig.colorbar(drawn, ax=ax, orientation="horizontal", aspect=30, pad=0.02)
+        if materials.is_fluid(shot.archive, cut.material):
+            drawn = add_tracers(ax, cut, c=cut.numbers, cmap="magma", vmin=low, vmax=high)
+        else:
+            drawn = add_particles(ax, cut, zorder=4, array=cut.numbers, cmap="magma",
+                                  clim=(low, high))
+    bar = fig.colorbar(drawn, ax=ax, orientation="horizontal", aspect=30, pad=0.02, shrink=0.8)
     bar.outline.set_linewidth(0.4)
     bar.set_label(style.with_unit(name, shot.archive.variables[base].unit))
 

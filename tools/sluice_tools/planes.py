@@ -156,7 +156,7 @@ def draw_over_cells(fig, ax, shot, name, scale):
         draw_contours(ax, shot, name, scale)
     if given.arrows:
         draw_arrows(ax, shot)
-    label = given.particles or ("p.x" if shot.step.particle_materials() else "none")
+    label = given.particles or ("p.x" if particles.solids(shot) else "none")
     if label == "none":
         return told
     if label != "p.x":

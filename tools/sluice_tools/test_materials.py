@@ -28,6 +28,10 @@ class Names(unittest.TestCase):
         for text, number in (("air", 2), ("water", 3), ("3", 3), (1, 1), ("material 1", 1)):
             self.assertEqual(materials.number(self.archive, text), number)
 
+    def test_particles_of_fluids_are_tracers(self):
+        self.assertEqual([materials.is_fluid(self.archive, m) for m in range(5)],
+                         [False, False, True, True, False])
+
     def test_a_wrong_name_is_told_with_the_nearest(self):
         with self.assertRaisesRegex(ArchiveError, "did you mean 'steel'.*2: air"):
             materials.number(self.archive, "stell")
