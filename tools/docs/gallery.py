@@ -110,7 +110,7 @@ def run(command, sluice, folder, root):
 
 def draw(root, sluice, wanted):
     """Draws the pictures of which wanted(name, checksum) says so; their number."""
-    known, drawn = recorded(root), 0
+    drawn = 0
     for commands, pictures in blocks(root):
         sums = {picture: checksum(root, commands, picture) for picture in pictures}
         old = [picture for picture in pictures if wanted(picture, sums[picture])]
@@ -121,6 +121,7 @@ def draw(root, sluice, wanted):
                 if output_of(command) is None or output_of(command) in old:
                     print(command, flush=True)
                     run(command, sluice, folder, root)
+            known = recorded(root)  # again: others may draw at the same time
             for picture in old:
                 shutil.copyfile(pathlib.Path(folder) / picture, root / PICTURES / picture)
                 known[picture] = sums[picture]
