@@ -34,6 +34,7 @@ def draw_levels(ax, shot, name):
     step = shot.step
     levels.draw_bands(ax, step, shot.given.levels)
     shown = line_materials(step, name, shot.material)
+    draw_bodies(ax, shot)
     for material in shown:
         for level, x, values, hidden in views.profiles(step, name, material):
             count = np.isfinite(values).sum()
@@ -47,6 +48,14 @@ def draw_levels(ax, shot, name):
                     label=", ".join([*words, f"{count} cells"]))
             if hidden.any():
                 ax.plot(x, np.where(hidden, values, np.nan), alpha=0.3, **look)
+
+
+def draw_bodies(ax, shot):
+    """Where solids are beside a fluid: a tint in the colour of their material."""
+    for material in particles.solids(shot) if shot.given.particles != "none" else ():
+        for n, (low, high) in enumerate(particles.spans(shot, material)):
+            ax.axvspan(low, high, color=style.solid_colour(material), alpha=0.25, linewidth=0,
+                       zorder=0.5, label="_" if n else materials.name(shot.archive, material))
 
 
 def draw_particles(ax, shot, name):

@@ -39,7 +39,7 @@ def elements(archive):
 
 
 def is_fluid(archive, material):
-    """Whether particles of this material are tracers that a fluid carries, not pieces of a solid."""
+    """Whether particles of this material are tracers of a fluid, not pieces of a solid."""
     found = elements(archive)
     return material < len(found) and found[material][0] == "ICE"
 

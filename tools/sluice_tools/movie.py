@@ -132,15 +132,16 @@ def survey(shots_of, count, given):
     dimensions the plane is that of the last frame."""
     last = shots_of(count - 1)
     given.normal, given.position = last[0].normal, last[0].position
-    names = plot.drawn_variables(last[0], given)
+    panels = plot.drawn_variables(last[0], given)
+    names = plot.scaled_labels(panels, given)
     extents, window = {name: Extent() for name in names}, None
     for at in range(count):
         shots = shots_of(at)
-        plot.check(shots, names, given)
+        plot.check(shots, panels, given)
         for name in names:
             for shot in shots:
                 extents[name].add(shot.numbers(name), scales.natural_size(shot.step, name))
-                if not shot.is_line and shot.is_of_particles(name):
+                if not shot.is_line and name in panels and shot.is_of_particles(name):
                     window = joined(window, all_shots.window_of(shot, name))
     known = {}
     for name, extent in extents.items():

@@ -189,19 +189,19 @@ def draw_bodies(ax, shot):
     return drawn
 
 
-def draw_coloured(fig, ax, shot, name):
+def draw_coloured(fig, ax, shot, name, scale):
     """Particles over a plane, coloured by what they carry, with a colour bar below."""
     base, _ = scalars.split_name(name)
     cuts = [cut for cut in shot.cuts(name) if len(cut.corners)]
     if not cuts:
         return
-    low, high, _ = scalars.colour_range(np.concatenate([cut.numbers for cut in cuts]))
+    look = {"cmap": "magma" if scale.colours == "cividis" else scale.colours,
+            "norm": scale.norm()}
     for cut in cuts:
         if materials.is_fluid(shot.archive, cut.material):
-            drawn = add_tracers(ax, cut, c=cut.numbers, cmap="magma", vmin=low, vmax=high)
+            drawn = add_tracers(ax, cut, c=cut.numbers, **look)
         else:
-            drawn = add_particles(ax, cut, zorder=4, array=cut.numbers, cmap="magma",
-                                  clim=(low, high))
+            drawn = add_particles(ax, cut, zorder=4, array=cut.numbers, **look)
     bar = fig.colorbar(drawn, ax=ax, orientation="horizontal", aspect=30, pad=0.02, shrink=0.8)
     bar.outline.set_linewidth(0.4)
     bar.set_label(style.with_unit(name, shot.archive.variables[base].unit))
@@ -246,3 +246,18 @@ def line(shot, name):
         numbers = scalars.scalar(base, kept.T if kept.ndim == 2 else kept, component, direction)
         order = np.argsort(table["p.x"][:, direction], kind="stable")
         yield material, table["p.x"][order, direction], numbers[order]
+
+
+def spans(shot, material):
+    """Of a run in one direction: [(low, high)] where bodies of a material are, m."""
+    direction = shot.directions[0]
+    table = shot.step.particles(material, {"p.x", *shapes.NEEDED})
+    half = 0.5 * shapes.OVERLAP * np.abs(shapes.edges(shot.step, material, table)[:, direction])
+    places, half = table["p.x"][:, direction], half.sum(axis=1)
+    joined = []
+    for low, high in sorted(zip(places - half, places + half)):
+        if joined and low <= joined[-1][1]:
+            joined[-1][1] = max(joined[-1][1], high)
+        else:
+            joined.append([low, high])
+    return [tuple(span) for span in joined]

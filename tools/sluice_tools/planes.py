@@ -119,9 +119,10 @@ def draw_arrows(ax, shot):
                   scale=1 / (1.2 * apart), width=0.0025, zorder=6)
 
 
-def draw(fig, ax, shot, name, scale, bar=True):
-    """One panel; what its legend tells: [(material, colour, is a line)]."""
-    told = []
+def draw(fig, ax, shot, name, scale_of):
+    """One panel; what its legend tells: [(material, colour, is a line)]. scale_of(label): its
+    Scale."""
+    told, scale = [], scale_of(name)
     of_particles = shot.is_of_particles(name)
     if of_particles:
         drawn = particles.draw_panel(ax, shot, name, scale)
@@ -133,7 +134,7 @@ def draw(fig, ax, shot, name, scale, bar=True):
             told = [(m, style.solid_colour(m), True) for m in several]
     else:
         drawn = draw_cells(ax, shot, name, scale)
-        told = draw_over_cells(fig, ax, shot, name, scale)
+        told = draw_over_cells(fig, ax, shot, name, scale_of)
     set_axes(ax, shot)
     given = shot.given
     if given.outline and not (of_particles and told and told[0][2]):
@@ -141,26 +142,26 @@ def draw(fig, ax, shot, name, scale, bar=True):
     if given.paths:
         particles.draw_paths(ax, shot)
     levels.draw_plane_lines(ax, shot.step, given.levels, shot.normal, shot.position)
-    if bar and drawn is not None:
+    if drawn is not None:
         bar = style.colour_bar(fig, ax, drawn, quantities.unit_of(shot.step, name))
         if scale.schlieren:  # its scale is crowded at the dark end
             bar.set_ticks([share * scale.high for share in (0, 0.05, 0.1, 0.2, 0.4)])
     return told
 
 
-def draw_over_cells(fig, ax, shot, name, scale):
+def draw_over_cells(fig, ax, shot, name, scale_of):
     told, given = [], shot.given
     if shot.material is None and name != quantities.SCHLIEREN:
         told += [(m, colour, True) for m, colour in draw_interfaces(ax, shot)]
     if given.contours:
-        draw_contours(ax, shot, name, scale)
+        draw_contours(ax, shot, name, scale_of(name))
     if given.arrows:
         draw_arrows(ax, shot)
     label = given.particles or ("p.x" if particles.solids(shot) else "none")
     if label == "none":
         return told
     if label != "p.x":
-        particles.draw_coloured(fig, ax, shot, label)
+        particles.draw_coloured(fig, ax, shot, label, scale_of(label))
     elif shot.material is None or shot.material in shot.step.particle_materials():
         told += [(m, style.solid_colour(m), False) for m in particles.draw_bodies(ax, shot)]
     return told

@@ -47,6 +47,13 @@ def drawn_variables(shot, given):
     return given.var or usual_variables(shot.step, shot.material)
 
 
+def scaled_labels(names, given):
+    """All labels that a picture shows by a scale: those of the panels, that of particles over
+    them."""
+    over = given.particles not in (None, "none", "p.x") and given.particles not in names
+    return [*names, given.particles] if over else names
+
+
 def read_exact(path):
     """Columns of a CSV file by name: x first, then one a variable; lines with # are comments."""
     try:
@@ -168,7 +175,7 @@ def draw_plane_figure(shots, names, given, plt, scale_of):
     for name in names:
         for shot in shots:
             ax = figure.axes.flat[at]
-            told += planes.draw(figure.fig, ax, shot, name, scale_of(name))
+            told += planes.draw(figure.fig, ax, shot, name, scale_of)
             text = caption(shot, name) + (f", {shot.label}" if shot.label else "")
             ax.set_title(text, loc="left")
             at += 1
@@ -191,8 +198,12 @@ def draw_shots(shots, given, plt, known_scales=None):
     names = drawn_variables(shots[0], given)
     check(shots, names, given)
 
+    known = dict(known_scales or {})
+
     def scale_of(name):
-        return (known_scales or {}).get(name) or scales.of_shots(shots, name, given)
+        if name not in known:
+            known[name] = scales.of_shots(shots, name, given)
+        return known[name]
     draw = draw_line_figure if shots[0].is_line else draw_plane_figure
     return draw(shots, names, given, plt, scale_of)
 

@@ -95,7 +95,7 @@ class Output:
         return self.step.field(label, self._number(material), level)
 
     def scalar(self, label, material=None, level=0):
-        """One number per cell, as pictures show it: of the whole where no material is named (density,
+        """One number per cell, as pictures show it: of the whole without a material (density,
         velocity and temperature of all materials); NaN where a material is not. A label may have a
         component: 'vel_CC.x', 'p.stress.vonMises', 'schlieren'."""
         return quantities.level_field(self.step, label, self._number(material), level)

@@ -1,6 +1,7 @@
 """Numbers of particles, their windows, outlines and paths, against what is known of them."""
 import types
 import unittest
+import unittest.mock
 
 import numpy as np
 
@@ -88,6 +89,17 @@ class Outlines(unittest.TestCase):
             middle = image[image.shape[0] // 2]
             lowest = middle[(x > 0.9) & (x < 1.1 + gap)].min()
             self.assertEqual(lowest > 0.5, closed, gap)
+
+
+class Spans(unittest.TestCase):
+    def test_neighbours_are_one_body(self):
+        places = np.array([[5.5, 0, 0], [0.5, 0, 0], [1.5, 0, 0]])
+        shot = types.SimpleNamespace(directions=[0], step=types.SimpleNamespace(
+            particles=lambda material, wanted: {"p.x": places}))
+        edges = np.broadcast_to(np.eye(3), (3, 3, 3))
+        with unittest.mock.patch.object(particles.shapes, "edges", lambda *_: edges):
+            found = particles.spans(shot, 0)
+        np.testing.assert_allclose(found, [(0, 2), (5, 6)], atol=0.03)
 
 
 class Paths(unittest.TestCase):
