@@ -5,6 +5,7 @@ import numpy as np
 from . import levels, materials, particles, quantities, style, views
 from .archive import ArchiveError
 
+NARROW = 1.6  # height over width
 INTERFACES = ["#000000", "#D55E00", "#CC79A7", "#009E73", "#56B4E9"]
 
 
@@ -20,6 +21,9 @@ def set_axes(ax, shot):
     ax.set_ylabel("xyz"[second] + "  (m)")
     ax.set_aspect("equal")
     ax.grid(False)
+    (left, right), (low, high) = ax.get_xlim(), ax.get_ylim()
+    if high - low > NARROW * (right - left):  # few numbers have room
+        ax.locator_params(axis="x", nbins=2)
 
 
 def draw_cells(ax, shot, name, scale):
@@ -115,6 +119,7 @@ def draw_arrows(ax, shot):
     u, v = (part[2][np.ix_(j, i)] for part in parts)
     most = np.nanmax(np.hypot(u, v), initial=0)
     if most > 0:
+        u, v = (np.where(np.hypot(u, v) > 1e-3 * most, part, np.nan) for part in (u, v))
         ax.quiver(x[i], y[j], u / most, v / most, angles="xy", scale_units="xy", color="black",
                   scale=1 / (1.2 * apart), width=0.0025, zorder=6)
 

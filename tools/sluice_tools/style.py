@@ -8,6 +8,7 @@ from .scalars import split_name
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"]
 # Of solids, unlike any colour of the maps of fields.
 SOLIDS = ["#009E73", "#CC79A7", "#D55E00", "#56B4E9", "#000000", "#F0E442"]
+FLAT = 0.25  # height over width of planes whose colour bars have room for their ends alone
 LINES = ["-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (8, 2))]
 MARKERS = ["o", "s", "^", "D", "v", "P", "X"]
 
@@ -60,6 +61,11 @@ def colour_bar(fig, ax, drawn, unit):
     """Inset, so that the bar is as high as a plane drawn in its own proportions."""
     bar = fig.colorbar(drawn, cax=ax.inset_axes([1.03, 0, 0.035, 1]))
     bar.outline.set_linewidth(0.4)
+    (left, right), (low, high) = ax.get_xlim(), ax.get_ylim()
+    if high - low < FLAT * (right - left):
+        from matplotlib.ticker import LinearLocator
+        bar.locator = LinearLocator(2)
+        bar.update_ticks()
     if hasattr(bar.formatter, "set_powerlimits"):
         bar.formatter.set_powerlimits((-3, 5))
     if unit and unit != "1":

@@ -8,6 +8,7 @@ import numpy as np
 
 from sluice_tools import movie, plot, shots, style
 from sluice_tools.archive import ArchiveError
+from sluice_tools.test_archive import Writer
 from sluice_tools.test_support import RADIUS, Scenes
 
 
@@ -146,6 +147,17 @@ class Texts(Scenes):
                       ["--var", "rho_CC", "--particles", "p.stress"], ["--size", "5x4"],
                       ["--history", "TotalMass"], ["--log", "--var", "rho_CC"]):
             self.assertEqual(Drawn(self.root, *words).faults, [], words)
+
+    def test_of_tall_and_of_flat_domains(self):
+        for number, cells in enumerate(((8, 40, 1), (60, 6, 1))):
+            self.root = self.root.parent / f"shape{number}.uda.000"
+            writer = Writer(self.root, [((1e-3, 1e-3, 1e-3), (0, 0, 0), cells,
+                                         [((0, 0, 0), cells)])])
+            for name in ("press_CC", "temp_CC"):
+                writer.add(name, "CC", [lambda x, y, z: 1e9 * x + y])
+            writer.close()
+            self.assertEqual(Drawn(self.root).faults, [], cells)
+            self.assertEqual(Drawn(self.root, "--time", "first", "--time", "last").faults, [])
 
     def test_every_axis_has_its_unit(self):
         self.tube()
