@@ -121,7 +121,7 @@ def draw_arrows(ax, shot):
     if most > 0:
         u, v = (np.where(np.hypot(u, v) > 1e-3 * most, part, np.nan) for part in (u, v))
         ax.quiver(x[i], y[j], u / most, v / most, angles="xy", scale_units="xy", color="black",
-                  scale=1 / (1.2 * apart), width=0.0025, zorder=6)
+                  scale=1 / (1.2 * apart), width=0.0025, zorder=3.5)  # below solids
 
 
 def draw(fig, ax, shot, name, scale_of):
