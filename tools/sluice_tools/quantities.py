@@ -16,7 +16,7 @@ from .scalars import scalar, split_name
 COMMON = {"press_CC", "press_equil_CC", "sum_rho_CC", "solid.fraction"}  # of the cell
 MEANS = {"vel_CC", "temp_CC"}  # over the mass of all materials
 SCHLIEREN = "schlieren"  # |grad rho|, as if it were a label
-PRESENT = ("vol_frac_CC", "rho_CC", "temp_CC")  # positive where a material is
+PRESENT = ("vol_frac_CC", "rho_CC", "temp_CC")  # zero where a material is not
 
 
 def is_of_whole(step, base):
@@ -47,7 +47,7 @@ def presence(step, material, level, lower, shape):
             continue
         field = step.field(name, material, level)
         if field.lower == lower and field.values.shape[-3:] == shape:
-            return field.values > 0
+            return field.values != 0  # what is below zero is a fault that shall be seen
     return None
 
 
@@ -74,7 +74,7 @@ def _whole(step, base, level):
         total = total + mass
         weighted = weighted + np.where(mass > 0, mass * field.values, 0)
     if base == "rho_CC":
-        return dataclasses.replace(fields[0], values=np.where(total > 0, total, np.nan))
+        return dataclasses.replace(fields[0], values=np.where(total != 0, total, np.nan))
     with np.errstate(invalid="ignore", divide="ignore"):
         return dataclasses.replace(fields[0], values=np.where(total > 0, weighted / total, np.nan))
 

@@ -40,6 +40,14 @@ class Wholes(Scenes):
         whole = quantities.level_field(step, "temp_CC").values[:, :, 0]
         np.testing.assert_allclose(whole, np.where(inside, 400.0, 300.0))
 
+    def test_what_is_below_zero_is_shown(self):
+        writer = Writer(self.root, [(SPACING, (0, 0, 0), (8, 4, 1), [((0, 0, 0), (8, 4, 1))])])
+        writer.add("rho_CC", "CC", [lambda x, y, z: x - 2])
+        writer.close()
+        values = quantities.level_field(Archive(self.root).step(), "rho_CC").values
+        self.assertTrue(np.isfinite(values).all())
+        self.assertLess(values.min(), 0)
+
     def test_a_label_of_the_cell_belongs_to_every_material(self):
         self.assertTrue(quantities.is_of_whole(self.bubble().step(), "press_CC"))
         with self.assertRaisesRegex(ArchiveError, "not stored for material 0"):
