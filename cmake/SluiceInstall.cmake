@@ -6,6 +6,8 @@ endif()
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/tools/sluice_tools
   DESTINATION ${CMAKE_INSTALL_DATADIR}/sluice/tools
   PATTERN "__pycache__" EXCLUDE PATTERN "test_*" EXCLUDE)
+install(FILES ${CMAKE_SOURCE_DIR}/tools/pyproject.toml  # for pip install
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/sluice/tools)
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/inputs DESTINATION ${CMAKE_INSTALL_DATADIR}/sluice
   FILES_MATCHING PATTERN "*.ups" PATTERN "*.xml")
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/regression/accuracy

@@ -11,6 +11,32 @@ cmake --install "$1" --prefix "$prefix" >"$prefix/install.log" || {
 "$prefix/bin/sluice" --version | grep -E '^sluice [0-9]+\.[0-9]+\.[0-9]+ \(.+\)$'
 "$prefix/bin/sluice" check "$prefix/share/sluice/inputs/ice/shock_tube.ups"
 [[ -f $prefix/share/doc/sluice/user_guide.md ]]
+# pip installs the tools, from the installation as from the project; without setuptools it is told.
+if /usr/bin/python3 -c 'import setuptools, wheel, pip' 2>/dev/null; then
+  cp -r "$prefix/share/sluice/tools" "$prefix/tools" # pip leaves a folder build/ there
+  /usr/bin/python3 -m pip install --quiet --no-index --no-deps --no-build-isolation \
+    --target "$prefix/python" "$prefix/tools"
+  (cd / && PYTHONPATH=$prefix/python /usr/bin/python3 -B -c "
+import sluice_tools, sluice_tools.archive
+assert sluice_tools.__file__.startswith('$prefix/python'), sluice_tools.__file__
+try: sluice_tools.open('nosuch.uda')
+except sluice_tools.archive.ArchiveError: pass")
+  [[ ! -e $prefix/python/sluice_tools/test_archive.py ]]
+else
+  echo "skipped: pip install of the tools (no pip, setuptools or wheel)"
+fi
+# The interpreter that is named is taken.
+status=0
+export SLUICE_PYTHON=/nosuch/python
+"$prefix/bin/sluice" plot "$prefix/nosuch.uda" --exact none || status=$?
+[[ $status == 3 ]]
+printf '#!/bin/sh\nexec /usr/bin/python3 "$@"\n' >"$prefix/my_python"
+chmod +x "$prefix/my_python"
+status=0
+SLUICE_PYTHON=$prefix/my_python
+"$prefix/bin/sluice" plot "$prefix/nosuch.uda" --exact none || status=$?
+[[ $status == 2 ]]
+unset SLUICE_PYTHON
 # The tools are found: the fault is the missing archive (2), not missing tools (3).
 status=0
 "$prefix/bin/sluice" plot "$prefix/nosuch.uda" --exact none || status=$?

@@ -100,8 +100,12 @@ class Archive:
         self.steps = [(int(e.text), float(e.get("time")), self.path / e.get("href"))
                       for e in root.iterfind("timesteps/timestep")]
         self.variables = {e.get("name"): _variable(e) for e in root.iterfind("variables/variable")}
-        self.histories = {e.get("name"): (self.path / e.get("href"), e.get("type", ""))
+        # By the name of the file: each material has its own of a label, TotalMass_1.
+        self.histories = {pathlib.PurePath(e.get("href")).stem:
+                          (self.path / e.get("href"), e.get("type", ""))
                           for e in root.iterfind("globals/variable")}
+        self.units_of_histories = {pathlib.PurePath(e.get("href")).stem: e.get("unit", "")
+                                   for e in root.iterfind("globals/variable")}
 
     def title(self):
         """What the deck calls itself, or the name of the archive."""

@@ -17,7 +17,7 @@ import tempfile
 
 PROJECT = pathlib.Path(__file__).resolve().parents[2]
 COMMANDS = ["accuracy", "run", "check", "compare", "drive", "export", "extract", "help", "info",
-            "norms", "plan", "plot", "regress", "tune"]
+            "movie", "norms", "plan", "plot", "regress", "tune"]
 # Cases whose archives are looked at: a fluid, several materials, solids, both with burning.
 RUNS = ["sod", "exchange", "blocks_gimp", "strand"]
 

@@ -91,6 +91,21 @@ TEST_F(ArchiveCommands, ExtractWritesTheContractsColumns) {
   EXPECT_EQ(read_text(file), all.output);
 }
 
+TEST_F(ArchiveCommands, HistoriesAreListedAndExtracted) {
+  EXPECT_THAT(run("info " + a_).output, HasSubstr("history      TotalMass\n"));
+  EXPECT_THAT(run("info " + a_ + " --json").output, HasSubstr("\"samples\""));
+  const Outcome all = run("extract " + a_ + " --history TotalMass");
+  EXPECT_EQ(all.status, 0) << all.error;
+  EXPECT_TRUE(all.output.starts_with("Time,value\n0,1\n0.1")) << all.output;
+  EXPECT_EQ(std::count(all.output.begin(), all.output.end(), '\n'), 4);
+  const Outcome one = run("extract " + a_ + " --history TotalMass --time 0.12");
+  EXPECT_EQ(std::count(one.output.begin(), one.output.end(), '\n'), 2) << one.output;
+  const Outcome wrong = run("extract " + a_ + " --history TotalMas");
+  EXPECT_EQ(wrong.status, 2);
+  EXPECT_THAT(wrong.error, HasSubstr("did you mean 'TotalMass'"));
+  EXPECT_EQ(run("extract " + a_ + " --history TotalMass --var press_CC").status, 2);
+}
+
 TEST_F(ArchiveCommands, ExtractRefusesWithExitTwo) {
   for (const std::string wrong :
        {"--time 0.31", "--time -0.06", "--time #3", "--time soon", "--level 1", "--level x",

@@ -1,4 +1,5 @@
-// sluice extract UDA --var V --csv FILE|-: values of a label as CSV.
+// sluice extract UDA --var V --csv FILE|-: values of a label as CSV; --history NAME: lines of a
+// history or of a sample of <DataAnalysis>.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -7,14 +8,16 @@
 #include "app/command/command_line.hpp"
 #include "app/process/text_sink.hpp"
 #include "framework/archive/csv_extract.hpp"
+#include "framework/archive/samples.hpp"
 #include "framework/archive/selection.hpp"
 #include "framework/base/error.hpp"
+#include "framework/deck/nearest_name.hpp"
 
 namespace sluice {
 namespace {
 
 struct ExtractRequest {
-  std::string archive, label, csv = "-", time = "last", level = "all", from, to;
+  std::string archive, label, history, csv = "-", time, level = "all", from, to;
   std::optional<int> material;
 };
 
@@ -48,10 +51,43 @@ ExtractOptions options_of(const ExtractRequest& r) {
   return options;
 }
 
+std::string csv_row(const std::vector<std::string>& words) {
+  return fmt::format("{}\n", fmt::join(words, ","));
+}
+
+Sample find_sample(const Archive& archive, const std::string& name) {
+  std::vector<std::string> names;
+  for (Sample& sample : find_samples(archive)) {
+    if (sample.name == name) return std::move(sample);
+    names.push_back(sample.name);
+  }
+  throw InputError(fmt::format("no history or sample '{}' in {} ({}; sluice info lists them)", name,
+                               archive.folder().string(), suggest_name(name, names)));
+}
+
+void extract_history(const ExtractRequest& r) {
+  const Archive archive = Archive::open(r.archive);
+  const Sample sample = find_sample(archive, r.history);
+  std::optional<double> time;
+  if (!r.time.empty()) time = parse_real(r.time, "--time");
+  const SampleTable table = read_sample(sample, time);
+  TextSink sink(r.csv);
+  sink.write(csv_row(table.columns));
+  for (const std::vector<std::string>& row : table.rows) sink.write(csv_row(row));
+  sink.close();
+}
+
 void extract(const ExtractRequest& r) {
+  if (r.label.empty() == r.history.empty())
+    throw InputError("extract needs either --var or --history");
+  if (!r.history.empty()) {
+    extract_history(r);
+    return;
+  }
   const ExtractOptions options = options_of(r);
   const Archive archive = Archive::open(r.archive);
-  const ArchiveStep step = archive.read_output(archive.select_output(r.time));
+  const ArchiveStep step =
+      archive.read_output(archive.select_output(r.time.empty() ? "last" : r.time));
   TextSink sink(r.csv);
   const std::int64_t rows =
       extract_csv(step, options, [&](std::string_view text) { sink.write(text); });
@@ -65,7 +101,10 @@ void extract(const ExtractRequest& r) {
 void declare_extract_command(Command& command) {
   auto r = std::make_shared<ExtractRequest>();
   command.option("UDA", r->archive, "The archive").required();
-  command.option("--var", r->label, "Label, e.g. press_CC").required();
+  command.option("--var", r->label, "Label, e.g. press_CC");
+  command.option("--history", r->history,
+                 "Instead of --var: a history, a sample of <DataAnalysis>, levels or effects, by "
+                 "its name in sluice info; --time: only the sampled time nearest to it");
   command.option("--material", r->material, "Material; absent: all that the label has");
   command.option("--time", r->time, "last, first, a time (nearest output), #N: N-th output");
   command.option("--level", r->level, "A level, or all: every point once, from the finest");

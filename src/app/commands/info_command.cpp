@@ -7,6 +7,7 @@
 #include "app/command/command_line.hpp"
 #include "app/process/text_sink.hpp"
 #include "framework/archive/archive.hpp"
+#include "framework/archive/samples.hpp"
 #include "framework/base/console.hpp"
 #include "framework/base/json.hpp"
 
@@ -115,6 +116,10 @@ Json to_json(const Archive& archive, const ArchiveStep* step, const Verification
     j["restarts"].push_back({{"from", r.from}, {"step", r.step}});
   j["histories"] = Json::array();
   for (const HistoryEntry& h : archive.index().histories) j["histories"].push_back(h.file);
+  j["samples"] = Json::array();
+  for (const Sample& s : find_samples(archive))
+    j["samples"].push_back(
+        {{"name", s.name}, {"kind", s.kind}, {"files", s.files.size()}, {"unit", s.unit}});
   j["levels"] = Json::array();
   j["labels"] = Json::array();
   if (step) {
@@ -180,6 +185,12 @@ void print_labels(const ArchiveStep& step) {
   fmt::print("labels of step {}\n{}", step.info().step, table.text("  "));
 }
 
+// Snapshots and cells, where there are several.
+std::string files_text(const Sample& s) {
+  if (s.files.size() < 2) return {};
+  return fmt::format("  ({} {})", s.files.size(), s.kind == "line" ? "cells" : "times");
+}
+
 void print_text(const Archive& archive, const ArchiveStep* step, const Verification& v) {
   const ArchiveIndex& index = archive.index();
   fmt::print("archive      {}\n", archive.folder().string());
@@ -190,7 +201,8 @@ void print_text(const Archive& archive, const ArchiveStep* step, const Verificat
     fmt::print("restarted    from {} at step {}\n", r.from, r.step);
   print_steps("outputs", archive.outputs());
   print_steps("checkpoints", archive.checkpoints());
-  for (const HistoryEntry& h : index.histories) fmt::print("history      {}\n", h.file);
+  for (const Sample& s : find_samples(archive))
+    fmt::print("{:<12} {}{}\n", s.kind, s.name, files_text(s));
   if (step) {
     for (const Level& l : step->grid().levels)
       fmt::print(

@@ -61,6 +61,28 @@ TEST_F(Plot, NoExactSolutionWhenNotWanted) {
   EXPECT_THAT(text_of(picture), Not(HasSubstr("exact")));
 }
 
+TEST_F(Plot, SeveralArchivesAreDrawnOverEachOtherWithTheOptionsThatAreGiven) {
+  const fs::path picture = folder_.path() / "a.svg";
+  const std::string again = (folder_.path() / "box.uda").string();
+  const Outcome outcome = plot(again + " --names one,two --difference --var rho_CC --size 7x3 " +
+                               "--range rho_CC=-3:3 -o " + picture.string());
+  ASSERT_EQ(outcome.status, 0) << outcome.text;
+  const std::string drawn = text_of(picture);
+  for (const char* word : {"one", "two", "two - one", "width=\"504pt\""})
+    EXPECT_THAT(drawn, HasSubstr(word));
+  EXPECT_THAT(drawn, Not(HasSubstr("exact")));
+}
+
+TEST_F(Plot, AMovieIsAGifWithoutAnyOtherProgram) {
+  const fs::path movie = folder_.path() / "a.gif";
+  const Outcome outcome =
+      run_in_shell(std::string(SLUICE_COMMAND) + " movie " + (folder_.path() / "box.uda").string() +
+                   " --dpi 50 -o " + movie.string());
+  ASSERT_EQ(outcome.status, 0) << outcome.text;
+  EXPECT_THAT(outcome.text, HasSubstr("1 frame"));
+  EXPECT_EQ(text_of(movie).substr(0, 4), "GIF8");
+}
+
 TEST_F(Plot, WrongNamesAndTimesAreBadInput) {
   const Outcome variable = plot("--var nosuch -o " + (folder_.path() / "a.png").string());
   EXPECT_EQ(variable.status, 2);

@@ -95,7 +95,11 @@ XmlElement to_xml(const ArchiveIndex& index) {
     restarts.add("restart").set("from", r.from).set("timestep", std::to_string(r.step));
   XmlElement& globals = root.add("globals");
   for (const HistoryEntry& h : index.histories)
-    globals.add("variable").set("href", h.file).set("type", h.type).set("name", h.name);
+    globals.add("variable")
+        .set("href", h.file)
+        .set("type", h.type)
+        .set("name", h.name)
+        .set("unit", h.unit);
   XmlElement& variables = root.add("variables");
   for (const VariableEntry& v : index.variables)
     variables.add("variable")
@@ -133,9 +137,9 @@ ArchiveIndex parse_index(const XmlElement& root, const std::string& context) {
           {r.need_attribute("from", context), attribute_int(r, "timestep", context)});
   if (const XmlElement* globals = root.child("globals"))
     for (const XmlElement& g : globals->children)
-      index.histories.push_back({g.need_attribute("name", context),
-                                 g.need_attribute("href", context),
-                                 g.need_attribute("type", context)});
+      index.histories.push_back(
+          {g.need_attribute("name", context), g.need_attribute("href", context),
+           g.need_attribute("type", context), g.attribute("unit").value_or("")});
   for (const XmlElement& v : root.need("variables", context).children) {
     VariableEntry entry;
     entry.name = v.need_attribute("name", context);

@@ -42,7 +42,7 @@ struct VariableEntry {
 };
 
 struct HistoryEntry {  // a .dat file
-  std::string name, file, type;
+  std::string name, file, type, unit;
 };
 
 struct RestartEntry {

@@ -9,6 +9,7 @@
 #include "framework/base/communicator.hpp"
 #include "framework/base/console.hpp"
 #include "framework/base/error.hpp"
+#include "framework/field/label.hpp"
 
 namespace sluice {
 namespace fs = std::filesystem;
@@ -173,13 +174,23 @@ void ArchiveWriter::write_index(const Store& store) {
   publish_sealed(store.folder / "index.xml", to_xml(store.index));
 }
 
+namespace {
+
+// Of a declared label; tests and old archives have others.
+std::string unit_of(const std::string& name) {
+  const std::optional<Label> label = find_label(name);
+  return label ? label->info().unit : std::string();
+}
+
+}  // namespace
+
 HistoryFile& ArchiveWriter::history_file(const std::string& label, int material, const char* type) {
   const std::string name = history_file_name(label, material);
   auto it = histories_.find(name);
   if (it != histories_.end()) return it->second;
   auto& known = outputs_.index.histories;
   if (std::none_of(known.begin(), known.end(), [&](const auto& h) { return h.file == name; }))
-    known.push_back({label, name, fmt::format("ReductionVariable<{}>", type)});
+    known.push_back({label, name, fmt::format("ReductionVariable<{}>", type), unit_of(label)});
   checkpoints_.index.histories = known;
   return histories_.emplace(name, HistoryFile(folder_ / name, setup_.histories)).first->second;
 }
