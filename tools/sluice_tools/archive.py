@@ -8,14 +8,18 @@
     step.particles()["p.x"]                  # particles by id: arrays [n], vectors [n, component]
     step.particles(1, {"p.stress"})          # of material 1, one variable: tensors [n, 9]
 
-The layout is described in docs/archive_format.md. Checksums are not verified here: `sluice info
---verify` does that.
+    Archive("shock_tube.uda", checkpoints=True)    # its steps are the checkpoints
+
+The layout is described in docs/archive_format.md. Every byte that is read is compared with its
+checksum: what is damaged is an ArchiveError that names the file, and never a number.
 """
 import dataclasses
 import pathlib
 import xml.etree.ElementTree as ElementTree
 
 import numpy as np
+
+from .checksum import crc32c, crc32c_rows
 
 CENTRINGS = {"CCVariable": "cell", "NCVariable": "node", "SFCXVariable": "x face",
              "SFCYVariable": "y face", "SFCZVariable": "z face",
@@ -40,6 +44,20 @@ def _parse(path):
         raise ArchiveError(f"{path}: {error.strerror}: is this an archive?") from error
     except ElementTree.ParseError as error:
         raise ArchiveError(f"{path}: not readable as XML ({error})") from error
+
+
+SEAL = b"<!-- crc32c %08x -->\n"
+
+
+def _parse_sealed(path):
+    """Of a file whose last line is the checksum of all before it."""
+    root = _parse(path)
+    text = path.read_bytes()
+    end = len(text) - len(SEAL % 0)
+    if end < 0 or text[end:] != SEAL % crc32c(text[:end]):
+        raise ArchiveError(f"{path}: its checksum line is missing or does not match: the file is "
+                           "damaged or was edited")
+    return root
 
 
 @dataclasses.dataclass(frozen=True)
@@ -90,16 +108,25 @@ class Field:
 
 
 class Archive:
-    def __init__(self, path):
+    def __init__(self, path, checkpoints=False):
         self.path = pathlib.Path(path).resolve()
         root = _parse(self.path / "index.xml")
         stored = root.findtext("outputFormat", default="").strip()
         if stored != "HDF5":
             raise ArchiveError(f"{path}: the archive's format is '{stored or 'raw UDA'}'; "
                                "only Sluice's HDF5 archives can be drawn")
-        self.steps = [(int(e.text), float(e.get("time")), self.path / e.get("href"))
-                      for e in root.iterfind("timesteps/timestep")]
-        self.variables = {e.get("name"): _variable(e) for e in root.iterfind("variables/variable")}
+        root = _parse_sealed(self.path / "index.xml")
+        self.kind, folder, of_steps = "output", self.path, root
+        if checkpoints:
+            self.kind, folder = "checkpoint", self.path / "checkpoints"
+            if not (folder / "index.xml").exists():
+                raise ArchiveError(f"{self.path} has no checkpoint; the deck's <checkpoint> asks "
+                                   "for them")
+            of_steps = _parse_sealed(folder / "index.xml")
+        self.steps = [(int(e.text), float(e.get("time")), folder / e.get("href"))
+                      for e in of_steps.iterfind("timesteps/timestep")]
+        self.variables = {e.get("name"): _variable(e)
+                          for e in of_steps.iterfind("variables/variable")}
         self.histories = {e.get("name"): (self.path / e.get("href"), e.get("type", ""))
                           for e in root.iterfind("globals/variable")}
 
@@ -115,7 +142,7 @@ class Archive:
     def step(self, which="last"):
         """'last', 'first', '#N' (N-th output from 0), or a time: the nearest output."""
         if not self.steps:
-            raise ArchiveError(f"{self.path}: the archive holds no output yet")
+            raise ArchiveError(f"{self.path}: the archive holds no {self.kind} yet")
         return Step(self, *self.steps[self._position(str(which))])
 
     def _position(self, which):
@@ -125,7 +152,8 @@ class Archive:
             if which.startswith("#"):
                 number = int(which[1:])
                 if not 0 <= number < len(self.steps):
-                    raise ArchiveError(f"there is no output {which}: #0 to #{len(self.steps) - 1}")
+                    raise ArchiveError(f"there is no {self.kind} {which}: #0 to "
+                                       f"#{len(self.steps) - 1}")
                 return number
             return self._nearest(float(which))
         except ValueError as error:
@@ -137,8 +165,8 @@ class Archive:
         gaps = [b - a for a, b in zip(times, times[1:])]
         near = gaps[max(0, best - 1):best + 1] or [abs(times[0])]
         if abs(times[best] - wanted) > 0.5 * max(near) * (1 + 1e-9):
-            raise ArchiveError(f"no output near time {wanted:g}: they go from {times[0]:g} to "
-                               f"{times[-1]:g}")
+            raise ArchiveError(f"no {self.kind} near time {wanted:g}: they go from {times[0]:g} "
+                               f"to {times[-1]:g}")
         return best
 
     def level_cells(self):
@@ -184,7 +212,7 @@ def _names(known):
 class Step:
     def __init__(self, archive, number, time, path):
         self.archive, self.number, self.time, self.path = archive, number, time, path
-        root = _parse(path)
+        root = _parse_sealed(path)
         self.levels = [_level(e) for e in root.iterfind("Grid/Level")]
         records = [path.parent / e.get("href") for e in root.iterfind("Data/Datafile")]
         self._stored = {}
@@ -192,8 +220,8 @@ class Step:
             self._collect(record)
 
     def _collect(self, record):
-        root = _parse(record)
-        data = record.parent / root.find("Datafile").get("href")
+        root = _parse_sealed(record)
+        data = DataFile(record, root)
         for e in root.iterfind("Variable"):
             key = (e.get("name"), int(e.get("material")), int(e.get("level")))
             self._stored.setdefault(key, []).append((data, e.get("group")))
@@ -240,7 +268,7 @@ class Step:
     def pieces(self, name, material, level):
         """What is stored, box by box: [(lower, upper, values[component, i, j, k])]."""
         return [part for data, group in self._stored.get((name, material, level), ())
-                for part in _read_group(data, group)]
+                for part in data.read(group)]
 
     def field(self, name, material=None, level=0):
         if not self.has(name):
@@ -264,25 +292,62 @@ class Step:
         return Field(variable, material, self.levels[level], lower, values)
 
 
-def _read_group(data, group):
-    """The boxes of one group of a data file: (lower, upper, [component, i, j, k])."""
-    import h5py  # here, so that listing an archive needs no HDF5
-    try:
-        with h5py.File(data, "r") as file:
-            boxes = file[group]["boxes"][()]
-            values = file[group]["values"][()]
-            components = file[group]["crc32c"].shape[1]
-    except (OSError, KeyError) as error:
-        raise ArchiveError(f"{data}: {group} cannot be read ({error})") from error
-    at = 0
-    for box in boxes:
-        low, high = tuple(int(n) for n in box[:3]), tuple(int(n) for n in box[3:])
-        shape = tuple(high[d] - low[d] for d in range(3))
-        size = components * shape[0] * shape[1] * shape[2]
-        # Stored x fastest, component after component.
-        block = values[at:at + size].reshape((components, shape[2], shape[1], shape[0]))
-        yield low, high, block.transpose(0, 3, 2, 1)
-        at += size
+class DataFile:
+    """One rank's values of a step, and its record: how long the file is, and the checksum of all
+    that is not a value."""
+
+    def __init__(self, record, root):
+        file = root.find("Datafile")
+        self.path = record.parent / file.get("href")
+        self._bytes, self._structure = int(file.get("bytes")), int(file.get("metadataCrc32c"), 16)
+        self._values = sorted((int(e.get("offset")), int(e.get("bytes")))
+                              for e in root.iterfind("Variable") if int(e.get("offset")) >= 0)
+        self._checked = False
+
+    def _check(self):
+        """Before HDF5 sees the file: it trusts what it reads."""
+        if self._checked:
+            return
+        try:
+            size = self.path.stat().st_size
+            if size != self._bytes:
+                raise ArchiveError(f"{self.path}: {size} bytes long, {self._bytes} were written: "
+                                   "the file was cut or replaced")
+            between, at = [], 0
+            with self.path.open("rb") as file:
+                for start, length in (*self._values, (size, 0)):
+                    file.seek(at)
+                    between.append(file.read(max(0, start - at)))
+                    at = max(at, start + length)
+        except OSError as error:
+            raise ArchiveError(f"{self.path}: {error.strerror}") from error
+        if crc32c(b"".join(between)) != self._structure:
+            raise ArchiveError(f"{self.path}: the checksum of its structure does not match: "
+                               "damaged outside the values")
+        self._checked = True
+
+    def read(self, group):
+        """The boxes of one group: (lower, upper, [component, i, j, k])."""
+        import h5py  # here, so that listing an archive needs no HDF5
+        self._check()
+        try:
+            with h5py.File(self.path, "r") as file:
+                boxes, values, sums = (file[group][name][()]
+                                       for name in ("boxes", "values", "crc32c"))
+        except (OSError, KeyError) as error:
+            raise ArchiveError(f"{self.path}: {group} cannot be read ({error})") from error
+        at, components = 0, sums.shape[1]
+        for number, (box, expected) in enumerate(zip(boxes, sums)):
+            low, high = tuple(int(n) for n in box[:3]), tuple(int(n) for n in box[3:])
+            shape = tuple(high[d] - low[d] for d in range(3))
+            size = components * shape[0] * shape[1] * shape[2]
+            # Stored x fastest, component after component.
+            block = values[at:at + size].reshape((components, size // components))
+            if (crc32c_rows(block.view(np.uint8)) != expected).any():
+                raise ArchiveError(f"{self.path}: the checksum of {group}, box {number}, does not "
+                                   "match: the values are damaged")
+            yield low, high, block.reshape((components, *shape[::-1])).transpose(0, 3, 2, 1)
+            at += size
 
 
 def _level(e):

@@ -221,6 +221,7 @@ def material_text(step, name, given):
 
 def draw_fields(archive, given, plt):
     step = archive.step(given.time)
+    views.check_slice(step, given.normal, given.position)
     names = given.var or usual_variables(step)
     for name in names:
         views.stored_levels(step, scalars.split_name(name)[0], given.material)  # told first
@@ -317,6 +318,8 @@ def parse(arguments):
                         help="label, or a component: vel_CC.x, p.stress.xy")
     parser.add_argument("--material", type=int)
     parser.add_argument("--time", default="last", help="last, first, #N or a time")
+    parser.add_argument("--checkpoint", action="store_true",
+                        help="draw a checkpoint (the state of the run), not an output")
     parser.add_argument("--slice", type=parse_slice, help="plane of a 3-D run, z=0.5 (middle)")
     parser.add_argument("--radius", action="store_true",
                         help="every cell of a 2-D or 3-D run against its distance from the origin")
@@ -344,8 +347,8 @@ def parse(arguments):
 def main(arguments=None):
     given = parse(arguments)
     draw = draw_histories if given.history else draw_fields
-    return style.save_picture("sluice plot", lambda plt: draw(Archive(given.archive), given, plt),
-                              given.output, ArchiveError)
+    return style.save_picture("sluice plot", lambda plt: draw(
+        Archive(given.archive, given.checkpoint), given, plt), given.output, ArchiveError)
 
 
 if __name__ == "__main__":

@@ -3,7 +3,8 @@ import numpy as np
 
 from .archive import TENSOR, ArchiveError
 
-KINDS = ("p", "g", "cz")  # labels of solids begin with one of these and a dot
+# Labels of solids, and of the state in checkpoints, begin with one of these and a dot.
+KINDS = ("p", "g", "cz", "state")
 SIGNED = 0.02  # values are drawn around zero when the smaller side is at least this share
 INVARIANTS = ("vonMises", "pressure", "det", "size")
 

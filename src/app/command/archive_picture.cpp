@@ -107,6 +107,7 @@ int draw_with(const PictureRequest& request, const std::string& exact, const fs:
   for (const std::string& h : request.histories) option("--history", h);
   option("--material", request.material);
   option("--slice", request.slice);
+  if (request.checkpoint) words.emplace_back("--checkpoint");
   if (request.radius) words.emplace_back("--radius");
   option("--levels", request.levels);
   option("--particles", request.particles);
@@ -124,7 +125,9 @@ int draw_with(const PictureRequest& request, const std::string& exact, const fs:
 int draw_archive(const PictureRequest& request, const fs::path& output) {
   if (request.exact != "auto" && request.exact != "none")
     return draw_with(request, request.exact, output);
-  if (request.exact == "none" || !request.histories.empty()) return draw_with(request, "", output);
+  // Checkpoints hold the state of the run, which no exact solution has.
+  if (request.exact == "none" || request.checkpoint || !request.histories.empty())
+    return draw_with(request, "", output);
   const TemporaryFolder folder(TemporaryFolder::Place::disk);
   const std::string line = (folder / "exact.csv").string();
   return draw_with(request, sample_exact(request, line) ? line : "", output);

@@ -13,6 +13,7 @@ struct PictureRequest {
   std::string time = "last";
   std::string paths;           // of so many particles of each material
   bool outline = false;        // of bodies
+  bool checkpoint = false;     // in place of an output
   bool radius = false;         // every cell by its distance from the origin
   std::string exact = "auto";  // auto: what the deck names; none; or a CSV file
   std::string picture = "picture.png";

@@ -68,7 +68,8 @@ void declare_compare_command(Command& command) {
       .at_least_zero();
   command.option("--vars", r->only, "Only these labels: a,b,c");
   command.option("--ignore", r->ignore, "All labels but these: a,b,c");
-  command.flag("--checkpoints", r->options.checkpoints, "Compare checkpoints, not outputs");
+  command.flag("--checkpoint,--checkpoints", r->options.checkpoints,
+               "Compare checkpoints, not outputs");
   command.flag("--common-times", r->options.common_times,
                "Compare only times that both archives have");
   command.flag("--histories", r->histories, "Compare the .dat files as well");

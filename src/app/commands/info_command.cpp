@@ -5,6 +5,7 @@
 #include <set>
 
 #include "app/command/command_line.hpp"
+#include "app/command/extremes_report.hpp"
 #include "app/process/text_sink.hpp"
 #include "framework/archive/archive.hpp"
 #include "framework/base/console.hpp"
@@ -49,13 +50,13 @@ Verification verify(const Archive& archive) {
   return v;
 }
 
-// The last readable state: its grid and labels stand for the archive's.
 std::vector<FieldInfo> all_fields(const ArchiveStep& step) {
   std::vector<FieldInfo> all = step.fields();
   all.insert(all.end(), step.particle_fields().begin(), step.particle_fields().end());
   return all;
 }
 
+// The last readable state: its grid and labels stand for the archive's.
 std::unique_ptr<ArchiveStep> last_step(const Archive& archive, std::vector<std::string>& damage) {
   for (const bool outputs : {true, false}) {
     const auto& entries = outputs ? archive.outputs() : archive.checkpoints();
@@ -206,23 +207,40 @@ void print_text(const Archive& archive, const ArchiveStep* step, const Verificat
                v.damage.empty() ? "nothing damaged" : "damage as listed");
 }
 
-int inform(const std::string& path, bool json, bool all) {
-  const Archive archive = Archive::open(path);
+struct InfoRequest {
+  std::string archive, time;
+  bool json = false, verify = false, checkpoint = false, extremes = false;
+};
+
+int inform(const InfoRequest& r) {
+  const Archive archive = Archive::open(r.archive);
+  const bool all = r.verify;
   Verification v;
   if (all)
     v = verify(archive);
   else
     v.damage = archive.damage();
   std::vector<std::string> unreadable;
-  const std::unique_ptr<ArchiveStep> step = last_step(archive, unreadable);
+  // One that is asked for is read, or refused.
+  const bool asked = r.checkpoint || r.extremes || !r.time.empty();
+  const std::unique_ptr<ArchiveStep> step =
+      asked ? std::make_unique<ArchiveStep>(
+                  archive.read(r.checkpoint ? Stored::checkpoints : Stored::outputs,
+                               r.time.empty() ? "last" : r.time))
+            : last_step(archive, unreadable);
   if (!all) {
     v.damage.insert(v.damage.end(), unreadable.begin(), unreadable.end());
     if (step) v.damage.insert(v.damage.end(), step->damage().begin(), step->damage().end());
   }
-  if (json) {
+  if (r.json) {
+    Json j = to_json(archive, step.get(), v);
+    if (r.extremes) j["state"] = extremes_json(archive, *step);
     TextSink sink("-");
-    sink.write(to_json(archive, step.get(), v).dump(2) + "\n");
+    sink.write(j.dump(2) + "\n");
     sink.close();
+  } else if (r.extremes) {
+    fmt::print("{}", extremes_text(archive, *step));
+    for (const std::string& d : v.damage) fmt::print("DAMAGED      {}\n", d);
   } else {
     print_text(archive, step.get(), v);
   }
@@ -232,15 +250,17 @@ int inform(const std::string& path, bool json, bool all) {
 }  // namespace
 
 void declare_info_command(Command& command) {
-  struct Request {
-    std::string archive;
-    bool json = false, verify = false;
-  };
-  auto r = std::make_shared<Request>();
+  auto r = std::make_shared<InfoRequest>();
   command.option("UDA", r->archive, "The archive").required();
   command.flag("--json", r->json, "As JSON");
   command.flag("--verify", r->verify, "Read everything and check every checksum");
-  command.action([r] { return inform(r->archive, r->json, r->verify); });
+  command.flag("--extremes", r->extremes,
+               "Least and largest value of every label, material and level with their places; "
+               "volume, mass and momentum of each material");
+  command.option("--time", r->time,
+                 "Labels and extremes of this output: last (default), first, a time, #N");
+  command.flag("--checkpoint", r->checkpoint, "Of a checkpoint, not of an output");
+  command.action([r] { return inform(*r); });
 }
 
 }  // namespace sluice

@@ -1,8 +1,11 @@
 // sluice plot UDA: pictures of an archive.
+#include <fmt/format.h>
+
 #include <memory>
 
 #include "app/command/archive_picture.hpp"
 #include "app/command/command_line.hpp"
+#include "app/loading/last_output.hpp"
 
 namespace sluice {
 
@@ -21,6 +24,8 @@ void declare_plot_command(Command& command) {
   command.option("--material", request->material,
                  "Material index; absent: all in line plots, otherwise the first stored");
   command.option("--time", request->time, "last, first, #N (N-th output) or a time");
+  command.flag("--checkpoint", request->checkpoint,
+               "Draw a checkpoint (the state of the run), not an output; --time selects it");
   command.option("--slice", request->slice, "Plane of a 3-D run, z=0.5 (the middle)");
   command.flag("--radius", request->radius,
                "Every cell of a 2-D or 3-D run against its distance from the origin");
@@ -38,7 +43,12 @@ void declare_plot_command(Command& command) {
                  "Paths of this number of particles of each material, from the first output on");
   command.option("--title", request->title, "Title of the picture");
   command.option("-o,--output", request->picture, "Picture: .png, .svg or .pdf");
-  command.action([request] { return draw_archive(*request); });
+  command.action([request] {
+    if (request->time == "last" && !request->checkpoint && request->histories.empty())
+      if (const std::string note = last_output_note(request->archive); !note.empty())
+        fmt::print(stderr, "sluice plot: note: {}\n", note);
+    return draw_archive(*request);
+  });
 }
 
 }  // namespace sluice

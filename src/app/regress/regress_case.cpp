@@ -3,10 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <fstream>
 #include <set>
 
+#include "app/loading/last_output.hpp"
 #include "app/process/study_process.hpp"
 #include "app/regress/golden.hpp"
 #include "framework/archive/compare.hpp"
@@ -85,14 +87,19 @@ const char* to_string(CaseVerdict v) {
       return "blessed";
     case CaseVerdict::skipped:
       return "-";
+    case CaseVerdict::invalid:
+      return "INVALID";
   }
   return "";
 }
 
-bool RegressResult::good() const {
+int RegressResult::status() const {
+  int status = 0;
   for (const RegressCheck& c : checks)
-    if (c.verdict == CaseVerdict::different) return false;
-  return true;
+    status = std::max(status, c.verdict == CaseVerdict::invalid     ? 2
+                              : c.verdict == CaseVerdict::different ? 1
+                                                                    : 0);
+  return status;
 }
 
 std::vector<RegressCase> read_regress_cases(const fs::path& file) {
@@ -167,7 +174,13 @@ RegressRunner::Run RegressRunner::run_with(const fs::path& program, const Regres
 RegressCheck RegressRunner::check_golden(const RegressCase& c, const Run& plain) const {
   Golden now;
   try {
-    now = golden_of(Archive::open(plain.archive), c.variables);
+    const Archive archive = Archive::open(plain.archive);
+    now = golden_of(archive, c.variables);
+    if (const auto end = run_end(archive); end && end->step != now.steps)
+      return {"golden", CaseVerdict::invalid,
+              fmt::format("the last output is of step {}, but the run ended at step {}: its end is "
+                          "not saved, so that it cannot be compared",
+                          now.steps, end->step)};
   } catch (const InputError& problem) {
     return {"golden", CaseVerdict::different, problem.what()};  // other cases go on
   }
@@ -179,7 +192,14 @@ RegressCheck RegressRunner::check_golden(const RegressCase& c, const Run& plain)
     return {"golden", CaseVerdict::different,
             fmt::format("{} does not exist; sluice regress {} --bless writes it", c.golden.string(),
                         c.name)};
-  return judged("golden", golden_difference(read_golden(c.golden), now, c.tolerance));
+  const Golden golden = read_golden(c.golden);
+  if (!of_one_end(golden, now))
+    return {
+        "golden", CaseVerdict::invalid,
+        fmt::format("{} is of step {} at t = {:g}, but the run ended at step {} at t = {:g}: it "
+                    "is no result of this end; sluice regress {} --bless writes one",
+                    c.golden.string(), golden.steps, golden.time, now.steps, now.time, c.name)};
+  return judged("golden", golden_difference(golden, now, c.tolerance));
 }
 
 RegressCheck RegressRunner::check_restart(const RegressCase& c, const Run& plain) const {

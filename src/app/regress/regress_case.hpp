@@ -26,7 +26,8 @@ struct RegressCase {
 // InputError with file and place on what is not JSON, unknown, missing or out of range.
 std::vector<RegressCase> read_regress_cases(const std::filesystem::path& file);
 
-enum class CaseVerdict { same, different, blessed, skipped };
+// invalid: nothing can be compared, as the golden result is not of the end of the run.
+enum class CaseVerdict { same, different, blessed, skipped, invalid };
 const char* to_string(CaseVerdict);
 
 struct RegressCheck {
@@ -39,7 +40,7 @@ struct RegressResult {
   std::string name;
   std::vector<RegressCheck> checks;
   double seconds = 0;
-  bool good() const;
+  int status() const;  // 0: good, 1: something differs, 2: something is invalid
 };
 
 struct RegressRunner {

@@ -12,7 +12,12 @@ namespace sluice {
 namespace fs = std::filesystem;
 namespace {
 
-const StepEntry& nearest(const std::vector<StepEntry>& steps, double time, const fs::path& folder) {
+const char* name_of(Stored kind) {
+  return kind == Stored::outputs ? "output" : "checkpoint";
+}
+
+const StepEntry& nearest(const std::vector<StepEntry>& steps, double time, const fs::path& folder,
+                         const char* kind) {
   auto best = std::min_element(steps.begin(), steps.end(), [&](const auto& a, const auto& b) {
     return std::abs(a.time - time) < std::abs(b.time - time);
   });
@@ -27,9 +32,9 @@ const StepEntry& nearest(const std::vector<StepEntry>& steps, double time, const
   const double round_off = 1e-12 * std::max(std::abs(time), std::abs(best->time));
   if (std::abs(best->time - time) <= std::max(interval / 2, round_off)) return *best;
   throw InputError(fmt::format(
-      "{} has no output near time {:.17g}: the nearest is at {:.17g}, outputs go from {:.17g} to "
-      "{:.17g}; see sluice info",
-      folder.string(), time, best->time, steps.front().time, steps.back().time));
+      "{} has no {} near time {:.17g}: the nearest is at {:.17g}, {}s go from {:.17g} to {:.17g}; "
+      "see sluice info",
+      folder.string(), kind, time, best->time, kind, steps.front().time, steps.back().time));
 }
 
 // Uintah's own archives have an index of the same name without a checksum, which must not be taken
@@ -73,8 +78,9 @@ Archive Archive::open(const fs::path& path) {
   return archive;
 }
 
-const StepEntry& Archive::select_output(std::string_view text) const {
-  const std::vector<StepEntry>& steps = index_.steps;
+const StepEntry& Archive::select(Stored kind, std::string_view text) const {
+  if (kind == Stored::checkpoints) select_checkpoint();  // tells when there is none
+  const std::vector<StepEntry>& steps = kind == Stored::outputs ? outputs() : checkpoints();
   if (steps.empty()) throw InputError(folder_.string() + " has no output yet");
   if (text == "last") return steps.back();
   if (text == "first") return steps.front();
@@ -82,16 +88,16 @@ const StepEntry& Archive::select_output(std::string_view text) const {
     if (text.starts_with('#')) {
       const int n = parse_int(text.substr(1), "--time");
       if (n >= 0 && static_cast<std::size_t>(n) < steps.size()) return steps[n];
-      throw InputError(fmt::format("{} has no output {}: there are #0 to #{}", folder_.string(),
-                                   text, steps.size() - 1));
+      throw InputError(fmt::format("{} has no {} {}: there are #0 to #{}", folder_.string(),
+                                   name_of(kind), text, steps.size() - 1));
     }
     const double time = parse_real(text, "--time");
-    if (std::isfinite(time)) return nearest(steps, time, folder_);
+    if (std::isfinite(time)) return nearest(steps, time, folder_, name_of(kind));
   } catch (const DamageError&) {
     // Not a number: said below.
   }
-  throw InputError(
-      fmt::format("--time {}: expected last, first, a time, or #N for the N-th output", text));
+  throw InputError(fmt::format("--time {}: expected last, first, a time, or #N for the N-th {}",
+                               text, name_of(kind)));
 }
 
 const StepEntry& Archive::select_checkpoint(int step) const {

@@ -84,6 +84,9 @@ class ArchiveStep {
   std::vector<std::string> damage_;
 };
 
+// Outputs hold what the deck saves; checkpoints the state of the run, for restarts.
+enum class Stored { outputs, checkpoints };
+
 class Archive {
  public:
   // A folder NAME.uda.NNN or a link to it.
@@ -103,9 +106,19 @@ class Archive {
 
   // "last", "first", "#N" (the N-th output, from 0) or a time: the nearest output, InputError when
   // that is further away than half an interval.
-  const StepEntry& select_output(std::string_view text) const;
+  const StepEntry& select_output(std::string_view text) const {
+    return select(Stored::outputs, text);
+  }
   // The checkpoint of this step; the last one when step < 0.
   const StepEntry& select_checkpoint(int step = -1) const;
+  // The state that a tool looks at: an output, or a checkpoint, selected by the same words.
+  const StepEntry& select(Stored kind, std::string_view text) const;
+  ArchiveStep read(Stored kind, const StepEntry& entry) const {
+    return kind == Stored::outputs ? read_output(entry) : read_checkpoint(entry);
+  }
+  ArchiveStep read(Stored kind, std::string_view text) const {
+    return read(kind, select(kind, text));
+  }
 
   // Problems with the index of the checkpoints, if any.
   const std::vector<std::string>& damage() const { return damage_; }

@@ -74,7 +74,10 @@ WriteReport ArchiveWriter::write_output(const StepInfo& info, const Grid& grid,
 
 WriteReport ArchiveWriter::write_checkpoint(const StepInfo& info, const Grid& grid,
                                             std::span<const FieldPiece> pieces) {
-  on_root([&] { make_folder(checkpoints_.folder); });
+  on_root([&] {
+    require_all_there();
+    make_folder(checkpoints_.folder);
+  });
   return write_step(checkpoints_, info, grid, pieces, StorageOptions{});
 }
 
@@ -82,6 +85,7 @@ WriteReport ArchiveWriter::write_step(Store& store, const StepInfo& info, const 
                                       std::span<const FieldPiece> pieces,
                                       const StorageOptions& options) {
   const fs::path partial = store.folder / (step_folder_name(info.step) + ".partial");
+  on_root([&] { require_all_there(); });
   WriteReport report;
   try {
     // 1. A fresh folder that no index names.
@@ -203,6 +207,7 @@ void ArchiveWriter::write_text(const std::string& name, const std::string& text)
 
 void ArchiveWriter::finish() {
   on_root([&] {
+    require_all_there();
     write_histories();
     if (!histories_.empty()) write_index(outputs_);
     flush_file_system(folder_);  // the last names, too

@@ -23,6 +23,7 @@ struct ExtractOptions {
 };
 
 // Hands successive pieces of CSV text to `write`; returns the number of rows after the header.
+// Before anything is written: InputError where no point is selected, which names the nearest one.
 std::int64_t extract_csv(const ArchiveStep& step, const ExtractOptions& options,
                          const std::function<void(std::string_view)>& write);
 
