@@ -1,4 +1,4 @@
-"""python3 -m sluice_tools plot|workprecision|residuals|materialpath|stability ..., as sluice calls.
+"""python3 -m sluice_tools TOOL ..., as sluice calls it; the tools are those of TOOLS.
 
 Exit status: 0 good, 2 bad input, 3 a Python package is missing (the message says how to get it).
 """
@@ -6,7 +6,7 @@ import importlib
 import sys
 
 PACKAGES = {"numpy": "python3-numpy", "h5py": "python3-h5py", "matplotlib": "python3-matplotlib"}
-TOOLS = ("plot", "workprecision", "residuals", "materialpath", "stability")
+TOOLS = ("plot", "movie", "workprecision", "residuals", "materialpath", "stability")
 
 
 def main():

@@ -129,6 +129,8 @@ class Archive:
                           for e in of_steps.iterfind("variables/variable")}
         self.histories = {e.get("name"): (self.path / e.get("href"), e.get("type", ""))
                           for e in root.iterfind("globals/variable")}
+        self.units_of_histories = {e.get("name"): e.get("unit", "")
+                                   for e in root.iterfind("globals/variable")}
 
     def title(self):
         """What the deck calls itself, or the name of the archive."""

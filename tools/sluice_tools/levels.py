@@ -133,17 +133,11 @@ def share_text(step, level):
     return f"level {level.index}: {text}, {cells:,} cells{part}"
 
 
-def add_legend(fig, step):
-    """Below all panels: the colour of each level and how much of it there is."""
+def handles(step):
+    """For a legend: the colour of each level and how much of it there is."""
     from matplotlib.lines import Line2D
-    shown = step.levels
-    handles = [Line2D([], [], linewidth=1.5, color=colour(level.index) if level.index else "none",
-                      label=share_text(step, level)) for level in shown]
-    columns = max(1, min(len(shown), int(fig.get_figwidth() / 2.9)))
-    rows = -(-len(shown) // columns)
-    room = (0.2 * rows + 0.1) / fig.get_figheight()
-    fig.legend(handles=handles, loc="lower left", ncol=columns, borderaxespad=0.3)
-    fig.get_layout_engine().set(rect=(0, room, 1, 1 - room))
+    return [Line2D([], [], linewidth=1.5, color=colour(level.index) if level.index else "none",
+                   label=share_text(step, level)) for level in step.levels]
 
 
 def bands(step, level):

@@ -1,16 +1,21 @@
-"""Pictures of particles: coloured by what they carry, outlines of bodies, paths."""
+"""Pictures of particles: coloured by what they carry, bodies over a fluid, outlines, paths."""
 import numpy as np
 
-from . import scalars, style, views
+from . import materials, scalars, shapes, style, views
 from .archive import ArchiveError
 
 USUAL = ["p.stress", "p.velocity", "p.temperature", "p.color"]
-WIDER = 1.1  # so that no lines show between particles of a stretched body
 CLOSE = 0.3  # bodies that take less of the domain along both axes are drawn from near
+FINE = 5  # pixels of outlines along a particle
+BELOW = 1.5  # particles lie on larger copies of themselves, cut off at the outline of the body
+
+
+def base_of(name):
+    return scalars.split_name(name)[0]
 
 
 def is_of_particles(archive, name):
-    variable = archive.variables.get(scalars.split_name(name)[0])
+    variable = archive.variables.get(base_of(name))
     return variable is not None and variable.centring == "particle"
 
 
@@ -20,133 +25,179 @@ def usual_variables(step):
     return found or (["p.x"] if step.has("p.x") else [])
 
 
-def materials_of(step, given, base="p.x"):
-    there = step.materials(base)
-    if given.material is None:
+def materials_of(shot, base="p.x"):
+    there = shot.step.materials(base)
+    if shot.material is None:
         return there
-    if given.material not in there:
-        raise ArchiveError(f"no particles of material {given.material} with {base}; materials: "
-                           f"{there}")
-    return [given.material]
+    if shot.material not in there:
+        known = ", ".join(materials.name(shot.archive, m) for m in there) or "none"
+        raise ArchiveError(f"no particles of {materials.name(shot.archive, shot.material)} with "
+                           f"{base}; materials that have it: {known}")
+    return [shot.material]
 
 
 class Cut:
-    """The particles of a material that a picture shows: all of a plane, a layer of cells of a run
-    in three dimensions. places[n, 2], their widths[n], numbers[n] of the variable `name`."""
+    """The particles of a material that a picture shows: where its plane meets them. corners[n, 4,
+    2] of their parallelograms, centres[n, 2], numbers[n] of the variable `name`."""
 
-    def __init__(self, step, name, material, given):
+    def __init__(self, shot, name, material):
         base, component = scalars.split_name(name)
-        wanted = {"p.x", "p.volume", "p.particleID", base}
-        table = step.particles(material, wanted)
+        table = shot.step.particles(material, {"p.x", base, *shapes.NEEDED})
         if base not in table:
-            raise ArchiveError(f"particles of material {material} have no '{base}'; there are: "
-                               f"{', '.join(n for n in step.names() if n.startswith('p.'))}")
-        first, second, normal = views.plane_axes(step, given.normal)
-        near = views.near_plane(step, table["p.x"], given.normal, given.position)
-        self.places = table["p.x"][near][:, [first, second]]
-        self.widths = _widths(step, table, normal)[near]
-        kept = table[base][near]
-        columns = kept.T if kept.ndim == 2 else kept
-        self.numbers = scalars.scalar(base, columns, component)
+            raise ArchiveError(
+                f"particles of {materials.name(shot.archive, material)} have no '{base}'; there "
+                f"are: {', '.join(n for n in shot.step.names() if n.startswith('p.'))}")
+        self.material = material
+        normal, position = shot.plane_at
+        edges = shapes.edges(shot.step, material, table)
+        if len(shot.directions) < 3:  # every particle lies in the plane
+            places = table["p.x"].copy()
+            places[:, normal] = position
+        else:
+            places = table["p.x"]
+        met, self.corners = shapes.sections(places, edges, normal, position)
+        first, second, _ = views.plane_axes(shot.step, normal)
+        self.centres = table["p.x"][met][:, [first, second]]
+        kept = table[base][met]
+        self.numbers = scalars.scalar(base, kept.T if kept.ndim == 2 else kept, component)
+        self._covered = None
+
+    def covered(self):
+        if self._covered is None:
+            self._covered = covered_picture(self.corners)
+        return self._covered
 
 
-def _widths(step, table, normal):
-    """Of squares (in a plane) or cubes of the particles' volumes; without volumes half a cell."""
-    spacing = step.levels[-1].spacing
-    active = step.levels[0].active_directions()
-    if "p.volume" not in table:
-        return np.full(len(table["p.x"]), 0.5 * min(spacing[d] for d in active))
-    volume = np.abs(table["p.volume"])
-    if len(active) < 3:
-        return np.sqrt(volume / step.levels[0].spacing[normal])
-    return np.cbrt(volume)
-
-
-def draw_panel(fig, ax, step, name, given):
-    """Particles of all materials (or of one): squares of their own size, coloured."""
+def add_particles(ax, cut, **look):
+    """Parallelograms with hard edges, over larger ones that are cut off at the outline of the
+    body: so that gaps between particles that moved apart have the colour of a neighbour."""
     from matplotlib.collections import PolyCollection
-    base, _ = scalars.split_name(name)
-    cuts = [Cut(step, name, m, given) for m in materials_of(step, given, base)]
-    cuts = [cut for cut in cuts if len(cut.places)]
+    look = {"linewidths": 0, "antialiaseds": False, "rasterized": True, **look}
+    middle = cut.corners.mean(axis=1, keepdims=True)
+    below = ax.add_collection(PolyCollection(middle + BELOW * (cut.corners - middle), **look))
+    x, y, image = cut.covered()
+    outline = ax.contour(x, y, image, levels=[0.5], linewidths=0)
+    below.set_clip_path(_joined(outline), ax.transData)
+    for part in outline.collections:
+        part.remove()
+    return ax.add_collection(PolyCollection(cut.corners, **look))
+
+
+def _joined(outline):
+    """All lines of a contour as one path."""
+    from matplotlib.path import Path
+    paths_of = [path for part in outline.collections for path in part.get_paths()]
+    return Path.make_compound_path(*paths_of) if paths_of else Path(np.zeros((3, 2)))
+
+
+def draw_panel(ax, shot, name, scale):
+    """Particles of all materials (or of one), coloured; the collection that a colour bar shows."""
+    cuts = [cut for cut in shot.cuts(name) if len(cut.corners)]
     if not cuts:
         raise ArchiveError("no particle lies in this plane: choose another with --slice")
-    black = name == "p.x"
-    low, high, colours = scalars.colour_range(np.concatenate([cut.numbers for cut in cuts]))
+    drawn = None
     for cut in cuts:
-        corners = 0.5 * WIDER * np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)])
-        squares = cut.places[:, None] + cut.widths[:, None, None] * corners
-        look = {"facecolors": "black"} if black else {"array": cut.numbers, "cmap": colours,
-                                                      "clim": (low, high)}
-        drawn = PolyCollection(squares, linewidths=0, rasterized=True, zorder=2, **look)
-        ax.add_collection(drawn)
-    set_window(ax, step, given, cuts)
-    if not black:
-        bar = fig.colorbar(drawn, cax=ax.inset_axes([1.03, 0, 0.035, 1]))
-        bar.outline.set_linewidth(0.4)
-        bar.formatter.set_powerlimits((-3, 5))
+        look = {"array": cut.numbers, "cmap": scale.colours, "norm": scale.norm()}
+        if name == "p.x":
+            look = {"facecolors": style.solid_colour(cut.material)}
+        drawn = add_particles(ax, cut, zorder=2, **look)
+    ends = shot.window or window_of(shot, cuts)
+    ax.set_xlim(*ends[0])
+    ax.set_ylim(*ends[1])
+    return None if name == "p.x" else drawn
 
 
-def set_window(ax, step, given, cuts):
-    """The domain; or, where bodies take little of it along both axes, their surroundings."""
-    first, second, _ = views.plane_axes(step, given.normal)
-    level = step.levels[0]
-    ends = [tuple(level.anchor[d] + n[d] * level.spacing[d] for n in (level.lower, level.upper))
-            for d in (first, second)]
-    places = np.concatenate([cut.places for cut in cuts])
-    low, high = places.min(axis=0), places.max(axis=0)
-    size = max(high - low) + 2 * max(cut.widths.max() for cut in cuts)
+def window_of(shot, cuts):
+    """[(low, high)] of both axes: the domain; or, where bodies take little of it along both axes,
+    their surroundings."""
+    first, second, _ = views.plane_axes(shot.step, shot.normal)
+    ends = views.domain(shot.step, (first, second))
+    corners = np.concatenate([cut.corners.reshape(-1, 2) for cut in cuts])
+    low, high = corners.min(axis=0), corners.max(axis=0)
+    size = max(high - low)
     if all(size < CLOSE * (end[1] - end[0]) for end in ends):
         middle = 0.5 * (low + high)
         ends = [(max(end[0], m - 0.75 * size), min(end[1], m + 0.75 * size))
                 for end, m in zip(ends, middle)]
-    ax.set_xlim(*ends[0])
-    ax.set_ylim(*ends[1])
-    ax.set_xlabel("xyz"[first])
-    ax.set_ylabel("xyz"[second])
-    ax.set_aspect("equal")
-    ax.grid(False)
+    return ends
 
 
-def covered_picture(places, widths):
-    """(x, y, image[j, i]): 1 where particles are, 0 elsewhere, smooth between; pixels are a third
-    of the particles' width."""
-    pixel = max(float(np.median(widths)) / 3, 1e-300)
+def covered_picture(corners):
+    """(x, y, image[j, i]): 1 where parallelograms corners[n, 4, 2] are, 0 elsewhere, smooth
+    between; gaps up to half as wide as a parallelogram are closed. Pixels are a fraction of the
+    parallelograms' width."""
+    from PIL import Image, ImageDraw, ImageFilter
+    sides = [np.linalg.norm(corners[:, n] - corners[:, 0], axis=1) for n in (1, 3)]
+    pixel = max(float(np.median(np.minimum(*sides))) / FINE, 1e-300)
     reach = 4  # pixels around the particles
-    low = places.min(axis=0) - reach * pixel
-    counts = np.ceil((places.max(axis=0) - low) / pixel).astype(int) + reach + 1
+    low, high = corners.min(axis=(0, 1)), corners.max(axis=(0, 1))
+    counts = np.ceil((high - low) / pixel).astype(int) + 2 * reach
     if counts.prod() > 4_000_000:  # bodies far apart, or very many
         pixel *= np.sqrt(counts.prod() / 4e6)
-        low = places.min(axis=0) - reach * pixel
-        counts = np.ceil((places.max(axis=0) - low) / pixel).astype(int) + reach + 1
-    image = np.zeros(counts[::-1])
-    index = np.floor((places - low) / pixel).astype(int)
-    for j in range(-2, 3):
-        for i in range(-2, 3):
-            if i * i + j * j <= 5:
-                image[index[:, 1] + j, index[:, 0] + i] = 1
+        counts = np.ceil((high - low) / pixel).astype(int) + 2 * reach
+    low = low - reach * pixel
+    image = Image.new("L", tuple(int(n) for n in counts))
+    draw = ImageDraw.Draw(image)
+    for polygon in (corners - low) / pixel - 0.5:
+        draw.polygon([tuple(corner) for corner in polygon], fill=255)
+    image = image.filter(ImageFilter.MaxFilter(3)).filter(ImageFilter.MinFilter(3))
+    image = np.asarray(image, dtype=float) / 255
     for axis in (0, 1):
         image = (np.roll(image, 1, axis) + image + np.roll(image, -1, axis)) / 3
     x, y = (low[d] + (np.arange(counts[d]) + 0.5) * pixel for d in (0, 1))
     return x, y, image
 
 
-def draw_outlines(ax, step, given):
+def draw_outlines(ax, shot, colour_of=style.solid_colour, width=0.9):
     """A line around the bodies of each material."""
-    for number, material in enumerate(materials_of(step, given)):
-        cut = Cut(step, "p.x", material, given)
-        if not len(cut.places):
+    for material in materials_of(shot):
+        cut = _cut_of(shot, material)
+        if cut is None or not len(cut.corners):
             continue
-        x, y, image = covered_picture(cut.places, cut.widths)
-        ax.contour(x, y, image, levels=[0.5], linewidths=0.9, zorder=5,
-                   colors=[style.COLOURS[number % len(style.COLOURS)]])
+        x, y, image = cut.covered()
+        ax.contour(x, y, image, levels=[0.5], linewidths=width, zorder=5,
+                   colors=[colour_of(material)])
 
 
-def paths(archive, step, material, given, count):
+def _cut_of(shot, material):
+    return next((cut for cut in shot.cuts("p.x") if cut.material == material), None)
+
+
+def draw_bodies(ax, shot):
+    """Solids over a fluid: each in the colour of its material, with a dark outline; the materials
+    that are drawn."""
+    drawn = []
+    for cut in shot.cuts("p.x"):
+        if not len(cut.corners):
+            continue
+        add_particles(ax, cut, zorder=4, facecolors=style.solid_colour(cut.material))
+        drawn.append(cut.material)
+    draw_outlines(ax, shot, lambda material: "black", 0.6)
+    return drawn
+
+
+def draw_coloured(fig, ax, shot, name):
+    """Particles over a plane, coloured by what they carry, with a colour bar below."""
+    base, _ = scalars.split_name(name)
+    cuts = [cut for cut in shot.cuts(name) if len(cut.corners)]
+    if not cuts:
+        return
+    low, high, _ = scalars.colour_range(np.concatenate([cut.numbers for cut in cuts]))
+    for cut in cuts:
+        drawn = add_particles(ax, cut, zorder=4, array=cut.numbers, cmap="magma",
+                              clim=(low, high))
+    bar = fig.colorbar(drawn, ax=ax, orientation="horizontal", aspect=30, pad=0.02)
+    bar.outline.set_linewidth(0.4)
+    bar.set_label(style.with_unit(name, shot.archive.variables[base].unit))
+
+
+def paths(shot, material, count):
     """Lines of `count` particles from the first output to this step: [n, output, 2], broken (not a
     number) where a periodic side is crossed or the particle is not there."""
-    first, second, _ = views.plane_axes(step, given.normal)
+    step, archive = shot.step, shot.archive
+    first, second, _ = views.plane_axes(step, shot.normal)
     last = step.particles(material, {"p.x", "p.particleID"})
-    near = views.near_plane(step, last["p.x"], given.normal, given.position)
+    near = views.near_plane(step, last["p.x"], shot.normal, shot.position)
     ids = last["p.particleID"][near]
     ids = ids[np.unique(np.linspace(0, len(ids) - 1, min(count, len(ids))).astype(int))]
     numbers = [n for n, (number, _, _) in enumerate(archive.steps) if number <= step.number]
@@ -155,36 +206,27 @@ def paths(archive, step, material, given, count):
         there = archive.step(f"#{n}").particles(material, {"p.x", "p.particleID"})
         _, mine, theirs = np.intersect1d(ids, there["p.particleID"], return_indices=True)
         lines[mine, at] = there["p.x"][theirs][:, [first, second]]
-    level = step.levels[0]
-    half = [0.5 * (level.upper[d] - level.lower[d]) * level.spacing[d] for d in (first, second)]
+    half = [0.5 * (high - low) for low, high in views.domain(step, (first, second))]
     jump = (np.abs(np.diff(lines, axis=1)) > half).any(axis=2)
     lines[:, 1:][jump] = np.nan
     return lines
 
 
-def draw_paths(ax, archive, step, given):
+def draw_paths(ax, shot):
     from matplotlib.collections import LineCollection
-    for number, material in enumerate(materials_of(step, given)):
-        lines = paths(archive, step, material, given, given.paths)
+    for number, material in enumerate(materials_of(shot)):
+        lines = paths(shot, material, shot.given.paths)
         colour = style.COLOURS[(number + 1) % len(style.COLOURS)]
         ax.add_collection(LineCollection(list(lines), colors=colour, linewidths=0.6, zorder=4))
 
 
-def draw_line(ax, step, name, given):
-    """A run in one direction: numbers against places, a material a colour."""
+def line(shot, name):
+    """Of a run in one direction: (material, places, numbers) of each material."""
     base, component = scalars.split_name(name)
-    direction = step.levels[0].active_directions()[0]
-    every = []
-    for material in materials_of(step, given, base):
-        table = step.particles(material, {"p.x", "p.particleID", base})
+    direction = shot.directions[0]
+    for material in materials_of(shot, base):
+        table = shot.step.particles(material, {"p.x", base})
         kept = table[base]
         numbers = scalars.scalar(base, kept.T if kept.ndim == 2 else kept, component, direction)
-        ax.plot(table["p.x"][:, direction], numbers, linestyle="none",
-                marker=style.MARKERS[material % len(style.MARKERS)], markersize=2.6,
-                markerfacecolor="none", markeredgewidth=0.6,
-                color=style.COLOURS[material % len(style.COLOURS)],
-                label=f"material {material}, {len(numbers)} particles")
-        every.append(numbers)
-    ax.set_xlabel("xyz"[direction])
-    ax.margins(x=0.01)
-    return np.concatenate(every)
+        order = np.argsort(table["p.x"][:, direction], kind="stable")
+        yield material, table["p.x"][order, direction], numbers[order]

@@ -3,9 +3,11 @@ import numpy as np
 
 from .archive import TENSOR, ArchiveError
 
-# Labels of solids, and of the state in checkpoints, begin with one of these and a dot.
-KINDS = ("p", "g", "cz", "state")
+# Labels with a dot in them begin with one of these.
+KINDS = ("p", "g", "cz", "solid", "work", "state", "SteadyBurn",
+         "UnsteadyBurn")
 SIGNED = 0.02  # values are drawn around zero when the smaller side is at least this share
+ROUND_OFF = 1e-9  # differences below this share are drawn as none
 INVARIANTS = ("vonMises", "pressure", "det", "size")
 
 
@@ -77,13 +79,14 @@ def spoken(name, components):
     return name
 
 
-def colour_range(numbers):
-    """(low, high, map): around zero with a two-sided map when values take both signs."""
-    low, high = numbers.min(), numbers.max()
-    if low < 0 < high and min(-low, high) > SIGNED * max(-low, high):
-        size = max(-low, high)
-        return -size, size, "PuOr"
-    if high - low <= 1e-9 * max(abs(low), abs(high)):
-        pad = 0.1 * max(abs(low), abs(high)) or 1.0
+def colour_range(numbers, size=0.0):
+    """(low, high, map): around zero with a two-sided map when values take both signs; one colour
+    where they are equal to round-off. size: of what such values could be, in the same unit."""
+    low, high = float(np.min(numbers)), float(np.max(numbers))
+    largest = max(abs(low), abs(high))
+    if high - low <= ROUND_OFF * max(largest, size):
+        pad = 0.1 * max(largest, size) or 1.0
         return low - pad, high + pad, "cividis"
+    if low < 0 < high and min(-low, high) > SIGNED * largest:
+        return -largest, largest, "PuOr"
     return low, high, "cividis"

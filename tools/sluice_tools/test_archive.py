@@ -12,6 +12,7 @@ from sluice_tools import levels, plot, views
 from sluice_tools.archive import Archive, ArchiveError
 from sluice_tools.checksum import crc32c
 
+TYPES = {3: "Vector", 9: "Matrix3"}
 SPACING = (0.25, 0.5, 1.0)
 
 
@@ -50,9 +51,10 @@ class Writer:
         (self.root / "t00007").mkdir(parents=True)
         self.file = h5py.File(self.root / "t00007/p00000.h5", "w")
 
-    def add(self, name, kind, functions):
+    def add(self, name, kind, functions, material=0):
         shift = {"CC": (.5, .5, .5), "SFCX": (0, .5, .5)}[kind]
-        self.variables.append((name, kind, len(functions)))
+        if (name, kind, len(functions)) not in self.variables:
+            self.variables.append((name, kind, len(functions)))
         for level, (spacing, _, _, boxes, *_) in enumerate(self.levels):
             values, stored_boxes, sums = [], [], []
             for low, high in boxes:
@@ -62,26 +64,33 @@ class Writer:
                 x = [(1, 2, 0)[d] + (index[d] + shift[d]) * spacing[d] for d in range(3)]
                 values += [(f(*x) + 0 * x[0]).flatten(order="F") for f in functions]
                 sums.append(sums_of(values[-len(functions):]))
-            group = self.file.create_group(f"/l{level}/{name}/m0")
+            where = f"/l{level}/{name}/m{material}"
+            group = self.file.create_group(where)
             group["boxes"] = np.array(stored_boxes, dtype="i4")
             group["values"] = np.concatenate(values)
             group["crc32c"] = np.array(sums, dtype="u4")
             value = "Vector" if len(functions) == 3 else "double"
             self.records.append(f'<Variable type="{kind}Variable&lt;{value}&gt;" name="{name}" '
-                                f'level="{level}" material="0" group="/l{level}/{name}/m0" '
+                                f'level="{level}" material="{material}" group="{where}" '
                                 f'{place_of(group)}/>')
 
-    def add_particles(self, level, boxes):
-        """Boxes of particles as rows of id, x, y, z."""
+    def add_particles(self, level, boxes, material=0, more=()):
+        """Boxes of particles as rows of id, x, y, z, then the numbers of `more`: (name, type,
+        count)."""
         kinds = {"p.x": ("Point", slice(1, 4)), "p.particleID": ("long64", slice(0, 1))}
+        at = 4
+        for name, value, count in more:
+            kinds[name] = (value, slice(at, at + count))
+            at += count
         for name, (value, columns) in kinds.items():
             blocks = [np.array(box, dtype=float)[:, columns] for box in boxes]
-            group = self.file.create_group(f"/l{level}/{name}/m0")
+            where = f"/l{level}/{name}/m{material}"
+            group = self.file.create_group(where)
             group["boxes"] = np.array([[0, 0, 0, len(box), 1, 1] for box in boxes], dtype="i4")
             group["values"] = np.concatenate([block.flatten(order="F") for block in blocks])
             group["crc32c"] = np.array([sums_of(block.T) for block in blocks], dtype="u4")
             self.records.append(f'<Variable type="ParticleVariable&lt;{value}&gt;" name="{name}" '
-                                f'level="{level}" material="0" group="/l{level}/{name}/m0" '
+                                f'level="{level}" material="{material}" group="{where}" '
                                 f'{place_of(group)}/>')
             entry = (name, "Particle", blocks[0].shape[1])
             if entry not in self.variables:
@@ -106,7 +115,7 @@ class Writer:
             f"<Uintah_timestep><Grid>{grid}</Grid><Data><Datafile href='p00000.xml'/></Data>"
             "</Uintah_timestep>")
         variables = "".join(
-            f'<variable type="{kind}Variable&lt;{"Vector" if n == 3 else "double"}&gt;" '
+            f'<variable type="{kind}Variable&lt;{TYPES.get(n, "double")}&gt;" '
             f'name="{name}" unit="m/s" numMaterials="1"/>' for name, kind, n in self.variables)
         (self.root / "TotalMass.dat").write_text("1\t0.1\t2.5\n2\t0.2\t2.5\n")
         write_sealed(

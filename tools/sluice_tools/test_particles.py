@@ -62,11 +62,9 @@ def plane(low=(0, 0), high=(10, 10)):
         active_directions=lambda: [0, 1])
 
 
-class Sizes(unittest.TestCase):
-    def test_of_a_plane_they_are_squares_of_the_volume_over_the_thickness(self):
-        step = types.SimpleNamespace(levels=[plane()])
-        table = {"p.x": np.zeros((1, 3)), "p.volume": np.array([0.125])}
-        np.testing.assert_allclose(particles._widths(step, table, 2), [0.5])
+def squares(places, width):
+    signs = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)])
+    return places[:, None] + 0.5 * width * signs
 
 
 class Outlines(unittest.TestCase):
@@ -74,13 +72,22 @@ class Outlines(unittest.TestCase):
         """A square of side 2: the picture is 1 inside, 0 outside; its area is that of the body."""
         lattice = (np.arange(20) + 0.5) * 0.1
         places = np.array([(x, y) for x in lattice for y in lattice])
-        x, y, image = particles.covered_picture(places, np.full(400, 0.1))
+        x, y, image = particles.covered_picture(squares(places, 0.1))
         inside = (np.abs(x - 1) < 0.9)[None, :] & (np.abs(y - 1) < 0.9)[:, None]
         outside = (np.abs(x - 1) > 1.12)[None, :] | (np.abs(y - 1) > 1.12)[:, None]
         self.assertTrue((image[inside] > 0.99).all())
         self.assertTrue((image[outside] < 0.5).all())
         area = (image > 0.5).sum() * (x[1] - x[0]) * (y[1] - y[0])
-        self.assertAlmostEqual(area, 4, delta=0.4)
+        self.assertAlmostEqual(area, 4, delta=0.12)
+
+    def test_gaps_narrower_than_a_particle_are_closed_and_wider_ones_are_not(self):
+        lattice = (np.arange(20) + 0.5) * 0.1
+        for gap, closed in ((0.03, True), (0.3, False)):
+            places = np.array([(x + (gap if x > 1 else 0), y) for x in lattice for y in lattice])
+            x, _, image = particles.covered_picture(squares(places, 0.1))
+            middle = image[image.shape[0] // 2]
+            lowest = middle[(x > 0.9) & (x < 1.1 + gap)].min()
+            self.assertEqual(lowest > 0.5, closed, gap)
 
 
 class Paths(unittest.TestCase):
@@ -98,12 +105,13 @@ class Paths(unittest.TestCase):
         self.step = step(2)
 
     def test_they_follow_ids_and_break_at_periodic_sides(self):
-        given = types.SimpleNamespace(normal=None, position=None)
-        lines = particles.paths(self.archive, self.step, 0, given, 3)
+        shot = types.SimpleNamespace(normal=None, position=None, archive=self.archive,
+                                     step=self.step)
+        lines = particles.paths(shot, 0, 3)
         np.testing.assert_array_equal(lines[0], [[7, 1], [8, 1], [9, 1]])
         np.testing.assert_array_equal(lines[1], [[np.nan, np.nan], [9, 2], [np.nan, np.nan]])
         np.testing.assert_array_equal(lines[2, 0], [9, 3])
-        self.assertEqual(particles.paths(self.archive, self.step, 0, given, 2).shape, (2, 3, 2))
+        self.assertEqual(particles.paths(shot, 0, 2).shape, (2, 3, 2))
 
 
 if __name__ == "__main__":

@@ -2,18 +2,19 @@
 import numpy as np
 
 from .archive import ArchiveError
-from .scalars import scalar, split_name
+from .quantities import label_of, level_field, material_of
 
 
-def stored_levels(step, base, material=None):
+def stored_levels(step, name, material=None):
     """The levels that hold this variable (of this material, or of the first that has it)."""
+    base = label_of(step, name)
     if not step.has(base):
         step.field(base, material)  # tells what there is
-    if material is None:
-        material = step.materials(base)[0]
-    found = [level for name, matl, level in step.stored() if name == base and matl == material]
+    own = material_of(step, base, material)
+    own = step.materials(base)[0] if own is None else own
+    found = [level for label, matl, level in step.stored() if label == base and matl == own]
     if not found:
-        step.field(base, material)
+        step.field(base, own)
     return found
 
 
@@ -42,32 +43,29 @@ def _with_finer(levels):
 
 def profiles(step, name, material=None):
     """1-D, level by level: (level, positions, values or NaN, is a finer level there)."""
-    base, component = split_name(name)
     direction = step.levels[0].active_directions()[0]
-    for level, finer in _with_finer(stored_levels(step, base, material)):
-        field = step.field(base, material, level)
-        data = scalar(base, field.values, component, along=direction)
-        hidden = covered(step, level, data.shape, field.lower, finer)
+    for level, finer in _with_finer(stored_levels(step, name, material)):
+        field = level_field(step, name, material, level, along=direction)
+        hidden = covered(step, level, field.values.shape, field.lower, finer)
         index = [0, 0, 0]
         index[direction] = slice(None)
-        yield level, field.coordinates(direction), data[tuple(index)], hidden[tuple(index)]
+        yield level, field.coordinates(direction), field.values[tuple(index)], hidden[tuple(index)]
 
 
 def radii(step, name, material=None):
     """2-D and 3-D, level by level: (level, distances from the origin, values) of the cells that no
     finer level covers; of a vector the component away from the origin."""
-    base, component = split_name(name)
     directions = step.levels[0].active_directions()
-    for level, finer in _with_finer(stored_levels(step, base, material)):
-        field = step.field(base, material, level)
+    for level, finer in _with_finer(stored_levels(step, name, material)):
+        field = level_field(step, name, material, level)
         axes = np.meshgrid(*[field.coordinates(d) if d in directions else [0.0]
                              for d in range(3)], indexing="ij")
         radius = np.sqrt(sum(axis ** 2 for axis in axes))
-        if field.variable.components == 3 and component is None:
-            away = sum(field.values[d] * axes[d] for d in directions)
-            data = np.divide(away, radius, out=np.zeros_like(away), where=radius > 0)
-        else:
-            data = scalar(base, field.values, component)
+        data = field.values
+        if field.variable.components == 3 and "." not in name:
+            parts = [level_field(step, f"{name}.{'xyz'[d]}", material, level).values * axes[d]
+                     for d in directions]
+            data = np.divide(sum(parts), radius, out=np.zeros_like(data), where=radius > 0)
         seen = ~covered(step, level, data.shape, field.lower, finer) & np.isfinite(data)
         yield level, radius[seen], data[seen]
 
@@ -121,12 +119,11 @@ def check_slice(step, normal, position):
 def plane(step, name, material=None, normal=None, position=None):
     """2-D or a slice of 3-D, level by level: (edges of the first axis, of the second, values[j, i],
     is a finer level there[j, i])."""
-    base, component = split_name(name)
     first, second, normal = plane_axes(step, normal)
     sheets = []
-    for level, finer in _with_finer(stored_levels(step, base, material)):
-        field = step.field(base, material, level)
-        data = scalar(base, field.values, component)
+    for level, finer in _with_finer(stored_levels(step, name, material)):
+        field = level_field(step, name, material, level)
+        data = field.values
         index = layer(step.levels[level], normal, position) - field.lower[normal]
         if not 0 <= index < data.shape[normal]:
             if level == 0:
@@ -134,7 +131,7 @@ def plane(step, name, material=None, normal=None, position=None):
                                    "domain")
             continue
         hidden = covered(step, level, data.shape, field.lower, finer)
-        sheets.append((_edges(field, first), _edges(field, second),
+        sheets.append((edges_of(field, first), edges_of(field, second),
                        np.take(data, index, axis=normal).T,
                        np.take(hidden, index, axis=normal).T))
     return sheets
@@ -149,6 +146,14 @@ def layer(level, normal, position=None):
     return level.upper[normal] - 1 if position == high else cell  # the domain is closed
 
 
+def plane_position(step, normal, position=None):
+    """Where a plane lies: the position, or the middle of the middle layer of cells."""
+    level = step.levels[0]
+    if position is not None:
+        return position
+    return level.anchor[normal] + (layer(level, normal) + 0.5) * level.spacing[normal]
+
+
 def near_plane(step, places, normal=None, position=None):
     """Which places lie in a plane's layer of cells of the coarsest level; in 2-D: all."""
     if len(step.levels[0].active_directions()) < 3:
@@ -158,7 +163,37 @@ def near_plane(step, places, normal=None, position=None):
     return cells == layer(level, normal, position)
 
 
-def _edges(field, direction):
+def edges_of(field, direction):
     centres = field.coordinates(direction)
     half = 0.5 * field.level.spacing[direction]
     return np.append(centres - half, centres[-1] + half)
+
+
+def composed(sheets, limit=4_000_000):
+    """The sheets of a plane as one: (centres of the first axis, of the second, values[j, i]) on the
+    cells of the finest level, or of the finest one that needs at most `limit` values."""
+    low = [min(sheet[a][0] for sheet in sheets) for a in (0, 1)]
+    high = [max(sheet[a][-1] for sheet in sheets) for a in (0, 1)]
+    for xs, ys, _, _ in reversed(sheets):
+        count = [round((high[0] - low[0]) / (xs[1] - xs[0])),
+                 round((high[1] - low[1]) / (ys[1] - ys[0]))]
+        if count[0] * count[1] <= limit:
+            break
+    centres = [low[a] + (np.arange(count[a]) + 0.5) * (high[a] - low[a]) / count[a]
+               for a in (0, 1)]
+    whole = np.full((count[1], count[0]), np.nan)
+    for xs, ys, values, hidden in sheets:
+        i = np.searchsorted(xs, centres[0]) - 1
+        j = np.searchsorted(ys, centres[1]) - 1
+        columns = np.nonzero((i >= 0) & (i < values.shape[1]))[0]
+        rows = np.nonzero((j >= 0) & (j < values.shape[0]))[0]
+        at, into = np.ix_(j[rows], i[columns]), np.ix_(rows, columns)
+        whole[into] = np.where(np.isfinite(values[at]) & ~hidden[at], values[at], whole[into])
+    return centres[0], centres[1], whole
+
+
+def domain(step, directions):
+    """[(low, high)] of the domain along these directions, m."""
+    level = step.levels[0]
+    return [tuple(level.anchor[d] + n[d] * level.spacing[d] for n in (level.lower, level.upper))
+            for d in directions]

@@ -75,17 +75,23 @@ void write_radius(const DeckReference& reference, const Level& level, double tim
   write_points(reference, low, high, direction, time, path);
 }
 
+// The output that a picture shows; of several the last that is named.
+std::string time_of(const PictureRequest& request) {
+  const std::vector<std::string> times = request.options.values("--time");
+  return times.empty() ? "last" : times.back();
+}
+
 // Writes the exact solution of a 1-D archive at the drawn time, or that along a radius; false when
 // the deck names none.
 bool sample_exact(const PictureRequest& request, const std::string& path) {
-  const Archive archive = Archive::open(request.archive);
+  const Archive archive = Archive::open(request.archives.front());
   if (archive.outputs().empty()) return false;
   const auto reference = reference_of_archive(archive);
   if (!reference || reference->solution->has_places()) return false;
-  const StepEntry& output = archive.select_output(request.time);
+  const StepEntry& output = archive.select_output(time_of(request));
   const ArchiveStep step = archive.read_output(output);
   const Level& level = step.grid().levels.front();
-  if (request.radius) {
+  if (request.options.has("--radius")) {
     write_radius(*reference, level, output.time, path);
     return true;
   }
@@ -95,42 +101,38 @@ bool sample_exact(const PictureRequest& request, const std::string& path) {
   return true;
 }
 
+// One exact solution belongs to one time of one kind of picture.
+bool wants_exact_of_deck(const PictureRequest& request, PictureCommand which) {
+  const PictureOptions& options = request.options;
+  if (which != PictureCommand::plot || options.values("--time").size() > 1) return false;
+  // Checkpoints hold the state of the run, which no exact solution has.
+  for (const char* other : {"--history", "--line", "--difference", "--checkpoint"})
+    if (options.has(other)) return false;
+  return true;
+}
+
 // With the exact solution from this CSV file, if any.
-int draw_with(const PictureRequest& request, const std::string& exact, const fs::path& output) {
-  std::vector<std::string> words = {"plot", request.archive};
-  auto option = [&](const char* name, const std::string& value) {
-    if (value.empty()) return;
-    words.emplace_back(name);
-    words.push_back(value);
-  };
-  for (const std::string& v : request.variables) option("--var", v);
-  for (const std::string& h : request.histories) option("--history", h);
-  option("--material", request.material);
-  option("--slice", request.slice);
-  if (request.checkpoint) words.emplace_back("--checkpoint");
-  if (request.radius) words.emplace_back("--radius");
-  option("--levels", request.levels);
-  option("--particles", request.particles);
-  if (request.outline) words.emplace_back("--outline");
-  option("--paths", request.paths);
-  option("--title", request.title);
-  option("--time", request.time);
-  option("--exact", exact);
-  option("--output", request.picture);
+int draw_with(const PictureRequest& request, PictureCommand which, const std::string& exact,
+              const fs::path& output) {
+  std::vector<std::string> words = {which == PictureCommand::plot ? "plot" : "movie"};
+  words.insert(words.end(), request.archives.begin(), request.archives.end());
+  const std::vector<std::string> options = request.options.words({"--exact"});
+  words.insert(words.end(), options.begin(), options.end());
+  if (!exact.empty()) words.push_back("--exact=" + exact);
   return run_python_tool(words, output);
 }
 
 }  // namespace
 
-int draw_archive(const PictureRequest& request, const fs::path& output) {
-  if (request.exact != "auto" && request.exact != "none")
-    return draw_with(request, request.exact, output);
-  // Checkpoints hold the state of the run, which no exact solution has.
-  if (request.exact == "none" || request.checkpoint || !request.histories.empty())
-    return draw_with(request, "", output);
+int draw_archives(const PictureRequest& request, PictureCommand which, const fs::path& output) {
+  const std::vector<std::string> exact = request.options.values("--exact");
+  const std::string asked = exact.empty() ? "auto" : exact.front();
+  if (asked != "auto" && asked != "none") return draw_with(request, which, asked, output);
+  if (asked == "none" || !wants_exact_of_deck(request, which))
+    return draw_with(request, which, "", output);
   const TemporaryFolder folder(TemporaryFolder::Place::disk);
   const std::string line = (folder / "exact.csv").string();
-  return draw_with(request, sample_exact(request, line) ? line : "", output);
+  return draw_with(request, which, sample_exact(request, line) ? line : "", output);
 }
 
 }  // namespace sluice

@@ -27,6 +27,10 @@ CommandOption& CommandOption::one_of(const std::vector<std::string>& words) {
   option_->check(CLI::IsMember(words));
   return *this;
 }
+CommandOption& CommandOption::once() {
+  option_->expected(1);
+  return *this;
+}
 // Else CLI11 takes all words that follow for more values.
 CommandOption& CommandOption::repeatable() {
   option_->take_all()->allow_extra_args(false);

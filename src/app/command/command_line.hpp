@@ -29,6 +29,7 @@ class CommandOption {
   CommandOption& at_least_zero();
   CommandOption& between(int lowest, int highest);
   CommandOption& one_of(const std::vector<std::string>& words);
+  CommandOption& once();                // of a list: at most one value
   CommandOption& repeatable();          // of a list: each mention adds one value
   CommandOption& quietly_repeatable();  // likewise; the help does not show it
   void together_with(CommandOption& other);

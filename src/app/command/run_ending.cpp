@@ -54,12 +54,13 @@ std::string error_lines(const fs::path& folder) {
 fs::path draw_picture(const fs::path& archive) {
   const fs::path log = archive / "plot.log";
   PictureRequest request;
-  request.archive = archive.string();
-  request.picture = (archive / "picture.png").string();
-  if (draw_archive(request, log) != 0)
+  const fs::path picture = archive / "picture.png";
+  request.archives = {archive.string()};
+  request.options.set("--output", {picture.string()});
+  if (draw_archives(request, PictureCommand::plot, log) != 0)
     throw SystemError(fmt::format("the picture could not be drawn:\n{}", last_lines(log, 10)));
   fs::remove(log);
-  return request.picture;
+  return picture;
 }
 
 bool ended_early(RunStatus status) {

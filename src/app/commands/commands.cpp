@@ -12,6 +12,7 @@ void declare_export_command(Command& command);
 void declare_extract_command(Command& command);
 void declare_help_command(Command& command);
 void declare_info_command(Command& command);
+void declare_movie_command(Command& command);
 void declare_norms_command(Command& command);
 void declare_plan_command(Command& command);
 void declare_plot_command(Command& command);
@@ -38,9 +39,10 @@ constexpr CommandKind kinds[] = {
     {"extract", "Write values of a label as CSV", declare_extract_command},
     {"help", "Explain a tag of the deck", declare_help_command},
     {"info", "Describe the content of an archive; exit 1 if it is damaged", declare_info_command},
+    {"movie", "Draw an archive over time: .gif or .mp4", declare_movie_command},
     {"norms", "Print L1, L2 and Linf norms of the difference of archives", declare_norms_command},
     {"plan", "Show what a run will do and cost, without running", declare_plan_command},
-    {"plot", "Draw an archive: profiles, slices, particles, histories", declare_plot_command},
+    {"plot", "Draw archives: profiles, planes, particles, histories", declare_plot_command},
     {"regress", "Compare short cases with golden results, and with restarts, splits and ranks",
      declare_regress_command},
     {"stability",

@@ -21,7 +21,7 @@
 namespace sluice {
 namespace {
 
-constexpr double double_bytes = sizeof(double);
+constexpr double word_bytes = sizeof(double);
 
 class Planner {
  public:
@@ -100,7 +100,7 @@ class Planner {
     }
     for (std::size_t e = 0; e < count; ++e)
       plan_.effects.push_back(
-          {component_.effects()[static_cast<int>(e)], tasks[e], double_bytes * doubles[e], 0.0});
+          {component_.effects()[static_cast<int>(e)], tasks[e], word_bytes * doubles[e], 0.0});
   }
 
   bool is_on_nodes(Label label) const {
@@ -210,7 +210,7 @@ class Planner {
   }
   double real_bytes(ValueType type) const {
     const bool short_reals = scene_.output.doubles_as_floats && type == ValueType::real;
-    return type == ValueType::integer || short_reals ? 4 : double_bytes;
+    return type == ValueType::integer || short_reals ? 4 : word_bytes;
   }
   void describe_outputs() {
     const OutputSettings& o = scene_.output;
@@ -244,7 +244,7 @@ class Planner {
         const double bytes = real_bytes(label->info().type);
         out.materials = saved_materials(r, *label);
         out.bytes_per_cell = bytes * components * out.materials;
-        out.memory_per_cell = double_bytes * stored_components(materials_of_, *label);
+        out.memory_per_cell = word_bytes * stored_components(materials_of_, *label);
         if (counted.insert(*label).second)
           plan_.output_bytes += out.bytes_per_cell * static_cast<double>(plan_.cell_count);
         (step_labels_.count(*label) > 0 ? stored_ : computed_).insert(*label);
@@ -266,7 +266,7 @@ class Planner {
         : c.last_timestep         ? "at the end"
                                   : "never";
     plan_.checkpoint_bytes =
-        double_bytes * state_components(component_) * static_cast<double>(plan_.cell_count) +
+        word_bytes * state_components(component_) * static_cast<double>(plan_.cell_count) +
         plan_.particles.checkpoint_bytes();
   }
 
