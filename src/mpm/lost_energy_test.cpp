@@ -111,6 +111,30 @@ TEST(LostEnergyOfContact, WarmsBothSides) {
   EXPECT_EQ(run.report().solids_text.find("has gained"), std::string::npos);
 }
 
+// Contact and gravity give nodes impulses that no stress of particles gave: what particles lose is
+// still what the books of nodes say, and with heat and what is not lost yet no energy is missing.
+class LossesBesideImpulses : public testing::TestWithParam<Case> {};
+
+TEST_P(LossesBesideImpulses, AreThoseOfTheAccount) {
+  TextRun::Rewrites rewrites = saves_losses;
+  rewrites.emplace_back("<gravity>[0,0,0]<", "<gravity>[0,-20,0]<");
+  const TextRun run(meeting(GetParam(), 2), rewrites, "fall");
+  const double scale = run.history("KineticEnergy").front()[1];
+  const double contact = of_account(run, "contact loss");
+  EXPECT_GT(contact, 0.01 * scale);
+  double lost = 0;
+  for (const int material : {0, 1}) lost += sum(run.particles("p.lostEnergy", material)[0]);
+  const double budget = of_account(run, "transfer loss") + of_account(run, "integration loss");
+  EXPECT_NEAR(lost, budget + contact, 1e-11 * scale);
+  const Json energy = Json::parse(run.report().conservation_json).at("total energy");
+  EXPECT_LE(std::fabs(energy.at("drift").get<double>()), 1e-11);
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, LossesBesideImpulses,
+                         testing::Values(Case{"gimp", ""}, Case{"gimp", "flip"}, Case{"linear", ""},
+                                         Case{"3rdorderBS", ""}, Case{"3rdorderBS", "apic"},
+                                         Case{"cpdi", ""}, Case{"gimp", "affine"}));
+
 // Nodes at which a wall gives energy back count against those at which it takes some.
 TEST(LostEnergyOfContact, OfABounceIsNotMoreThanItsLoss) {
   const SolidRun run("bouncing_bar", {"MPM/lost_energy=heat"});

@@ -20,7 +20,9 @@ StepBalance MpmBudgets::balance(const std::vector<double>& sums, const StepStart
     b.momentum[d] = own[StepSums::impulse_x + d] - own[StepSums::left_x + d];
     b.momentum_of_forces[d] = own[StepSums::force_x + d];
   }
-  b.energy = own[StepSums::work] - own[StepSums::left_kinetic] - own[StepSums::left_internal];
+  // What spins and affine velocities hold is not in the totals of particles, nor is it lost.
+  b.energy = own[StepSums::work] - own[StepSums::left_kinetic] - own[StepSums::left_internal] -
+             own[StepSums::inner_gain];
   b.energy_of_forces = own[StepSums::force_work] - own[StepSums::heat_from_fluid];
   return b;
 }
@@ -33,7 +35,8 @@ std::vector<std::string> MpmBudgets::tracked_names() const {
           "contact",
           "nodes",
           "heat of losses",
-          "energy within particles"};
+          "energy within particles",
+          "energy within cells"};
 }
 
 std::vector<double> MpmBudgets::tracked_totals(const std::vector<double>& sums) const {
@@ -44,16 +47,18 @@ std::vector<double> MpmBudgets::tracked_totals(const std::vector<double>& sums) 
   const double outside = own[StepSums::force_work] + own[StepSums::work] + fluid;
   const double beyond = own[StepSums::beyond_nodes];
   const double inner = own[StepSums::inner_gain], heat = own[StepSums::lost_heat];
+  const double open = own[StepSums::open_gain];
   return {gain + beyond - inner + own[StepSums::exchange_gain] - own[StepSums::left_kinetic],
-          heat - within - beyond - own[StepSums::left_internal],
+          heat + open - within - beyond - own[StepSums::left_internal],
           loss,
           gain - (within + outside - loss),
           heat,
-          inner};
+          inner,
+          open};
 }
 
 std::vector<ConservedTotal> MpmBudgets::tallied_totals(const Totals& totals) const {
-  return {totals.kinetic_energy, totals.internal_energy, {}, {}, {}, {}};
+  return {totals.kinetic_energy, totals.internal_energy, {}, {}, {}, {}, {}};
 }
 
 // T = K_p^n - K_p^(n+1) + (K* - K), R = -W_int - (U^(n+1) - U^n), D_c, summed over the run; all in
@@ -72,9 +77,11 @@ std::vector<std::pair<std::string, double>> MpmBudgets::budget_from(const Conser
       {"integration loss", -tallies.defect(first + 1)},
       {"contact loss", tallies.sources(first + 2)},
       {"nodes", tallies.sources(first + 3)}};
-  const double heat = tallies.sources(first + 4), inner = tallies.sources(first + 5);
+  const double heat = tallies.sources(first + 4), inner = tallies.sources(first + 5),
+               open = tallies.sources(first + 6);
   if (heat != 0) all.emplace_back("back as heat", -heat);
   if (inner != 0) all.emplace_back("within particles", inner);
+  if (open != 0) all.emplace_back("within cells", -open);
   return all;
 }
 
@@ -115,6 +122,7 @@ void MpmBudgets::add_particle_totals(const ParticleCloud& cloud, Totals& totals)
         const double* m = set.column(c.mass);
         const double* energy = set.column(c.energy);
         const double* heat = c.lost_heat >= 0 ? set.column(c.lost_heat) : nullptr;
+        const double* open = c.open_energy >= 0 ? set.column(c.open_energy) : nullptr;
         const auto v = read_columns<3>(set, c.velocity);
         for (std::size_t p = 0; p < set.size(); ++p) {
           totals.mass[k].add(m[p]);
@@ -126,7 +134,7 @@ void MpmBudgets::add_particle_totals(const ParticleCloud& cloud, Totals& totals)
           }
           totals.kinetic_energy.add(0.5 * m[p] * v2);
           totals.internal_energy.add(energy[p]);
-          if (heat != nullptr) totals.internal_energy.add(heat[p]);
+          if (heat != nullptr) totals.internal_energy.add(heat[p] + open[p]);
         }
         if (c.water_mass >= 0) add_water(set, c, totals.mass[k], totals);
       }

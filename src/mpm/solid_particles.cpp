@@ -232,9 +232,10 @@ void SolidParticles::follow_wrapped(int kind, const Level& level, ParticleSet& s
 // Of put_seeded(): what it leaves alone.
 bool SolidParticles::starts_at_zero(int /*kind*/, Label label) const {
   const SolidLabels& l = solid_labels();
-  const Label empty[] = {l.acceleration, l.energy,    l.affine,        l.spin,        l.split,
-                         l.displacement, l.viscous,   l.outside_force, l.heat_source, l.heating,
-                         l.lost_energy,  l.lost_heat, l.viscous_heat};
+  const Label empty[] = {l.acceleration, l.energy,           l.affine,      l.spin,
+                         l.split,        l.displacement,     l.viscous,     l.outside_force,
+                         l.heat_source,  l.heating,          l.lost_energy, l.lost_heat,
+                         l.open_energy,  l.loss_temperature, l.viscous_heat};
   return std::find(std::begin(empty), std::end(empty), label) != std::end(empty);
 }
 

@@ -21,6 +21,7 @@ solids::ParticleColumns columns_beside_fluid(const Carried& carried) {
   to.temperature = c.temperature;
   to.energy = c.energy;
   to.lost_heat = c.lost_heat;
+  to.open_energy = c.open_energy;
   to.with_mass = c.of_losses();
   to.filled = carried.filled;
   to.surface = carried.surface;

@@ -55,7 +55,7 @@ std::vector<ConservedTotal> MpmIceBudgets::tallied_totals(const Totals& totals) 
   if (!both_->has_budget()) return {};
   std::vector<ConservedTotal> all(both_->fluid().budgets().tracked_names().size());
   all.insert(all.end(), totals.amounts.end() - 2, totals.amounts.end());
-  all.resize(all.size() + 5);
+  all.resize(all.size() + 6);
   return all;
 }
 
@@ -66,7 +66,7 @@ std::vector<std::pair<std::string, double>> MpmIceBudgets::budget(
   if (!both_->has_budget()) return {};
   const auto first = static_cast<int>(both_->fluid().budgets().tracked_names().size());
   auto all = mpm::MpmBudgets::budget_from(tallies, first);
-  all.emplace_back("surfaces", -tallies.sources(first + 6));
+  all.emplace_back("surfaces", -tallies.sources(first + 7));
   return all;
 }
 

@@ -24,8 +24,9 @@ struct ParticleColumns {
   int temperature = -1;  // K
   int energy = -1;       // work of the stress until now, J
   int lost_heat = -1;    // what of the heat is among the energies of solids already, J
+  int open_energy = -1;  // of motion within cells, also among these energies, J
   // Amounts that go with the mass that a particle loses, beside its energy and volume.
-  std::array<int, 3> with_mass{-1, -1, -1};
+  std::array<int, 4> with_mass{-1, -1, -1, -1};
   // Of what burns: the part of the volume between the corners that is left; 2 that a burning
   // surface remembers (temperature, gradient); 4 of the flame that comes to a particle (kind, share
   // come, time, way); the radius of its cracks, m.

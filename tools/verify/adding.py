@@ -50,7 +50,7 @@ def build(commands, folder):
     """All targets that the page names, at once."""
     named = filter(None, (TARGETS.match(c.text) for c in commands))
     targets = sorted({target for match in named for target in match[1].split()})
-    for words in (["cmake", "--preset", "release", "-DCMAKE_CXX_FLAGS_RELEASE=-O0"],
+    for words in (["cmake", "--preset", "release", "-DCMAKE_CXX_FLAGS_RELEASE=-O1"],
                   ["ninja", "-C", "build/release", *targets]):
         status, told = run(words, folder)
         if status != 0:

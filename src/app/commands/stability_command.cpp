@@ -178,7 +178,7 @@ int run_deck_sweep(const StabilityRequest& o) {
   if (found.distances.empty())
     fmt::print("the deck does not hold at its own settings: {}\n", map.at_default().message);
   for (const DistanceToFailure& distance : found.distances) fmt::print("{}\n", distance.text());
-  write_json(fs::path(o.folder) / "stability.json", map_json({map}));
+  write_json(fs::path(o.folder) / "stability.json", deck_stability_json(found));
   if (!o.no_picture) draw(o.folder);
   return static_cast<int>(found.distances.empty() ? ExitStatus::failed : ExitStatus::good);
 }

@@ -47,7 +47,7 @@ double lost_energy(const Json& report) {
   };
   double lost = 0;  // J
   for (const auto& [name, value] : account.members())
-    if (name != "within particles") lost += number(value);
+    if (name != "within particles" && name != "within cells") lost += number(value);
   const double scale = number(report.at("conservation").at("total energy").at("scale"));
   return scale == 0 ? 0 : std::fabs(lost) / scale;
 }

@@ -186,6 +186,20 @@ std::string DistanceToFailure::text() const {
   return text;
 }
 
+Json deck_stability_json(const DeckStability& found) {
+  Json json = map_json({found.map});
+  Json distances = Json::array();
+  for (const DistanceToFailure& d : found.distances) {
+    Json row = {{"name", d.name}, {"held", d.held}};
+    row["failed"] = d.failed == 0 ? Json() : Json(d.failed);
+    if (!d.note.empty()) row["note"] = d.note;
+    if (!d.message.empty()) row["message"] = d.message;
+    distances.push_back(std::move(row));
+  }
+  json["distances"] = std::move(distances);
+  return json;
+}
+
 DeckStability sweep_deck(const std::string& deck, const std::vector<std::string>& overrides,
                          double budget, const RunPoint& run) {
   return Sweeper(deck, overrides, budget, run).all();

@@ -28,6 +28,9 @@ struct DeckStability {
   std::vector<DistanceToFailure> distances;
 };
 
+// The map with the distances: name, held, failed (null: nothing failed), note, message.
+Json deck_stability_json(const DeckStability& found);
+
 // Runs one point; its verdict.
 using RunPoint = std::function<StabilityResult(const StabilityCase&, const StabilityPoint&)>;
 

@@ -28,10 +28,11 @@ struct BodyEnergySums {
     kick_gain,   // what kicks of the midpoint transfer gave to velocities and spins of particles
     kick,        // sum J . dv of impulses J of everything but these forces
     inner_gain,  // what spins and affine velocities within particles got
-    // Of energy lost (step/lost_energy.cpp): what became heat of particles in this step; since the
-    // start what those want that have lost and what those give back that have won, all of it; heat
-    // until this step.
+    // Of energy lost (step/lost_energy.cpp): what became heat of particles in this step, and what
+    // joined that of motion within cells and of the open half of a step; since the start what those
+    // want that have lost and what those give back that have won, all of it; heat until this step.
     lost_heat,
+    open_gain,
     heat_wanted,
     heat_taken,
     lost,

@@ -21,6 +21,8 @@ void add(const ParticleSet& set, const Columns& c, double reference_pressure,
                *volume = set.column(static_cast<std::size_t>(c.volume));
   const double* heat =
       c.lost_heat >= 0 ? set.column(static_cast<std::size_t>(c.lost_heat)) : nullptr;
+  const double* open =
+      c.open_energy >= 0 ? set.column(static_cast<std::size_t>(c.open_energy)) : nullptr;
   const auto v = read_columns<3>(set, c.velocity);
   const auto to = [&](std::size_t index) -> ExactSum& { return sums[index - StepSums::left_x]; };
   for (const std::uint32_t p : leaving) {
@@ -31,7 +33,7 @@ void add(const ParticleSet& set, const Columns& c, double reference_pressure,
     }
     to(StepSums::left_kinetic).add(0.5 * mass[p] * v2);
     to(StepSums::left_internal).add(energy[p]);
-    if (heat != nullptr) to(StepSums::left_internal).add(heat[p]);
+    if (heat != nullptr) to(StepSums::left_internal).add(heat[p] + open[p]);
     to(StepSums::left_reference).add(-reference_pressure * volume[p]);
     to(StepSums::count + material).add(mass[p]);
   }

@@ -34,8 +34,9 @@ struct ChunkBuffers {
 
   Window window;  // the nodes of which particles read
   GridAtParticles read;
-  ImpulsesAtParticles impulses;                                    // of the midpoint transfer
-  alignas(64) double wave_speed[chunk_size], heating[chunk_size];  // of the law, m/s, K/s
+  ImpulsesAtParticles impulses;  // of the midpoint transfer
+  // Of the law: m/s, K/s, dT/T of the step along an isentrope.
+  alignas(64) double wave_speed[chunk_size], heating[chunk_size], isentropic[chunk_size];
   Vec3 up{}, down{};  // of x and -x at the middle of the step, of a block
   LawBatch columns;
   std::vector<double> shared;  // dilatation of the particles of a block

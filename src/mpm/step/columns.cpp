@@ -137,6 +137,8 @@ Carried carried_by(const Scene& scene, const MpmScene& solids, const SolidMateri
   if (material.lost_energy_heats) {
     c.columns.lost_energy = add(l.lost_energy, true);
     c.columns.lost_heat = add(l.lost_heat, true);
+    c.columns.open_energy = add(l.open_energy, true);
+    c.columns.loss_temperature = add(l.loss_temperature, true);
     if (c.columns.viscous >= 0) c.columns.viscous_heat = add(l.viscous_heat, true);
   }
   if (material.water) {

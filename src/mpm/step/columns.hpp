@@ -37,10 +37,14 @@ struct Columns {
   int normal = -1;         // 3, of the surface, from a point file
   int outside_force = -1;  // 3, of the last step, where it is saved, N
   int viscous = -1;        // artificial pressure, Pa
-  // Of materials that lost energy heats (step/lost_energy.cpp), J: what is lost, heat that it
-  // became, heat of the artificial viscosity where there is one.
-  int lost_energy = -1, lost_heat = -1, viscous_heat = -1;
-  std::array<int, 3> of_losses() const { return {lost_energy, lost_heat, viscous_heat}; }
+  // Of materials that lost energy heats (step/lost_energy.cpp): what is lost, heat that it became,
+  // what of it is not lost yet, heat of the artificial viscosity where there is one, J; what of
+  // their temperature these two heats are, K.
+  int lost_energy = -1, lost_heat = -1, open_energy = -1, viscous_heat = -1;
+  int loss_temperature = -1;
+  std::array<int, 4> of_losses() const {
+    return {lost_energy, lost_heat, open_energy, viscous_heat};
+  }
   int heat_source = -1;  // of the last step, where it is saved, W
   int heating = -1;      // of the last step, where it is saved, K/s
   // Of water in pores; mass of it, velocity (3), pressure, and the filtered one, where it is saved.

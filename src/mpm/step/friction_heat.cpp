@@ -78,14 +78,16 @@ void FrictionHeat::to_particles(const Chunk& chunk) {
                   static_cast<int>(chunk.at), chunk.n, reads.window, read);
   if (c.lost_energy >= 0) {
     const double* mass = chunk.old(c.mass);
-    double* loss = chunk.made(c.lost_energy);
+    double *loss = chunk.made(c.lost_energy), *open = chunk.made(c.open_energy);
     alignas(64) double taken[chunk_size];
     for (int q = 0; q < chunk.n; ++q) {
       taken[q] = mass[q] * body.material->constants.specific_heat * read.u[0][q];
       loss[q] += taken[q];
+      open[q] += taken[q];  // heat of the next step
     }
-    add_rounded(taken, chunk.n, body.energy_units.energy,
-                chunk.sums()[BodyEnergySums::contact_heat]);
+    using Of = BodyEnergySums;
+    for (const auto sum : {Of::contact_heat, Of::open_gain})
+      add_rounded(taken, chunk.n, body.energy_units.energy, chunk.sums()[sum]);
     return;
   }
   double* T = chunk.made(c.temperature);

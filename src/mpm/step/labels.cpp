@@ -61,6 +61,12 @@ SolidLabels declare_all() {
   l.lost_energy = declare("p.lostEnergy", real, "J",
                           "Energy that transfer and integration have taken from a particle.");
   l.lost_heat = declare("p.heatOfLosses", real, "J", "What of that has become heat of it.");
+  l.open_energy = declare("p.openEnergy", real, "J",
+                          "What of p.lostEnergy is not lost: motion within a cell, and the half "
+                          "of a step that is still open.");
+  l.loss_temperature = declare("p.temperatureOfLosses", real, "K",
+                               "What of a particle's temperature is heat of losses and of the "
+                               "artificial viscosity, changed since by compression.");
   l.viscous_heat = declare("p.viscousHeat", real, "J",
                            "Heat that the artificial viscosity has given to a particle.");
   l.reference = declare("p.referencePlace", vector, "m",

@@ -10,8 +10,8 @@ namespace sluice::mpm {
 struct SolidLabels {
   Label velocity, acceleration, mass, volume_0, volume, F, stress, energy, temperature,
       concentration, affine, spin, half, size, displacement, colour, marks, given_force, normal,
-      outside_force, viscous, lost_energy, lost_heat, viscous_heat, reference, scale_factor,
-      heat_source, heating, rate_of_format, place_of_format, outer, split;
+      outside_force, viscous, lost_energy, lost_heat, open_energy, loss_temperature, viscous_heat,
+      reference, scale_factor, heat_source, heating, rate_of_format, place_of_format, outer, split;
   std::array<Label, max_corners> corner;
   Label filled;
   Label surface_temperature, surface_gradient;

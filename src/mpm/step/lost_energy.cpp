@@ -9,9 +9,16 @@
 namespace sluice::mpm {
 namespace {
 
-// Lanes u, dv . u of nodes with v* - v_ref, - | dv, -; all velocities relative to v_ref.
-void to_work(const Window& nodes, const Window* mapped, const double (&shift)[3], bool before,
-             Window& to) {
+// Velocities of a body relative to its own, m/s: of what is mapped back, less that of the body's
+// nodes; and the latter itself.
+struct References {
+  double shift[3] = {}, own[3] = {};
+};
+
+// Lanes u, dv . u - j . (u - (v + v*)/2) of nodes with v* - v_ref, - | dv, -; j: change of velocity
+// by body forces; all velocities relative to v_ref.
+void to_work(const Window& nodes, const Window* mapped, const References& of, const NodeStep& step,
+             bool before, Window& to) {
   const IntVec3 size{nodes.size(0), nodes.size(1), nodes.size(2)};
   to.move_to(nodes.lower(), nodes.lower() + size - IntVec3{1, 1, 1});
   const auto count = static_cast<std::ptrdiff_t>(size.x) * size.y * size.z;
@@ -19,7 +26,7 @@ void to_work(const Window& nodes, const Window* mapped, const double (&shift)[3]
     const std::int64_t* from = nodes.at(0, 0, 0) + n * lanes;
     const std::int64_t* moved = mapped != nullptr ? mapped->at(0, 0, 0) + n * lanes : nullptr;
     // Particles may have left a node until the middle of the step.
-    const bool known = moved != nullptr && as_real(moved[3]) != 0;
+    const bool known = moved != nullptr && as_real(moved[3]) != 0 && from[count_lane] != node_met;
     std::int64_t* node = to.at(0, 0, 0) + n * lanes;
     double work = 0;
     for (int d = 0; d < 3; ++d) {
@@ -28,9 +35,11 @@ void to_work(const Window& nodes, const Window* mapped, const double (&shift)[3]
       if (before)
         u -= dv;
       else if (known)
-        u = as_real(moved[d]) + shift[d];
+        u = as_real(moved[d]) + of.shift[d];
       node[d] = as_bits(u);
-      work += dv * u;
+      const double v = as_real(from[d]) - dv;
+      const double j = step.kick * (step.gravity[d] - step.damping * (v + of.own[d]));
+      work += dv * u - j * (u - (v + 0.5 * dv));
     }
     node[3] = as_bits(work);
   }
@@ -51,7 +60,7 @@ void LostEnergy::begin(const StageScope& /*scope*/) {
 }
 
 void LostEnergy::after_nodes(const NodeStep& step, NodeBooks& /*books*/) {
-  kick_ = step.kick;
+  step_ = step;
 }
 
 void LostEnergy::moved(const Chunk& chunk) {
@@ -86,16 +95,17 @@ void LostEnergy::load(const BlockWork& w, int thread) {
   if (body.carried->columns.lost_energy < 0) return;
   Reads& reads = reads_[static_cast<std::size_t>(thread)];
   reads.nodes.load(w.lowest, w.highest, body.table, body.nodes);
-  double shift[3] = {};
+  References of;
+  for (int d = 0; d < 3; ++d) of.own[d] = body.units.reference[d];
   const Window* moved = nullptr;
   if (mapped_ != nullptr) {
     reads.mapped.load(w.lowest, w.highest, body.table, mapped_->of(w.kind));
     const Vec3 from = mapped_->units(w.kind).reference;
-    for (int d = 0; d < 3; ++d) shift[d] = from[d] - body.units.reference[d];
+    for (int d = 0; d < 3; ++d) of.shift[d] = from[d] - body.units.reference[d];
     moved = &reads.mapped;
   }
-  to_work(reads.nodes, moved, shift, true, reads.before);
-  to_work(reads.nodes, moved, shift, false, reads.after);
+  to_work(reads.nodes, moved, of, step_, true, reads.before);
+  to_work(reads.nodes, moved, of, step_, false, reads.after);
 }
 
 // Adds the halves of P.
@@ -123,7 +133,7 @@ void LostEnergy::add_works(const Chunk& chunk, Reads& reads) const {
         for (int p = 0; p < n; ++p) power[p] += sigma[p] * (one[p] + other[p]);
     }
     for (int p = 0; p < n; ++p)
-      to[p] += 0.5 * (mass[p] * read.fourth[p] + kick_ * volume[p] * power[p]);
+      to[p] += 0.5 * (mass[p] * read.fourth[p] + step_.kick * volume[p] * power[p]);
   }
 }
 
@@ -154,18 +164,33 @@ void LostEnergy::find_inner(const Chunk& chunk, double* within, double* gained) 
   }
 }
 
+void LostEnergy::carry_temperature(const Chunk& chunk) const {
+  const Columns& c = chunk.columns();
+  const double *before = chunk.old(c.loss_temperature), *isentropic = chunk.buffers->isentropic;
+  double* T = chunk.made(c.loss_temperature);
+  for (int p = 0; p < chunk.n; ++p) T[p] = before[p] * (1 + isentropic[p]);
+  if (c.viscous_heat < 0) return;
+  const double capacity = chunk.body->material->constants.specific_heat;
+  const double *mass = chunk.old(c.mass), *old = chunk.old(c.viscous_heat);
+  const double* viscous = chunk.made(c.viscous_heat);
+  for (int p = 0; p < chunk.n; ++p) T[p] += (viscous[p] - old[p]) / (mass[p] * capacity);
+}
+
 void LostEnergy::to_particles(const Chunk& chunk) {
   const Columns& c = chunk.columns();
   if (c.lost_energy < 0) return;
   const int n = chunk.n;
+  carry_temperature(chunk);
   add_works(chunk, reads_[static_cast<std::size_t>(chunk.thread)]);
   const double *energy = chunk.old(c.energy), *new_energy = chunk.made(c.energy);
   const double *before = chunk.old(c.lost_energy), *heat = chunk.old(c.lost_heat);
   const double* viscous = c.viscous_heat >= 0 ? chunk.made(c.viscous_heat) : nullptr;
-  double *to = chunk.made(c.lost_energy), *to_heat = chunk.made(c.lost_heat);
+  double *to = chunk.made(c.lost_energy), *to_heat = chunk.made(c.lost_heat),
+         *to_open = chunk.made(c.open_energy);
+  const double* open_before = chunk.old(c.open_energy);
   alignas(64) double within[chunk_size], gained[chunk_size];
   find_inner(chunk, within, gained);
-  alignas(64) double wanted[chunk_size], taken[chunk_size], all[chunk_size];
+  alignas(64) double wanted[chunk_size], taken[chunk_size], all[chunk_size], opened[chunk_size];
   const bool first = chunk.scope->dt_before == 0;
   for (int p = 0; p < n; ++p) {
     const double closing = to[p] - 0.5 * gained[p], opening = to_heat[p] - 0.5 * gained[p];
@@ -175,6 +200,8 @@ void LostEnergy::to_particles(const Chunk& chunk) {
     const double least = viscous != nullptr ? -std::max(0.0, viscous[p]) : 0.0;
     all[p] = loss - within[p];
     to_heat[p] = std::max(least, all[p]);
+    to_open[p] = open + within[p];
+    opened[p] = to_open[p] - open_before[p];
     wanted[p] = std::max(0.0, to_heat[p]);
     taken[p] = std::min(0.0, to_heat[p]);
   }
@@ -185,6 +212,7 @@ void LostEnergy::to_particles(const Chunk& chunk) {
   add_rounded(taken, n, unit, sums[Of::heat_taken]);
   add_rounded(all, n, unit, sums[Of::lost]);
   add_rounded(heat, n, unit, sums[Of::heat_before]);
+  add_rounded(opened, n, unit, sums[Of::open_gain]);
 }
 
 void LostEnergy::give_heat(std::span<const BlockWork> work, int kind, double share,
@@ -197,12 +225,17 @@ void LostEnergy::give_heat(std::span<const BlockWork> work, int kind, double sha
     const auto made = [&](int of) { return w.next->column(static_cast<std::size_t>(of)); };
     const double* mass = w.set->column(static_cast<std::size_t>(c.mass));
     const double* before = w.set->column(static_cast<std::size_t>(c.lost_heat));
-    double *heat = made(c.lost_heat), *T = made(c.temperature);
+    double *heat = made(c.lost_heat), *T = made(c.temperature), *T_l = made(c.loss_temperature);
+    const double* viscous = c.viscous_heat >= 0 ? made(c.viscous_heat) : nullptr;
     double* rate = c.heating >= 0 ? made(c.heating) : nullptr;
     for (std::size_t p = w.run.begin; p < w.run.end; ++p) {
       if (heat[p] > 0) heat[p] *= share;
-      const double warmed = (heat[p] - before[p]) / (mass[p] * capacity);
+      const double given = heat[p] - before[p];
+      const double all = before[p] + (viscous != nullptr ? viscous[p] : 0.0);
+      const double warmed = given >= 0 || !(all > 0) ? given / (mass[p] * capacity)
+                                                     : T_l[p] * std::max(-1.0, given / all);
       T[p] += warmed;
+      T_l[p] += warmed;
       if (rate != nullptr) rate[p] += warmed / dt;
     }
   }

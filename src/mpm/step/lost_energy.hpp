@@ -9,7 +9,9 @@
 // adds up to the energy account's T + R, as M dv is the impulse of all stress on a node. Taken
 // are the velocities by which energy passes: u = (v + vh)/2, v as particles gave it, vh those of
 // which L is taken, v* where nothing is mapped back. Of v* alone some particles would lose for
-// ever what others win, without any loss of all.
+// ever what others win, without any loss of all. Impulses J from outside are in M dv, but their
+// work is that with (v + v*)/2: vh is v* where contact or a given velocity acts, and of gravity
+// J . (u - (v + v*)/2) is subtracted.
 //
 // Of a wave that still swings with the step: forces of one time work on velocities half a step
 // before and behind. With v and the first half of the change of kinetic energy in the interval
@@ -19,10 +21,13 @@
 //   G = max(-D, g) for g < 0, phi g for g > 0,   g = loss of all intervals - E
 //
 // with E = m sum_ed (L - W)_ed^2 <r_d^2>/2, kinetic energy within a cell, which nodes have and
-// particles do not. G is heat; D is that of the artificial viscosity. A gain takes heat back, but
-// no more than what these two have given: no particle is cooled below the temperature that its
-// deformation gives it. What a particle where it crosses kinks of shape functions loses others win:
-// phi <= 1, one for each body, is such that all its heat is what the body has lost, and no more.
+// particles do not. G is heat; E and what is open of B are not lost: the total energy counts both.
+// D is that of the artificial viscosity. A gain takes heat back, but no more than what these two
+// have given: of the part T_l of the temperature that is theirs, which compression changes as it
+// changes T, a gain takes the share that it takes of G + D. So no particle is cooled below the
+// temperature that its deformation gives it. What a
+// particle where it crosses kinks of shape functions loses others win: phi <= 1, one for each body,
+// is such that all its heat is what the body has lost, and no more.
 #pragma once
 #include <vector>
 
@@ -57,12 +62,14 @@ class LostEnergy final : public SolidEffect {
   };
   void add_works(const Chunk& chunk, Reads& reads) const;
   void find_inner(const Chunk& chunk, double* within, double* gained) const;
+  // T_l behind the law and the artificial viscosity.
+  void carry_temperature(const Chunk& chunk) const;
 
   const MpmScene* solids_;
   const LevelNodes* nodes_;
   const std::vector<Body>* bodies_;
   const MappedBack* mapped_;
-  double kick_ = 0;           // s
+  NodeStep step_;
   std::vector<Reads> reads_;  // by thread
 };
 

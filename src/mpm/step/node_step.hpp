@@ -24,6 +24,9 @@ struct NodeImpulses {
   Vec3 change{}, push{}, met{};
   bool held = false;  // by a master, or as one with another body
 };
+// Of a node behind its step, in its lane of counts: it moved by the forces of particles alone, or
+// contact or a given velocity gave it an impulse too.
+inline constexpr std::int64_t node_moved = 1, node_met = 2;
 using BlockImpulses = std::array<NodeImpulses, block_nodes>;
 
 }  // namespace sluice::mpm

@@ -19,7 +19,7 @@ void to_reals(std::int64_t* node, const SumUnits& units) {
       real[1 + d] = units.reference[d] + sum_in(node, 1 + d) / units.momentum / real[0];
       real[4 + d] = sum_in(node, 4 + d) / units.force;
     }
-    real[count_lane] = 1;
+    real[count_lane] = node_moved;
   }
   for (int l = 0; l < lanes; ++l) node[l] = as_bits(real[l]);
 }
@@ -130,6 +130,7 @@ void NodeUpdate::finish(const NodeStep& step, BlockMember of, const BlockImpulse
       node[4 + d] = as_bits(after[d] - v[d]);
     }
     node[3] = as_bits(mass);
+    if (held || got.met != Vec3{}) node[count_lane] = node_met;
   }
   for (SolidEffect* effect : effects_) effect->finish_block(step, of, side, booked, books);
 }

@@ -185,6 +185,10 @@ bool NodesToParticles::update(const Chunk& chunk, const std::vector<double>* sha
   std::fill_n(buffers.heating, chunk.n, 0.0);
   b.wave_speed = buffers.wave_speed;
   b.heating = buffers.heating;
+  if (c.loss_temperature >= 0) {
+    std::fill_n(buffers.isentropic, chunk.n, 0.0);
+    b.isentropic = buffers.isentropic;
+  }
   double* volume = chunk.made(c.volume);
   const int bad = deform(order_of_F_, b.dt, b, volume);
   if (bad >= 0) {

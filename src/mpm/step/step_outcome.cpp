@@ -55,6 +55,7 @@ void book_bodies(bool prescribed, bool midpoint, NodeBooks& books) {
       books.sums[StepSums::beyond_nodes].subtract(body[Of::node_gain]);
     }
     books.sums[StepSums::inner_gain].merge(body[Of::inner_gain]);
+    books.sums[StepSums::open_gain].merge(body[Of::open_gain]);
     books.sums[StepSums::node_work].merge(body[Of::node_work]);
     books.sums[StepSums::load_work].merge(body[Of::load_work]);
     books.sums[StepSums::corner_work].merge(body[Of::corner_work]);

@@ -28,6 +28,7 @@ struct StepSums {
     beyond_nodes,
     inner_gain,  // what spins and affine velocities within particles got
     lost_heat,   // what of the energy lost became heat
+    open_gain,   // of it, what is not lost yet: motion within cells, the open half of a step
     load_work,   // of forces from outside on particles, within node_work and force_work
     reaction_x,
     reaction_y,

@@ -60,7 +60,8 @@ std::vector<GivenByParticle> BurnedParticles<D>::take(SolidSets<D>& sets, int so
       if (s.filled[p] * (1 - f) < least_filled) f = 1;
       const double rest = f < 1 ? 1 - f : 0.0;
       GivenByParticle g{n, p, m[p] * s.stays[p] - m[p] * (s.stays[p] * rest), 0, 0, {}};
-      g.energy = W[p] * f / g.mass + c_s * T[p] + Q;
+      const double open = c.open_energy >= 0 ? next(c.open_energy)[p] : 0;
+      g.energy = (W[p] + open) * f / g.mass + c_s * T[p] + Q;
       for (int d = 0; d < 3; ++d) {
         g.velocity[d] = next(c.velocity + d)[p];
         g.kinetic += 0.5 * g.velocity[d] * g.velocity[d];

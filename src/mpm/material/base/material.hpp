@@ -65,6 +65,9 @@ struct Batch {
   double* wave_speed =
       nullptr;                // c_p of the new state, longitudinal, with F and stress as they are
   double* heating = nullptr;  // dT/dt by the law itself, K/s; zero when the law is called
+  // The part of it that is compression along an isentrope, as dT/T of the step; zero when the law
+  // is called; null: nobody asks.
+  double* isentropic = nullptr;
 };
 
 // A particle that cannot take the step: det F <= 0, out of the law's range, not finite. The step is

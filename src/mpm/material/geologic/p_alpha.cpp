@@ -93,9 +93,11 @@ class PorousSolid final : public Material {
       const double solid_0 = J_0 * c_.alpha_0 / old_alpha, solid = J * c_.alpha_0 / now.alpha;
       const double of_pores =
           -mean_p * 0.5 * (solid_0 + solid) / c_.solid_density * (now.alpha - old_alpha);
-      b.heating[i] += (b.temperature[i] * std::expm1(-c_.Gamma_0 * (solid - solid_0)) +
-                       (of_pores + shear.heat / c_.density) / c_.specific_heat) /
-                      b.dt;
+      const double warmed = std::expm1(-c_.Gamma_0 * (solid - solid_0));
+      if (b.isentropic != nullptr) b.isentropic[i] = warmed;
+      b.heating[i] +=
+          (b.temperature[i] * warmed + (of_pores + shear.heat / c_.density) / c_.specific_heat) /
+          b.dt;
       set(b, i, J, now, shear.state);
     }
     return std::nullopt;

@@ -230,8 +230,10 @@ class Metal final : public Material {
   void add_heating(const Batch& b, int i, const MetalState& state, const MetalReturn& r, double C,
                    double stretch) const {
     b.heating[i] += c_.taylor_quinney * r.yield * r.more_strain / (state.density * C * b.dt);
-    if (c_.pressure.form == MetalPressure::Form::mie_gruneisen)
-      b.heating[i] += b.temperature[i] * std::expm1(-c_.pressure.Gamma_0 * stretch) / b.dt;
+    if (c_.pressure.form != MetalPressure::Form::mie_gruneisen) return;
+    const double warmed = std::expm1(-c_.pressure.Gamma_0 * stretch);
+    b.heating[i] += b.temperature[i] * warmed / b.dt;
+    if (b.isentropic != nullptr) b.isentropic[i] = warmed;
   }
 
   // The porosity behind the step; `stretch`: of the volume.
