@@ -10,8 +10,9 @@
 
     Archive("shock_tube.uda", checkpoints=True)    # its steps are the checkpoints
 
-The layout is described in docs/archive_format.md. Every byte that is read is compared with its
-checksum: what is damaged is an ArchiveError that names the file, and never a number.
+Archives in Uintah's raw layout are read in the same way, see raw_archive.py. The layouts are
+described in docs/archive_format.md. Every byte that is read is compared with its checksum, where
+the layout has one: what is damaged is an ArchiveError that names the file, and never a number.
 """
 import dataclasses
 import pathlib
@@ -111,24 +112,34 @@ class Archive:
     def __init__(self, path, checkpoints=False):
         self.path = pathlib.Path(path).resolve()
         root = _parse(self.path / "index.xml")
-        stored = root.findtext("outputFormat", default="").strip()
-        if stored != "HDF5":
-            raise ArchiveError(f"{path}: the archive's format is '{stored or 'raw UDA'}'; "
-                               "only Sluice's HDF5 archives can be drawn")
-        root = _parse_sealed(self.path / "index.xml")
+        stored = root.findtext("outputFormat", default="UDA").strip()
+        if stored not in ("HDF5", "UDA"):
+            raise ArchiveError(f"{path}: the archive's format is '{stored}'; HDF5 and UDA are read")
+        self.raw = stored == "UDA"
+        # The raw layout has no checksums.
+        parse = _parse if self.raw else _parse_sealed
+        root = parse(self.path / "index.xml")
         self.kind, folder, of_steps = "output", self.path, root
         if checkpoints:
             self.kind, folder = "checkpoint", self.path / "checkpoints"
             if not (folder / "index.xml").exists():
                 raise ArchiveError(f"{self.path} has no checkpoint; the deck's <checkpoint> asks "
                                    "for them")
-            of_steps = _parse_sealed(folder / "index.xml")
+            of_steps = parse(folder / "index.xml")
         self.steps = [(int(e.text), float(e.get("time")), folder / e.get("href"))
                       for e in of_steps.iterfind("timesteps/timestep")]
-        self.variables = {e.get("name"): _variable(e)
-                          for e in of_steps.iterfind("variables/variable")}
+        if self.raw:
+            from sluice_tools import raw_archive  # which needs this module
+            self.order = raw_archive.byte_order(root)
+            self.position_name = (root.findtext("ParticlePosition") or "p.x").strip()
+            self.variables = raw_archive.variables_of(of_steps)
+            self._step = raw_archive.RawStep
+        else:
+            self.variables = {e.get("name"): _variable(e)
+                              for e in of_steps.iterfind("variables/variable")}
+            self._step = Step
         self.histories = {e.get("name"): (self.path / e.get("href"), e.get("type", ""))
-                          for e in root.iterfind("globals/variable")}
+                          for e in root.iterfind("globals/variable") if e.get("href")}
         self.units_of_histories = {e.get("name"): e.get("unit", "")
                                    for e in root.iterfind("globals/variable")}
 
@@ -145,7 +156,7 @@ class Archive:
         """'last', 'first', '#N' (N-th output from 0), or a time: the nearest output."""
         if not self.steps:
             raise ArchiveError(f"{self.path}: the archive holds no {self.kind} yet")
-        return Step(self, *self.steps[self._position(str(which))])
+        return self._step(self, *self.steps[self._position(str(which))])
 
     def _position(self, which):
         if which in ("last", "first"):
@@ -246,7 +257,8 @@ class Step:
 
     def particles(self, material=None, wanted=None):
         """Variables of all particles of a material (all, or those whose names are wanted), on all
-        levels, in the order of their ids: arrays [n], vectors [n, 3], tensors [n, 9]."""
+        levels, in the order of their ids: arrays [n], vectors [n, 3], tensors [n, 9]. A raw archive
+        may hold no ids: its particles are then in the order of its patches."""
         there = self.particle_materials()
         if not there:
             raise ArchiveError(f"no particles at step {self.number}; save p.x")
@@ -264,6 +276,8 @@ class Step:
                      for _, _, block in self.pieces(name, material, level)]
             values = np.concatenate(lists)
             table[name] = values if kinds[name].components > 1 else values[:, 0]
+        if "p.particleID" not in table:  # of raw archives that save none: in stored order
+            return table
         order = np.argsort(table["p.particleID"])
         return {name: values[order] for name, values in table.items()}
 

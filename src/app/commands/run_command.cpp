@@ -18,6 +18,7 @@
 #include "app/plan/memory_check.hpp"
 #include "app/process/study_process.hpp"
 #include "app/process/text_sink.hpp"
+#include "framework/archive/archive.hpp"
 #include "framework/base/communicator.hpp"
 #include "framework/base/console.hpp"
 #include "framework/base/json.hpp"
@@ -31,7 +32,7 @@ namespace {
 struct RunRequest {
   RunOptionValues run;
   std::string deck, restart, json, progress = "auto";
-  std::string parent = ".";
+  std::string parent = ".", last_line;
   std::optional<int> step, max_steps;
   std::optional<double> wall_limit;    // seconds
   std::optional<double> target_error;  // relative
@@ -46,11 +47,12 @@ std::string deck_file(const RunRequest& o) {
     if (o.deck.empty()) throw InputError("name a deck, or an archive with --restart");
     return o.deck;
   }
-  if (!o.deck.empty()) return o.deck;
+  if (!o.deck.empty()) return o.deck;  // the run itself looks at the archive
   const std::filesystem::path kept = std::filesystem::path(o.restart) / "input.xml";
   if (!std::filesystem::exists(kept))
     throw InputError(fmt::format("--restart {}: there is no archive ({} does not exist)", o.restart,
                                  kept.string()));
+  require_own_format(Archive::open(o.restart));
   return kept.string();
 }
 
@@ -168,6 +170,8 @@ int run_on(Communicator& ranks, const RunRequest& o) {
     }
     if (!report.message.empty()) fmt::print(stderr, "sluice: error: {}\n", report.message);
     tell_end(o, report, options.progress);
+    if (exit_status_of(report.status) == 0 && !o.last_line.empty())
+      fmt::print("{}\n", o.last_line);
   }
   return exit_status_of(report.status);
 }
@@ -269,6 +273,8 @@ void declare_run_command(Command& command) {
   add_run_options(command, o->run);
   command.flag("--costs", o->costs,
                "Print the measured share of time of each effect, and messages");
+  command.option("--last-line", o->last_line,
+                 "Print this line at the end of a run that has succeeded, for scripts");
   command.flag("--plot", o->plot, "Draw the last output at the end, with the exact solution");
   command.action([o] { return run(*o); });
 }
