@@ -5,6 +5,7 @@
 
 #include "app/command/archive_picture.hpp"
 #include "app/command/command_line.hpp"
+#include "app/loading/last_output.hpp"
 
 namespace sluice {
 namespace {

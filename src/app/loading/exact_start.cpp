@@ -15,15 +15,15 @@
 namespace sluice {
 namespace {
 
-constexpr double tolerance = 0.02;      // of the largest magnitude
-constexpr double allowed_share = 0.01;  // of the cells
+constexpr double start_tolerance = 0.02;  // of the largest magnitude
+constexpr double allowed_share = 0.01;    // of the cells
 constexpr double allowed_cells = 2;
 
 // Density, velocity, pressure.
 constexpr int quantities = 5;
 using Values = std::array<double, quantities>;
-constexpr std::array<const char*, quantities> names = {"rho_CC", "vel_CC.x", "vel_CC.y", "vel_CC.z",
-                                                       "press_CC"};
+constexpr std::array<const char*, quantities> quantity_names = {"rho_CC", "vel_CC.x", "vel_CC.y",
+                                                                "vel_CC.z", "press_CC"};
 
 struct Worst {
   double excess = 0;  // over the range, as a share of the scale
@@ -77,7 +77,7 @@ class StartComparison {
       bool good = true;
       for (std::size_t q = 0; q < quantities; ++q) {
         const double excess = std::max(low[q] - now[q], now[q] - high[q]) / scale[q];
-        if (!(excess > tolerance) || !std::isfinite(low[q] + high[q])) continue;
+        if (!(excess > start_tolerance) || !std::isfinite(low[q] + high[q])) continue;
         good = false;
         if (excess > worst.excess) worst = {excess, text(level, c, q, now[q])};
       }
@@ -99,7 +99,7 @@ class StartComparison {
     return fmt::format(
         "{} of the deck is {:g} in cell [{}, {}, {}] of level {} at ({:g}, {:g}, "
         "{:g}), that of the exact solution {:g}",
-        names[q], now, c.x, c.y, c.z, level.index, x.x, x.y, x.z, exact(x)[q]);
+        quantity_names[q], now, c.x, c.y, c.z, level.index, x.x, x.y, x.z, exact(x)[q]);
   }
 
   // visit(exact values) at the centre and a cell's width around it.

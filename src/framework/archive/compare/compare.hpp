@@ -65,7 +65,8 @@ struct CompareResult {
 bool numbers_differ(double a, double b, double absolute, double relative);
 CompareResult compare(const Archive& a, const Archive& b, const CompareOptions& options);
 
-// The .dat files that both indexes name, with the same rule for numbers.
+// The .dat files that both indexes name, at the same times (history_table.hpp), with the same rule
+// for numbers.
 struct HistoryComparison {
   std::vector<std::string> not_comparable, differences;
   std::int64_t values = 0, differing = 0;

@@ -1,11 +1,10 @@
-// Histories of two archives, line by line and number by number.
+// Histories of two archives, at the same times.
 #include <fmt/format.h>
 
 #include <set>
-#include <sstream>
 
 #include "framework/archive/compare/compare.hpp"
-#include "framework/archive/posix_file.hpp"
+#include "framework/archive/compare/history_table.hpp"
 
 namespace sluice {
 namespace {
@@ -16,35 +15,22 @@ std::set<std::string> files_of(const Archive& archive) {
   return files;
 }
 
-std::vector<std::vector<double>> numbers_of(const std::filesystem::path& path) {
-  std::vector<std::vector<double>> lines;
-  std::istringstream text(read_text(path));
-  for (std::string line; std::getline(text, line);) {
-    std::istringstream words(line);
-    auto& numbers = lines.emplace_back();
-    for (std::string word; words >> word;) numbers.push_back(parse_real(word, path.string()));
-  }
-  return lines;
-}
-
 void compare_files(const std::string& file, const Archive& a, const Archive& b,
                    const CompareOptions& options, HistoryComparison& result) {
-  const auto x = numbers_of(a.folder() / file), y = numbers_of(b.folder() / file);
-  if (x.size() != y.size())
-    result.not_comparable.push_back(fmt::format("{}: {} and {} lines", file, x.size(), y.size()));
-  for (std::size_t n = 0; n < std::min(x.size(), y.size()); ++n) {
-    if (x[n].size() != y[n].size()) {
-      result.not_comparable.push_back(
-          fmt::format("{}: line {} has {} and {} numbers", file, n + 1, x[n].size(), y[n].size()));
-      return;
-    }
-    for (std::size_t i = 0; i < x[n].size(); ++i) {
-      ++result.values;
-      if (!numbers_differ(x[n][i], y[n][i], options.absolute, options.relative)) continue;
-      ++result.differing;
-      result.differences.push_back(fmt::format("{}: line {}, column {}: {:.17g} and {:.17g}", file,
-                                               n + 1, i + 1, x[n][i], y[n][i]));
-    }
+  const HistoryDifferences found =
+      compare_history(read_history(a.folder() / file), read_history(b.folder() / file),
+                      options.absolute, options.relative);
+  if (!found.not_comparable.empty())
+    result.not_comparable.push_back(file + ": " + found.not_comparable);
+  result.values += found.values;
+  for (const HistoryDifference& d : found.columns) {
+    result.differing += d.differing;
+    const std::string column =
+        found.columns.size() > 1 || d.column > 0 ? fmt::format(", value {}", d.column + 1) : "";
+    result.differences.push_back(fmt::format(
+        "{}{}: {} lines differ{}, most in line {} at {:.17g}: {:.17g} and {:.17g}", file, column,
+        d.differing, found.interpolated ? ", at the times of the first" : "", d.line, d.time, d.a,
+        d.b));
   }
 }
 
