@@ -8,6 +8,7 @@
 #include <cmath>
 #include <fstream>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "framework/archive/archive.hpp"
@@ -69,7 +70,7 @@ void add_missing_times(const std::vector<StepEntry>& gold, const CompareResult& 
 // Labels with a tolerance of their own are compared one by one, the others together.
 RegressCheck check_states(const RegressCase& c, const Archive& gold, const Archive& now,
                           bool checkpoints) {
-  RegressCheck check{checkpoints ? "checkpoints" : "outputs"};
+  RegressCheck check{checkpoints ? "checkpoints" : "outputs", CaseVerdict::skipped, ""};
   const auto& entries = checkpoints ? gold.checkpoints() : gold.outputs();
   if (entries.empty() || (checkpoints && gold.format() != now.format())) return check;
   CompareOptions options;
@@ -115,7 +116,7 @@ std::set<std::string> histories_in(const fs::path& folder) {
 }
 
 // "TotalMass_1.dat" is of the label TotalMass.
-std::string label_of(const std::string& file) {
+std::string label_of_history(const std::string& file) {
   std::string label = file.substr(0, file.size() - 4);
   const std::size_t mark = label.rfind('_');
   if (mark != label.npos && label.find_first_not_of("0123456789", mark + 1) == label.npos)
@@ -131,7 +132,7 @@ struct HistoryPair {
 // Adds what has moved, or why the two cannot be compared.
 void check_history(const RegressCase& c, const HistoryPair& pair, RegressCheck& check,
                    std::vector<std::string>& problems) {
-  const auto own = c.tolerances.find(label_of(pair.file));
+  const auto own = c.tolerances.find(label_of_history(pair.file));
   const double relative = own != c.tolerances.end() ? own->second : c.tolerance;
   const HistoryTable before = read_history(pair.gold), after = read_history(pair.now);
   const HistoryDifferences found = compare_history(before, after, c.absolute, relative);
@@ -153,14 +154,15 @@ void check_history(const RegressCase& c, const HistoryPair& pair, RegressCheck& 
 }
 
 RegressCheck check_histories(const RegressCase& c, const fs::path& archive) {
-  RegressCheck check{"histories"};
+  RegressCheck check{"histories", CaseVerdict::skipped, ""};
   if (c.gold_histories.empty()) return check;
   const std::set<std::string> gold = histories_in(c.gold_histories), now = histories_in(archive);
   if (gold.empty()) return check;
   std::vector<std::string> problems;
   int compared = 0;
   for (const std::string& file : gold) {
-    if (std::find(c.exclude.begin(), c.exclude.end(), label_of(file)) != c.exclude.end()) continue;
+    if (std::find(c.exclude.begin(), c.exclude.end(), label_of_history(file)) != c.exclude.end())
+      continue;
     if (!now.contains(file)) {
       problems.push_back("only the gold has " + file);
       continue;
@@ -181,7 +183,7 @@ RegressCheck check_histories(const RegressCase& c, const fs::path& archive) {
 
 // ------------------------------------------------------------------ time and memory
 
-struct Cost {
+struct GoldCost {
   std::string machine;
   double seconds = 0, bytes = 0;
 };
@@ -191,36 +193,36 @@ std::string this_machine() {
   return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "unknown";
 }
 
-Json json_in(const fs::path& file) {
+Json json_of_file(const fs::path& file) {
   std::ifstream in(file);
   return Json::parse_or_null({std::istreambuf_iterator<char>(in), {}});
 }
 
-std::optional<Cost> cost_of_run(const fs::path& archive) {
-  const Json report = json_in(archive / "run.json");
+std::optional<GoldCost> cost_of_run(const fs::path& archive) {
+  const Json report = json_of_file(archive / "run.json");
   if (!report.is_object() || !report.contains("wall_s") || !report.contains("peak_memory_bytes"))
     return std::nullopt;
-  return Cost{this_machine(), report.at("wall_s").get<double>(),
-              report.at("peak_memory_bytes").get<double>()};
+  return GoldCost{this_machine(), report.at("wall_s").get<double>(),
+                  report.at("peak_memory_bytes").get<double>()};
 }
 
 fs::path cost_file(const RegressCase& c) {
   return c.deck.parent_path() / (c.deck.stem().string() + ".cost.json");
 }
 
-std::optional<Cost> recorded_cost(const RegressCase& c) {
-  const Json kept = json_in(cost_file(c));
+std::optional<GoldCost> recorded_cost(const RegressCase& c) {
+  const Json kept = json_of_file(cost_file(c));
   if (!kept.is_object() || !kept.contains("machine") || !kept.contains("seconds") ||
       !kept.contains("peak_memory_bytes"))
     return std::nullopt;
-  return Cost{kept.at("machine").get<std::string>(), kept.at("seconds").get<double>(),
-              kept.at("peak_memory_bytes").get<double>()};
+  return GoldCost{kept.at("machine").get<std::string>(), kept.at("seconds").get<double>(),
+                  kept.at("peak_memory_bytes").get<double>()};
 }
 
 // Seconds depend on what else a machine does: they are told. Memory does not: more by a tenth and
 // by 8 MiB, on the same machine, is a difference.
 RegressCheck check_cost(const RegressCase& c, const fs::path& archive) {
-  RegressCheck check{"cost"};
+  RegressCheck check{"cost", CaseVerdict::skipped, ""};
   const auto now = cost_of_run(archive), before = recorded_cost(c);
   if (!now || !before) return check;
   constexpr double share = 1.1, bytes = 8.0 * 1024 * 1024;

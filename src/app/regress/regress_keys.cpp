@@ -14,11 +14,11 @@ namespace {
 constexpr int in_list = static_cast<int>(KeyPlace::list);
 constexpr int beside = static_cast<int>(KeyPlace::beside_deck);
 
-void require(bool good, const char* text) {
+void require_key(bool good, const char* text) {
   if (!good) throw InputError(text);
 }
 
-void check_names(const Json& json, KeyPlace place) {
+void refuse_unknown_keys(const Json& json, KeyPlace place) {
   std::vector<std::string> known;
   for (const RegressKey& key : regress_keys())
     if ((key.places & static_cast<int>(place)) != 0) known.emplace_back(key.name);
@@ -77,8 +77,8 @@ std::string regress_keys_help() {
 }
 
 void read_regress_keys(const Json& json, KeyPlace place, RegressCase& c) {
-  require(json.is_object(), "not an object");
-  check_names(json, place);
+  require_key(json.is_object(), "not an object");
+  refuse_unknown_keys(json, place);
   c.overrides = json.value("set", std::vector<std::string>{});
   if (place == KeyPlace::list || json.contains("variables"))
     c.variables = json.at("variables").get<std::vector<std::string>>();
@@ -91,17 +91,18 @@ void read_regress_keys(const Json& json, KeyPlace place, RegressCase& c) {
     for (const auto& [label, value] : json.at("tolerances").members())
       c.tolerances[label] = value.get<double>();
   read_restart(json, c);
-  require(c.tolerance >= 0, "tolerance must be at least 0");
-  require(c.absolute >= 0, "absolute must be at least 0");
+  require_key(c.tolerance >= 0, "tolerance must be at least 0");
+  require_key(c.absolute >= 0, "absolute must be at least 0");
   for (const auto& [label, value] : c.tolerances)
-    require(value >= 0, "tolerances must be at least 0");
-  require(c.ranks >= 0, "ranks must be at least 0");
+    require_key(value >= 0, "tolerances must be at least 0");
+  require_key(c.ranks >= 0, "ranks must be at least 0");
   if (place == KeyPlace::list) {
-    require(c.restart == 0 || c.restart >= 3, "restart must be the number of a step, at least 3");
-    require(c.ranks == 0 || !c.boxes.empty(),
-            "ranks needs boxes, at least as many as there are ranks");
+    require_key(c.restart == 0 || c.restart >= 3,
+                "restart must be the number of a step, at least 3");
+    require_key(c.ranks == 0 || !c.boxes.empty(),
+                "ranks needs boxes, at least as many as there are ranks");
   } else {
-    require(c.restart >= 0, "restart must be the number of a step, true or false");
+    require_key(c.restart >= 0, "restart must be the number of a step, true or false");
   }
 }
 

@@ -12,7 +12,7 @@
 namespace sluice {
 namespace {
 
-std::string escaped(const std::string& text) {
+std::string html_text(const std::string& text) {
   std::string out;
   for (const char c : text) {
     switch (c) {
@@ -32,13 +32,13 @@ std::string escaped(const std::string& text) {
   return out;
 }
 
-const RegressCheck* find(const RegressResult& r, const std::string& name) {
+const RegressCheck* check_named(const RegressResult& r, const std::string& name) {
   const auto found = std::find_if(r.checks.begin(), r.checks.end(),
                                   [&](const RegressCheck& c) { return c.name == name; });
   return found == r.checks.end() ? nullptr : &*found;
 }
 
-const char* colour_of(CaseVerdict v) {
+const char* css_class(CaseVerdict v) {
   switch (v) {
     case CaseVerdict::same:
     case CaseVerdict::blessed:
@@ -67,7 +67,7 @@ std::string table_of_moved(const RegressCheck& check) {
     text += fmt::format(
         "<tr><td>{}<td>{}<td class=n>{:g}<td class=n>{:.10g}<td class=n>{:.10g}<td class=n>{:.3g}"
         "<td class=n>{}</tr>\n",
-        escaped(m.label), escaped(m.where), m.time, m.before, m.after, m.after - m.before,
+        html_text(m.label), html_text(m.where), m.time, m.before, m.after, m.after - m.before,
         human_percent(relative_change(m)));
   return text + "</table>\n";
 }
@@ -75,14 +75,14 @@ std::string table_of_moved(const RegressCheck& check) {
 std::string summary_table(const std::vector<RegressResult>& results) {
   const std::vector<std::string> names = check_names(results);
   std::string text = "<table><tr><th>case";
-  for (const std::string& name : names) text += "<th>" + escaped(name);
+  for (const std::string& name : names) text += "<th>" + html_text(name);
   text += "<th>time</tr>\n";
   for (const RegressResult& r : results) {
-    text += fmt::format("<tr><td><a href=\"#{0}\">{0}</a>", escaped(r.name));
+    text += fmt::format("<tr><td><a href=\"#{0}\">{0}</a>", html_text(r.name));
     for (const std::string& name : names) {
-      const RegressCheck* check = find(r, name);
+      const RegressCheck* check = check_named(r, name);
       text += check == nullptr ? std::string("<td class=none>-")
-                               : fmt::format("<td class={}>{}", colour_of(check->verdict),
+                               : fmt::format("<td class={}>{}", css_class(check->verdict),
                                              to_string(check->verdict));
     }
     text += fmt::format("<td class=n>{}</tr>\n", human_duration(r.seconds));
@@ -90,7 +90,7 @@ std::string summary_table(const std::vector<RegressResult>& results) {
   return text + "</table>\n";
 }
 
-constexpr const char* style = R"(
+constexpr const char* page_style = R"(
 body{font:14px/1.4 sans-serif;margin:2em;max-width:80em} table{border-collapse:collapse}
 td,th{border:1px solid #bbb;padding:.2em .6em;text-align:left} .n{text-align:right}
 .good{background:#d8f0d8} .moved{background:#f8dcc0} .invalid{background:#f0c0c0} .none{color:#888}
@@ -113,14 +113,14 @@ std::string regress_page(const std::vector<RegressResult>& results) {
       "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>sluice "
       "regress</title><style>{}</style></head><body>\n<h1>Regression of {} case{}</h1>\n<p>{} of "
       "{} are as the gold; {}</p>\n{}",
-      style, results.size(), results.size() == 1 ? "" : "s", good, results.size(), utc_now(),
+      page_style, results.size(), results.size() == 1 ? "" : "s", good, results.size(), utc_now(),
       summary_table(results));
   for (const RegressResult& r : results) {
-    text += fmt::format("<h2 id=\"{0}\">{0}</h2>\n", escaped(r.name));
+    text += fmt::format("<h2 id=\"{0}\">{0}</h2>\n", html_text(r.name));
     for (const RegressCheck& c : r.checks) {
       if (c.message.empty() && c.moved.empty()) continue;
-      text += fmt::format("<h3>{}: {}</h3>\n<p>{}</p>\n{}", escaped(c.name), to_string(c.verdict),
-                          escaped(c.message), table_of_moved(c));
+      text += fmt::format("<h3>{}: {}</h3>\n<p>{}</p>\n{}", html_text(c.name), to_string(c.verdict),
+                          html_text(c.message), table_of_moved(c));
     }
   }
   return text + "</body></html>\n";
