@@ -44,6 +44,12 @@ ROOMS = {
         {".": "XML to a tree, spelling, obsolete tags, overrides, the check against a schema"},
         {"format": "the blocks that every component has: schema, rules and completions"},
     ],
+    "framework/archive": [
+        {".": "writing and reading archives: Sluice's own in HDF5, Uintah's raw ones; particles, "
+              "values as CSV"},
+        {"compare": "two archives, of either format: differences and norms",
+         "vtk": "export to the files of ParaView and VisIt"},
+    ],
     "framework/solve": [
         {"block": "matrices of blocks, of several unknowns per node, and their solvers"},
         {".": "systems of one unknown per cell, on one level or several, and their solvers"},
@@ -160,7 +166,8 @@ ROOMS = {
          "regress": "golden results, written and compared",
          "accuracy": "error bars of a deck from its own ladder of resolutions",
          "stability": "hard cases: what must hold, sweeps, maps of where it does",
-         "study": "accuracy studies over series of runs"},
+         "study": "accuracy studies over series of runs",
+         "classic": "the tools of the public suite, under their own names"},
         {"plan": "`sluice plan`: tasks, levels, memory and first step of a run, before it runs"},
         {"commands": "one file per command, a row of `commands.cpp` each"},
         {".": "`main`, and the fuzz target of decks"},

@@ -8,14 +8,19 @@
     step.particles()["p.x"]                  # particles by id: arrays [n], vectors [n, component]
     step.particles(1, {"p.stress"})          # of material 1, one variable: tensors [n, 9]
 
-The layout is described in docs/archive_format.md. Checksums are not verified here: `sluice info
---verify` does that.
+    Archive("shock_tube.uda", checkpoints=True)    # its steps are the checkpoints
+
+Archives in Uintah's raw layout are read in the same way, see raw_archive.py. The layouts are
+described in docs/archive_format.md. Every byte that is read is compared with its checksum, where
+the layout has one: what is damaged is an ArchiveError that names the file, and never a number.
 """
 import dataclasses
 import pathlib
 import xml.etree.ElementTree as ElementTree
 
 import numpy as np
+
+from .checksum import crc32c, crc32c_rows
 
 CENTRINGS = {"CCVariable": "cell", "NCVariable": "node", "SFCXVariable": "x face",
              "SFCYVariable": "y face", "SFCZVariable": "z face",
@@ -40,6 +45,20 @@ def _parse(path):
         raise ArchiveError(f"{path}: {error.strerror}: is this an archive?") from error
     except ElementTree.ParseError as error:
         raise ArchiveError(f"{path}: not readable as XML ({error})") from error
+
+
+SEAL = b"<!-- crc32c %08x -->\n"
+
+
+def _parse_sealed(path):
+    """Of a file whose last line is the checksum of all before it."""
+    root = _parse(path)
+    text = path.read_bytes()
+    end = len(text) - len(SEAL % 0)
+    if end < 0 or text[end:] != SEAL % crc32c(text[:end]):
+        raise ArchiveError(f"{path}: its checksum line is missing or does not match: the file is "
+                           "damaged or was edited")
+    return root
 
 
 @dataclasses.dataclass(frozen=True)
@@ -90,22 +109,41 @@ class Field:
 
 
 class Archive:
-    def __init__(self, path):
+    def __init__(self, path, checkpoints=False):
         self.path = pathlib.Path(path).resolve()
         root = _parse(self.path / "index.xml")
-        stored = root.findtext("outputFormat", default="").strip()
-        if stored != "HDF5":
-            raise ArchiveError(f"{path}: the archive's format is '{stored or 'raw UDA'}'; "
-                               "only Sluice's HDF5 archives can be drawn")
-        self.steps = [(int(e.text), float(e.get("time")), self.path / e.get("href"))
-                      for e in root.iterfind("timesteps/timestep")]
-        self.variables = {e.get("name"): _variable(e) for e in root.iterfind("variables/variable")}
+        stored = root.findtext("outputFormat", default="UDA").strip()
+        if stored not in ("HDF5", "UDA"):
+            raise ArchiveError(f"{path}: the archive's format is '{stored}'; HDF5 and UDA are read")
+        self.raw = stored == "UDA"
+        # The raw layout has no checksums.
+        parse = _parse if self.raw else _parse_sealed
+        root = parse(self.path / "index.xml")
+        self.kind, folder, of_steps = "output", self.path, root
+        if checkpoints:
+            self.kind, folder = "checkpoint", self.path / "checkpoints"
+            if not (folder / "index.xml").exists():
+                raise ArchiveError(f"{self.path} has no checkpoint; the deck's <checkpoint> asks "
+                                   "for them")
+            of_steps = parse(folder / "index.xml")
+        self.steps = [(int(e.text), float(e.get("time")), folder / e.get("href"))
+                      for e in of_steps.iterfind("timesteps/timestep")]
+        if self.raw:
+            from sluice_tools import raw_archive  # which needs this module
+            self.order = raw_archive.byte_order(root)
+            self.position_name = (root.findtext("ParticlePosition") or "p.x").strip()
+            self.variables = raw_archive.variables_of(of_steps)
+            self._step = raw_archive.RawStep
+        else:
+            self.variables = {e.get("name"): _variable(e)
+                              for e in of_steps.iterfind("variables/variable")}
+            self._step = Step
         # By the name of the file: each material has its own of a label, TotalMass_1.
         self.histories = {pathlib.PurePath(e.get("href")).stem:
                           (self.path / e.get("href"), e.get("type", ""))
-                          for e in root.iterfind("globals/variable")}
+                          for e in root.iterfind("globals/variable") if e.get("href")}
         self.units_of_histories = {pathlib.PurePath(e.get("href")).stem: e.get("unit", "")
-                                   for e in root.iterfind("globals/variable")}
+                                   for e in root.iterfind("globals/variable") if e.get("href")}
 
     def title(self):
         """What the deck calls itself, or the name of the archive."""
@@ -119,8 +157,8 @@ class Archive:
     def step(self, which="last"):
         """'last', 'first', '#N' (N-th output from 0), or a time: the nearest output."""
         if not self.steps:
-            raise ArchiveError(f"{self.path}: the archive holds no output yet")
-        return Step(self, *self.steps[self._position(str(which))])
+            raise ArchiveError(f"{self.path}: the archive holds no {self.kind} yet")
+        return self._step(self, *self.steps[self._position(str(which))])
 
     def _position(self, which):
         if which in ("last", "first"):
@@ -129,7 +167,8 @@ class Archive:
             if which.startswith("#"):
                 number = int(which[1:])
                 if not 0 <= number < len(self.steps):
-                    raise ArchiveError(f"there is no output {which}: #0 to #{len(self.steps) - 1}")
+                    raise ArchiveError(f"there is no {self.kind} {which}: #0 to "
+                                       f"#{len(self.steps) - 1}")
                 return number
             return self._nearest(float(which))
         except ValueError as error:
@@ -141,8 +180,8 @@ class Archive:
         gaps = [b - a for a, b in zip(times, times[1:])]
         near = gaps[max(0, best - 1):best + 1] or [abs(times[0])]
         if abs(times[best] - wanted) > 0.5 * max(near) * (1 + 1e-9):
-            raise ArchiveError(f"no output near time {wanted:g}: they go from {times[0]:g} to "
-                               f"{times[-1]:g}")
+            raise ArchiveError(f"no {self.kind} near time {wanted:g}: they go from {times[0]:g} "
+                               f"to {times[-1]:g}")
         return best
 
     def level_cells(self):
@@ -188,7 +227,7 @@ def _names(known):
 class Step:
     def __init__(self, archive, number, time, path):
         self.archive, self.number, self.time, self.path = archive, number, time, path
-        root = _parse(path)
+        root = _parse_sealed(path)
         self.levels = [_level(e) for e in root.iterfind("Grid/Level")]
         records = [path.parent / e.get("href") for e in root.iterfind("Data/Datafile")]
         self._stored = {}
@@ -196,8 +235,8 @@ class Step:
             self._collect(record)
 
     def _collect(self, record):
-        root = _parse(record)
-        data = record.parent / root.find("Datafile").get("href")
+        root = _parse_sealed(record)
+        data = DataFile(record, root)
         for e in root.iterfind("Variable"):
             key = (e.get("name"), int(e.get("material")), int(e.get("level")))
             self._stored.setdefault(key, []).append((data, e.get("group")))
@@ -220,7 +259,8 @@ class Step:
 
     def particles(self, material=None, wanted=None):
         """Variables of all particles of a material (all, or those whose names are wanted), on all
-        levels, in the order of their ids: arrays [n], vectors [n, 3], tensors [n, 9]."""
+        levels, in the order of their ids: arrays [n], vectors [n, 3], tensors [n, 9]. A raw archive
+        may hold no ids: its particles are then in the order of its patches."""
         there = self.particle_materials()
         if not there:
             raise ArchiveError(f"no particles at step {self.number}; save p.x")
@@ -238,13 +278,15 @@ class Step:
                      for _, _, block in self.pieces(name, material, level)]
             values = np.concatenate(lists)
             table[name] = values if kinds[name].components > 1 else values[:, 0]
+        if "p.particleID" not in table:  # of raw archives that save none: in stored order
+            return table
         order = np.argsort(table["p.particleID"])
         return {name: values[order] for name, values in table.items()}
 
     def pieces(self, name, material, level):
         """What is stored, box by box: [(lower, upper, values[component, i, j, k])]."""
         return [part for data, group in self._stored.get((name, material, level), ())
-                for part in _read_group(data, group)]
+                for part in data.read(group)]
 
     def field(self, name, material=None, level=0):
         if not self.has(name):
@@ -268,25 +310,62 @@ class Step:
         return Field(variable, material, self.levels[level], lower, values)
 
 
-def _read_group(data, group):
-    """The boxes of one group of a data file: (lower, upper, [component, i, j, k])."""
-    import h5py  # here, so that listing an archive needs no HDF5
-    try:
-        with h5py.File(data, "r") as file:
-            boxes = file[group]["boxes"][()]
-            values = file[group]["values"][()]
-            components = file[group]["crc32c"].shape[1]
-    except (OSError, KeyError) as error:
-        raise ArchiveError(f"{data}: {group} cannot be read ({error})") from error
-    at = 0
-    for box in boxes:
-        low, high = tuple(int(n) for n in box[:3]), tuple(int(n) for n in box[3:])
-        shape = tuple(high[d] - low[d] for d in range(3))
-        size = components * shape[0] * shape[1] * shape[2]
-        # Stored x fastest, component after component.
-        block = values[at:at + size].reshape((components, shape[2], shape[1], shape[0]))
-        yield low, high, block.transpose(0, 3, 2, 1)
-        at += size
+class DataFile:
+    """One rank's values of a step, and its record: how long the file is, and the checksum of all
+    that is not a value."""
+
+    def __init__(self, record, root):
+        file = root.find("Datafile")
+        self.path = record.parent / file.get("href")
+        self._bytes, self._structure = int(file.get("bytes")), int(file.get("metadataCrc32c"), 16)
+        self._values = sorted((int(e.get("offset")), int(e.get("bytes")))
+                              for e in root.iterfind("Variable") if int(e.get("offset")) >= 0)
+        self._checked = False
+
+    def _check(self):
+        """Before HDF5 sees the file: it trusts what it reads."""
+        if self._checked:
+            return
+        try:
+            size = self.path.stat().st_size
+            if size != self._bytes:
+                raise ArchiveError(f"{self.path}: {size} bytes long, {self._bytes} were written: "
+                                   "the file was cut or replaced")
+            between, at = [], 0
+            with self.path.open("rb") as file:
+                for start, length in (*self._values, (size, 0)):
+                    file.seek(at)
+                    between.append(file.read(max(0, start - at)))
+                    at = max(at, start + length)
+        except OSError as error:
+            raise ArchiveError(f"{self.path}: {error.strerror}") from error
+        if crc32c(b"".join(between)) != self._structure:
+            raise ArchiveError(f"{self.path}: the checksum of its structure does not match: "
+                               "damaged outside the values")
+        self._checked = True
+
+    def read(self, group):
+        """The boxes of one group: (lower, upper, [component, i, j, k])."""
+        import h5py  # here, so that listing an archive needs no HDF5
+        self._check()
+        try:
+            with h5py.File(self.path, "r") as file:
+                boxes, values, sums = (file[group][name][()]
+                                       for name in ("boxes", "values", "crc32c"))
+        except (OSError, KeyError) as error:
+            raise ArchiveError(f"{self.path}: {group} cannot be read ({error})") from error
+        at, components = 0, sums.shape[1]
+        for number, (box, expected) in enumerate(zip(boxes, sums)):
+            low, high = tuple(int(n) for n in box[:3]), tuple(int(n) for n in box[3:])
+            shape = tuple(high[d] - low[d] for d in range(3))
+            size = components * shape[0] * shape[1] * shape[2]
+            # Stored x fastest, component after component.
+            block = values[at:at + size].reshape((components, size // components))
+            if (crc32c_rows(block.view(np.uint8)) != expected).any():
+                raise ArchiveError(f"{self.path}: the checksum of {group}, box {number}, does not "
+                                   "match: the values are damaged")
+            yield low, high, block.reshape((components, *shape[::-1])).transpose(0, 3, 2, 1)
+            at += size
 
 
 def _level(e):

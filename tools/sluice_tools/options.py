@@ -106,6 +106,7 @@ def parser_of(command):
     add("--material", help="name or number")
     add("--names", type=lambda text: [part.strip() for part in text.split(",")])
     add("--difference", action="store_true")
+    add("--checkpoint", action="store_true", help="checkpoints, not outputs")
     add("--slice", type=plane, help="plane of a 3-D run, z=0.5")
     add("--line", type=line, help="profile between two points x1,y1,z1:x2,y2,z2")
     add("--radius", action="store_true",

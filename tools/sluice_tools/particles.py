@@ -213,6 +213,9 @@ def paths(shot, material, count):
     step, archive = shot.step, shot.archive
     first, second, _ = views.plane_axes(step, shot.normal)
     last = step.particles(material, {"p.x", "p.particleID"})
+    if "p.particleID" not in last:
+        raise ArchiveError("particles of this archive have no numbers (p.particleID): their paths "
+                           "are not known")
     near = views.near_plane(step, last["p.x"], shot.normal, shot.position)
     ids = last["p.particleID"][near]
     ids = ids[np.unique(np.linspace(0, len(ids) - 1, min(count, len(ids))).astype(int))]

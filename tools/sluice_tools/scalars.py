@@ -4,7 +4,8 @@ import numpy as np
 from .archive import TENSOR, ArchiveError
 
 # Labels with a dot in them begin with one of these.
-KINDS = ("p", "g", "cz", "solid", "work", "SteadyBurn", "UnsteadyBurn")
+KINDS = ("p", "g", "cz", "solid", "work", "state", "SteadyBurn",
+         "UnsteadyBurn")
 SIGNED = 0.02  # values are drawn around zero when the smaller side is at least this share
 ROUND_OFF = 1e-9  # differences below this share are drawn as none
 INVARIANTS = ("vonMises", "pressure", "det", "size")

@@ -126,7 +126,7 @@ def _archive_labels(archives, given):
 
 def open_archives(given):
     """[(archive, its name in the legend)]."""
-    archives = [Archive(path) for path in given.archives]
+    archives = [Archive(path, given.checkpoint) for path in given.archives]
     return list(zip(archives, _archive_labels(archives, given)))
 
 
@@ -150,6 +150,7 @@ def gather(given):
     times = given.time or ["last"]
     outputs = [(archive, name, archive.step(time)) for archive, name in open_archives(given)
                for time in times]
+    views.check_slice(outputs[0][2], given.normal, given.position)
     if given.difference and len(outputs) != 2:
         raise ArchiveError(f"--difference needs two archives, or one and two times; given: "
                            f"{len(outputs)}")

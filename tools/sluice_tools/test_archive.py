@@ -3,12 +3,14 @@ import os
 import pathlib
 import tempfile
 import unittest
+import xml.etree.ElementTree as ElementTree
 
 import h5py
 import numpy as np
 
 from sluice_tools import levels, plot, views
 from sluice_tools.archive import Archive, ArchiveError
+from sluice_tools.checksum import crc32c
 
 TYPES = {3: "Vector", 9: "Matrix3"}
 SPACING = (0.25, 0.5, 1.0)
@@ -22,6 +24,22 @@ def level_xml(index, spacing, low, high, boxes, active=(1, 1, 0)):
             f"<refinementRatio>{[2, 2, 1] if index else [1, 1, 1]}</refinementRatio>"
             f"<domainLow>{list(low)}</domainLow><domainHigh>{list(high)}</domainHigh>"
             f"{patches}</Level>")
+
+
+def write_sealed(path, text):
+    """As the files of an archive end: with the checksum of all before the last line."""
+    path.write_text(text + f"<!-- crc32c {crc32c(text.encode()):08x} -->\n")
+
+
+def place_of(group):
+    """Where the values lie in the file: they have checksums of their own."""
+    values = group["values"].id
+    return f'offset="{values.get_offset()}" bytes="{values.get_storage_size()}"'
+
+
+def sums_of(blocks):
+    """Checksums of the components of a box."""
+    return [crc32c(np.ascontiguousarray(block)) for block in blocks]
 
 
 class Writer:
@@ -38,21 +56,23 @@ class Writer:
         if (name, kind, len(functions)) not in self.variables:
             self.variables.append((name, kind, len(functions)))
         for level, (spacing, _, _, boxes, *_) in enumerate(self.levels):
-            values, stored_boxes = [], []
+            values, stored_boxes, sums = [], [], []
             for low, high in boxes:
                 high = (high[0] + (kind == "SFCX"), *high[1:])
                 stored_boxes.append([*low, *high])
                 index = np.meshgrid(*(np.arange(low[d], high[d]) for d in range(3)), indexing="ij")
                 x = [(1, 2, 0)[d] + (index[d] + shift[d]) * spacing[d] for d in range(3)]
                 values += [(f(*x) + 0 * x[0]).flatten(order="F") for f in functions]
+                sums.append(sums_of(values[-len(functions):]))
             where = f"/l{level}/{name}/m{material}"
             group = self.file.create_group(where)
             group["boxes"] = np.array(stored_boxes, dtype="i4")
             group["values"] = np.concatenate(values)
-            group["crc32c"] = np.zeros((len(boxes), len(functions)), dtype="u4")
+            group["crc32c"] = np.array(sums, dtype="u4")
             value = "Vector" if len(functions) == 3 else "double"
             self.records.append(f'<Variable type="{kind}Variable&lt;{value}&gt;" name="{name}" '
-                                f'level="{level}" material="{material}" group="{where}"/>')
+                                f'level="{level}" material="{material}" group="{where}" '
+                                f'{place_of(group)}/>')
 
     def add_particles(self, level, boxes, material=0, more=()):
         """Boxes of particles as rows of id, x, y, z, then the numbers of `more`: (name, type,
@@ -68,9 +88,10 @@ class Writer:
             group = self.file.create_group(where)
             group["boxes"] = np.array([[0, 0, 0, len(box), 1, 1] for box in boxes], dtype="i4")
             group["values"] = np.concatenate([block.flatten(order="F") for block in blocks])
-            group["crc32c"] = np.zeros((len(boxes), blocks[0].shape[1]), dtype="u4")
+            group["crc32c"] = np.array([sums_of(block.T) for block in blocks], dtype="u4")
             self.records.append(f'<Variable type="ParticleVariable&lt;{value}&gt;" name="{name}" '
-                                f'level="{level}" material="{material}" group="{where}"/>')
+                                f'level="{level}" material="{material}" group="{where}" '
+                                f'{place_of(group)}/>')
             entry = (name, "Particle", blocks[0].shape[1])
             if entry not in self.variables:
                 self.variables.append(entry)
@@ -78,17 +99,27 @@ class Writer:
     def close(self):
         self.file.close()
         folder = self.root / "t00007"
-        (folder / "p00000.xml").write_text("<Uintah_Output><Datafile href='p00000.h5'/>" +
-                                           "".join(self.records) + "</Uintah_Output>")
+        data, structure, at = (folder / "p00000.h5").read_bytes(), b"", 0
+        places = [ElementTree.fromstring(record) for record in self.records]
+        for e in sorted(places, key=lambda e: int(e.get("offset"))):
+            structure += data[at:int(e.get("offset"))]
+            at = int(e.get("offset")) + int(e.get("bytes"))
+        structure += data[at:]
+        write_sealed(folder / "p00000.xml",
+                     f"<Uintah_Output><Datafile href='p00000.h5' bytes='{len(data)}' "
+                     f"metadataCrc32c='{crc32c(structure):08x}'/>{''.join(self.records)}"
+                     "</Uintah_Output>")
         grid = "".join(level_xml(n, *level) for n, level in enumerate(self.levels))
-        (folder / "timestep.xml").write_text(
+        write_sealed(
+            folder / "timestep.xml",
             f"<Uintah_timestep><Grid>{grid}</Grid><Data><Datafile href='p00000.xml'/></Data>"
             "</Uintah_timestep>")
         variables = "".join(
             f'<variable type="{kind}Variable&lt;{TYPES.get(n, "double")}&gt;" '
             f'name="{name}" unit="m/s" numMaterials="1"/>' for name, kind, n in self.variables)
         (self.root / "TotalMass.dat").write_text("1\t0.1\t2.5\n2\t0.2\t2.5\n")
-        (self.root / "index.xml").write_text(
+        write_sealed(
+            self.root / "index.xml",
             "<Uintah_DataArchive><outputFormat>HDF5</outputFormat><globals><variable "
             'href="TotalMass.dat" name="TotalMass" type="double"/></globals>'
             f"<variables>{variables}</variables><timesteps>"
@@ -184,12 +215,52 @@ class Reading(OnDisk):
         with self.assertRaisesRegex(ArchiveError, "press_CC, uvel_FC, vel_CC"):
             self.two_dimensional().step().field("prss_CC")
 
-    def test_raw_layout_is_refused_by_name(self):
+    def test_other_formats_are_refused_by_name(self):
         self.root.mkdir()
-        (self.root / "index.xml").write_text("<Uintah_DataArchive><outputFormat>UDA</outputFormat>"
+        (self.root / "index.xml").write_text("<Uintah_DataArchive><outputFormat>PIDX</outputFormat>"
                                              "</Uintah_DataArchive>")
-        with self.assertRaisesRegex(ArchiveError, "'UDA'"):
+        with self.assertRaisesRegex(ArchiveError, "'PIDX'"):
             Archive(self.root)
+
+    def test_a_flipped_bit_is_never_a_number(self):
+        self.two_dimensional()
+        random = np.random.default_rng(5)
+        for name in ("index.xml", "t00007/timestep.xml", "t00007/p00000.xml", "t00007/p00000.h5"):
+            path = self.root / name
+            good = path.read_bytes()
+            ends = (0, len(good) - 1)
+            for place in (*ends, *random.integers(0, len(good), 60)):
+                bad = bytearray(good)
+                bad[place] ^= 1 << random.integers(0, 8)
+                path.write_bytes(bytes(bad))
+                with self.assertRaises(ArchiveError, msg=f"{name}, byte {place}"):
+                    step = Archive(self.root).step()
+                    for key in step.stored():
+                        step.pieces(*key)
+            path.write_bytes(good[:-1])
+            with self.assertRaises(ArchiveError):
+                step = Archive(self.root).step()
+                step.field("press_CC")
+            path.write_bytes(good)
+        self.assertEqual(Archive(self.root).step().field("press_CC").values.shape, (8, 4, 1))
+
+    def test_checkpoints_are_steps_too(self):
+        self.two_dimensional()
+        with self.assertRaisesRegex(ArchiveError, "no checkpoint"):
+            Archive(self.root, checkpoints=True)
+        inside = self.root / "checkpoints"
+        inside.mkdir()
+        for name in ("index.xml", "t00007"):
+            (self.root / name).rename(inside / name)
+        write_sealed(self.root / "index.xml", "<Uintah_DataArchive><outputFormat>HDF5"
+                     "</outputFormat><timesteps/></Uintah_DataArchive>")
+        with self.assertRaisesRegex(ArchiveError, "no output yet"):
+            Archive(self.root).step()
+        archive = Archive(self.root, checkpoints=True)
+        self.assertEqual(archive.step("last").number, 7)
+        self.assertEqual(archive.step().field("press_CC").values.shape, (8, 4, 1))
+        with self.assertRaisesRegex(ArchiveError, "no checkpoint #1"):
+            archive.step("#1")
 
     def test_history(self):
         along, places, values = self.two_dimensional().history("TotalMass")

@@ -91,6 +91,31 @@ def plane_axes(step, normal=None):
     return first, second, normal
 
 
+def check_slice(step, normal, position):
+    """A slice is a plane of a three-dimensional run; another one says which plane there is."""
+    if normal is None:
+        return
+    active = step.levels[0].active_directions()
+    axes = " and ".join("xyz"[d] for d in active)
+    if len(active) == 1:
+        raise ArchiveError(f"--slice is for planes; this run is a line along {axes}: without "
+                           "--slice its profiles are drawn")
+    level = step.levels[0]
+    low, high = (level.anchor[normal] + edge[normal] * level.spacing[normal]
+                 for edge in (level.lower, level.upper))
+    if len(active) == 2:
+        flat = ({0, 1, 2} - set(active)).pop()
+        middle = level.anchor[flat] + (0.5 * (level.lower[flat] + level.upper[flat]) *
+                                       level.spacing[flat])
+        raise ArchiveError(f"--slice is for three-dimensional runs; this one has {axes}: its only "
+                           f"plane is {'xyz'[flat]} = {middle:g}, drawn without --slice")
+    if not low <= position <= high:
+        nearest = low + 0.5 * level.spacing[normal] if position < low \
+            else high - 0.5 * level.spacing[normal]
+        raise ArchiveError(f"the plane {'xyz'[normal]} = {position:g} lies outside the domain, "
+                           f"{low:g} to {high:g}: the nearest layer of cells is at {nearest:g}")
+
+
 def plane(step, name, material=None, normal=None, position=None):
     """2-D or a slice of 3-D, level by level: (edges of the first axis, of the second, values[j, i],
     is a finer level there[j, i])."""
@@ -116,7 +141,9 @@ def layer(level, normal, position=None):
     """The layer of cells of a level in which a plane lies (without a position: the middle one)."""
     if position is None:
         return (level.lower[normal] + level.upper[normal]) // 2
-    return int(np.floor((position - level.anchor[normal]) / level.spacing[normal]))
+    cell = int(np.floor((position - level.anchor[normal]) / level.spacing[normal]))
+    high = level.anchor[normal] + level.upper[normal] * level.spacing[normal]
+    return level.upper[normal] - 1 if position == high else cell  # the domain is closed
 
 
 def plane_position(step, normal, position=None):

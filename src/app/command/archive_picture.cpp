@@ -105,7 +105,8 @@ bool sample_exact(const PictureRequest& request, const std::string& path) {
 bool wants_exact_of_deck(const PictureRequest& request, PictureCommand which) {
   const PictureOptions& options = request.options;
   if (which != PictureCommand::plot || options.values("--time").size() > 1) return false;
-  for (const char* other : {"--history", "--line", "--difference"})
+  // Checkpoints hold the state of the run, which no exact solution has.
+  for (const char* other : {"--history", "--line", "--difference", "--checkpoint"})
     if (options.has(other)) return false;
   return true;
 }

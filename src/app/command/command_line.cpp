@@ -71,6 +71,9 @@ CommandOption Command::option(const char* names, std::optional<double>& value, c
 void Command::flag(const char* names, bool& value, const char* text) {
   app_->add_flag(names, value, text);
 }
+void Command::closing_text(const std::string& text) {
+  app_->footer(text + "\n" + exit_statuses);
+}
 void Command::action(std::function<int()> run) {
   app_->callback([run = std::move(run), &status = exit_status_] { status = run(); });
 }

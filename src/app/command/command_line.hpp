@@ -50,6 +50,8 @@ class Command {
   CommandOption option(const char* names, std::optional<int>& value, const char* text);
   CommandOption option(const char* names, std::optional<double>& value, const char* text);
   void flag(const char* names, bool& value, const char* text);
+  // What --help ends with, before the exit statuses.
+  void closing_text(const std::string& text);
   // What the command does; it returns the exit status. Errors that it throws pass through.
   void action(std::function<int()> run);
 

@@ -29,6 +29,8 @@ PictureOptions::PictureOptions() {
       {"--history", "--history", Kind::list, plot,
        "A .dat file by its label, a probe, line, plane, extreme or budget of DataAnalysis by its "
        "name in sluice info; levels: cells of each level over time; effects: what they cost"},
+      {"--checkpoint", "--checkpoint", Kind::flag, both,
+       "Draw checkpoints (the state of the run), not outputs; --time selects among them"},
       {"--slice", "--slice", Kind::value, both,
        "Plane of a 3-D run: z=0.5; absent: that with most materials, then particles"},
       {"--line", "--line", Kind::value, both, "Profile between two points, x1,y1,z1:x2,y2,z2, m"},

@@ -53,6 +53,91 @@ std::string last_line(const std::string& text) {
   return last;
 }
 
+// A picture of step 1 must not pass for one of the end.
+TEST_F(RunEnding, TheLastOutputIsSaidToBeNotTheEnd) {
+  const std::string options =
+      "--set DataArchiver/outputInterval=9 --set DataArchiver/outputInitTimestep= "
+      "--set DataArchiver/outputLastTimestep= --set Time/maxTime=0.02 ";
+  const Outcome first = run_in_shell(run(options));
+  ASSERT_EQ(first.status, 0) << first.text;
+  EXPECT_THAT(first.text, testing::ContainsRegex("output of step 1 [(]t = [^)]*[)]; the run ended "
+                                                 "at step [0-9]+ [(]t = 0.02[)]"));
+  EXPECT_THAT(first.text, HasSubstr("--output-at-end"));
+  const std::string archive = (folder_ / "shock_tube.uda").string(),
+                    picture = " -o " + (folder_ / "p.png").string();
+  const std::string plot = std::string(SLUICE_COMMAND) + " plot " + archive + picture;
+  EXPECT_THAT(run_in_shell(plot).text, HasSubstr("note: output of step 1 "));
+  EXPECT_THAT(run_in_shell(plot + " --time first").text, Not(HasSubstr("note:")));
+
+  const Outcome second = run_in_shell(run(options + "--output-at-end"));
+  ASSERT_EQ(second.status, 0) << second.text;
+  EXPECT_THAT(second.text, Not(HasSubstr("output of step")));
+  EXPECT_THAT(run_in_shell(plot).text, Not(HasSubstr("note:")));
+  EXPECT_THAT(text_of(folder_ / "shock_tube.uda" / "input.xml"),
+              HasSubstr("<outputLastTimestep>true</outputLastTimestep>"));
+}
+
+// A run that was cut has its state in a checkpoint alone.
+TEST_F(RunEnding, ACheckpointIsShownToo) {
+  const std::string options =
+      "--set DataArchiver/outputInterval=9 --set DataArchiver/outputInitTimestep= "
+      "--set DataArchiver/outputLastTimestep= --max-steps 7";
+  const Outcome cut = run_in_shell(run(options));
+  ASSERT_EQ(cut.status, 0) << cut.text;
+  EXPECT_THAT(cut.text, HasSubstr("--checkpoint shows the checkpoint of step 7"));
+  const std::string sluice = SLUICE_COMMAND, archive = " " + (folder_ / "shock_tube.uda").string();
+  const Outcome drawn =
+      run_in_shell(sluice + " plot" + archive + " --checkpoint -o " + (folder_ / "p.svg").string());
+  EXPECT_EQ(drawn.status, 0) << drawn.text;
+  EXPECT_THAT(drawn.text, Not(HasSubstr("note:")));
+  EXPECT_THAT(text_of(folder_ / "p.svg"), HasSubstr("step 7"));
+  const Outcome listed = run_in_shell(sluice + " info" + archive + " --checkpoint");
+  EXPECT_THAT(listed.text, HasSubstr("labels of step 7"));
+  EXPECT_EQ(run_in_shell(sluice + " compare" + archive + archive + " --checkpoint").status, 0);
+  // The label of the mass, as the list has it.
+  const std::string label = listed.text.substr(listed.text.find("labels of step 7"));
+  std::istringstream words(label.substr(label.find('\n') + 1));
+  std::string first, skipped;
+  std::getline(words, skipped);
+  words >> first;
+  const Outcome rows = run_in_shell(sluice + " extract" + archive + " --checkpoint --var " + first);
+  EXPECT_EQ(rows.status, 0) << rows.text;
+  EXPECT_EQ(std::count(rows.text.begin(), rows.text.end(), '\n'), 41);
+  EXPECT_EQ(run_in_shell(sluice + " extract" + archive + " --checkpoint --time '#3' --var " + first)
+                .status,
+            2);
+}
+
+// Removed while the run goes on: the next output says so.
+TEST_F(RunEnding, WhatIsGoneEndsTheRunWithStatus3) {
+  for (const char* gone : {"input.xml", "t00001", ""}) {
+    const std::string archive = (folder_ / "shock_tube.uda.000").string();
+    const std::string log = (folder_ / "log").string();
+    const Outcome o =
+        run_in_shell(run(endless_ + " --set DataArchiver/outputInterval= --set "
+                                    "DataArchiver/outputTimestepInterval=2000 --quiet") +
+                     " >" + log + " 2>&1 & p=$!; until test -e " + archive +
+                     "/t00001/timestep.xml -o -e " + archive +
+                     "/t00000/timestep.xml; do sleep 0.01; done; "
+                     "rm -rf " +
+                     archive + "/" + gone + "; wait $p; s=$?; cat " + log + "; exit $s");
+    EXPECT_EQ(o.status, 3) << gone << o.text;
+    EXPECT_THAT(o.text, HasSubstr("is gone")) << gone;
+    std::filesystem::remove_all(folder_ / "shock_tube.uda.000");
+    std::filesystem::remove(folder_ / "shock_tube.uda");
+  }
+}
+
+// With the step that delt_min has made too long, and without.
+TEST_F(RunEnding, AStepThatDeltMinRaisedIsNamedWhereItFails) {
+  const Outcome raised =
+      run_in_shell(run("--progress none --set Time/delt_min=0.05 "
+                       "--set Time/delt_init=1"));
+  EXPECT_EQ(raised.status, 1) << raised.text;
+  EXPECT_THAT(raised.text, HasSubstr("warning: step 1 at time 0: delt_min raises"));
+  EXPECT_THAT(raised.text, HasSubstr("<delt_min> 0.05 has raised this step above the stable one"));
+}
+
 TEST_F(RunEnding, ATimeLimitIsStatus4AndTheLastLineGoesOn) {
   const Outcome first = run_in_shell(run("--wall-limit 1e-9"));
   EXPECT_EQ(first.status, 4) << first.text;

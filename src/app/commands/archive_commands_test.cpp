@@ -6,6 +6,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <tuple>
 
 #include "app/command/command_line.hpp"
 #include "app/commands/commands.hpp"
@@ -104,6 +105,49 @@ TEST_F(ArchiveCommands, HistoriesAreListedAndExtracted) {
   EXPECT_EQ(wrong.status, 2);
   EXPECT_THAT(wrong.error, HasSubstr("did you mean 'TotalMass'"));
   EXPECT_EQ(run("extract " + a_ + " --history TotalMass --var press_CC").status, 2);
+}
+
+// A box without a centre and a checkpoint that is not there are no empty answers.
+TEST_F(ArchiveCommands, ExtractNamesTheNearestPoint) {
+  const std::string file = (folder_.path() / "kept.csv").string();
+  std::ofstream(file) << "as it was";
+  const Outcome o =
+      run("extract " + a_ + " --var press_CC --from=-0.99,0.2,3 --to=-0.96,0.3,4 --csv " + file);
+  EXPECT_EQ(o.status, 2);
+  EXPECT_THAT(o.error, HasSubstr("the nearest is [0, 0, 0] of level 0 at (-0.9499"));
+  EXPECT_EQ(read_text(file), "as it was");
+  const Outcome checkpoint = run("extract " + a_ + " --var press_CC --checkpoint --time first");
+  EXPECT_EQ(checkpoint.status, 0) << checkpoint.error;
+  EXPECT_THAT(checkpoint.output, HasSubstr("\n0.10000000000000001,0,0,"));  // two are kept
+  EXPECT_EQ(run("extract " + a_ + " --var press_CC --checkpoint --time 0.3").status, 2);
+  EXPECT_THAT(run("extract " + a_ + " --var press_CC --checkpoint --time 0.3").error,
+              HasSubstr("no checkpoint near time"));
+}
+
+// wavy is sin(1 + i + 10 j)/3 here: its least and largest values are found by their formula.
+TEST_F(ArchiveCommands, InfoTellsExtremesWithTheirPlaces) {
+  double least = 1, most = -1;
+  IntVec3 low, high;
+  for_each_cell(IndexBox{{0, 0, 0}, {6, 4, 1}}, [&](IntVec3 c) {
+    const double value = std::sin(1.0 + c.x + 10.0 * c.y) / 3;
+    if (value < least) std::tie(least, low) = std::tuple(value, c);
+    if (value > most) std::tie(most, high) = std::tuple(value, c);
+  });
+  const Outcome o = run("info " + a_ + " --extremes --json --time first");
+  ASSERT_EQ(o.status, 0) << o.error;
+  const auto state = nlohmann::json::parse(o.output).at("state");
+  EXPECT_EQ(state.at("step"), 0);
+  const auto& e = state.at("extremes").at(0);
+  EXPECT_EQ(e.at("label"), "press_CC");
+  EXPECT_EQ(e.at("values"), 24);
+  EXPECT_DOUBLE_EQ(e.at("least").at("value").get<double>(), least);
+  EXPECT_DOUBLE_EQ(e.at("largest").at("value").get<double>(), most);
+  EXPECT_EQ(e.at("least").at("index"), nlohmann::json({low.x, low.y, low.z}));
+  EXPECT_DOUBLE_EQ(e.at("largest").at("at").at(0).get<double>(), -1 + (high.x + 0.5) * 0.1);
+  const Outcome text = run("info " + a_ + " --extremes --checkpoint");
+  EXPECT_EQ(text.status, 0) << text.error;
+  EXPECT_THAT(text.output, HasSubstr("extremes of step 20"));
+  EXPECT_THAT(text.output, HasSubstr("cell ["));
 }
 
 TEST_F(ArchiveCommands, ExtractRefusesWithExitTwo) {

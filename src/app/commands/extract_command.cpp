@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <memory>
+#include <optional>
 
 #include "app/command/command_line.hpp"
 #include "app/process/text_sink.hpp"
@@ -19,6 +20,7 @@ namespace {
 struct ExtractRequest {
   std::string archive, label, history, csv = "-", time, level = "all", from, to;
   std::optional<int> material;
+  bool checkpoint = false;
 };
 
 Vec3 parse_point(const std::string& text, const char* option) {
@@ -86,14 +88,15 @@ void extract(const ExtractRequest& r) {
   }
   const ExtractOptions options = options_of(r);
   const Archive archive = Archive::open(r.archive);
-  const ArchiveStep step =
-      archive.read_output(archive.select_output(r.time.empty() ? "last" : r.time));
-  TextSink sink(r.csv);
-  const std::int64_t rows =
-      extract_csv(step, options, [&](std::string_view text) { sink.write(text); });
-  sink.close();
-  if (rows == 0)
-    fmt::print(stderr, "sluice extract: note: no point of {} lies in the box\n", r.label);
+  const ArchiveStep step = archive.read(r.checkpoint ? Stored::checkpoints : Stored::outputs,
+                                        r.time.empty() ? "last" : r.time);
+  // Opened with the first row: a box without a point leaves an earlier file as it is.
+  std::optional<TextSink> sink;
+  extract_csv(step, options, [&](std::string_view text) {
+    if (!sink) sink.emplace(r.csv);
+    sink->write(text);
+  });
+  sink->close();
 }
 
 }  // namespace
@@ -107,6 +110,8 @@ void declare_extract_command(Command& command) {
                  "its name in sluice info; --time: only the sampled time nearest to it");
   command.option("--material", r->material, "Material; absent: all that the label has");
   command.option("--time", r->time, "last, first, a time (nearest output), #N: N-th output");
+  command.flag("--checkpoint", r->checkpoint,
+               "Of a checkpoint (the state of the run), not of an output; --time selects it");
   command.option("--level", r->level, "A level, or all: every point once, from the finest");
   CommandOption from = command.option("--from", r->from, "Low corner x,y,z of a closed box");
   CommandOption to = command.option("--to", r->to, "High corner x,y,z of a closed box");

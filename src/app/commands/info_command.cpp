@@ -1,10 +1,12 @@
 // sluice info UDA: what an archive holds, and with --verify whether every byte is as written.
 #include <fmt/format.h>
 
+#include <functional>
 #include <memory>
 #include <set>
 
 #include "app/command/command_line.hpp"
+#include "app/command/extremes_report.hpp"
 #include "app/process/text_sink.hpp"
 #include "framework/archive/archive.hpp"
 #include "framework/archive/samples.hpp"
@@ -29,15 +31,11 @@ std::int64_t bytes_in(const fs::path& folder) {
   return bytes;
 }
 
-void verify_steps(const std::vector<StepEntry>& entries, const fs::path& folder, Verification& v) {
-  for (const StepEntry& e : entries) {
-    try {
-      require_referenced_archive(e, folder);
-      for (std::string& d : ArchiveStep(folder / e.href).verify(v.values))
-        v.damage.push_back(std::move(d));
-    } catch (const Error& error) {
-      v.damage.push_back(error.what());
-    }
+void verify_step(const std::function<ArchiveStep()>& open, Verification& v) {
+  try {
+    for (std::string& d : open().verify(v.values)) v.damage.push_back(std::move(d));
+  } catch (const Error& error) {
+    v.damage.push_back(error.what());
   }
 }
 
@@ -45,18 +43,20 @@ Verification verify(const Archive& archive) {
   Verification v;
   v.done = true;
   v.damage = archive.damage();
-  verify_steps(archive.outputs(), archive.folder(), v);
-  verify_steps(archive.checkpoints(), archive.folder() / "checkpoints", v);
+  for (const StepEntry& e : archive.outputs())
+    verify_step([&] { return archive.read_output(e); }, v);
+  for (const StepEntry& e : archive.checkpoints())
+    verify_step([&] { return archive.read_checkpoint(e); }, v);
   return v;
 }
 
-// The last readable state: its grid and labels stand for the archive's.
 std::vector<FieldInfo> all_fields(const ArchiveStep& step) {
   std::vector<FieldInfo> all = step.fields();
   all.insert(all.end(), step.particle_fields().begin(), step.particle_fields().end());
   return all;
 }
 
+// The last readable state: its grid and labels stand for the archive's.
 std::unique_ptr<ArchiveStep> last_step(const Archive& archive, std::vector<std::string>& damage) {
   for (const bool outputs : {true, false}) {
     const auto& entries = outputs ? archive.outputs() : archive.checkpoints();
@@ -105,6 +105,7 @@ Json triple_json(IntVec3 v) {
 Json to_json(const Archive& archive, const ArchiveStep* step, const Verification& v) {
   Json j;
   j["archive"] = archive.folder().string();
+  j["format"] = archive.format() == ArchiveFormat::raw ? "raw" : "HDF5";
   j["program"] = archive.index().program;
   j["created"] = archive.index().created;
   j["ranks"] = archive.index().ranks;
@@ -144,6 +145,9 @@ Json to_json(const Archive& archive, const ArchiveStep* step, const Verification
   }
   j["verified"] = v.done;
   if (v.done) j["good_values"] = v.values;
+  j["not_read"] = Json::array();
+  for (const VariableEntry& e : archive.index().variables)
+    if (!e.readable) j["not_read"].push_back({{"name", e.name}, {"type", e.type_name}});
   j["damage"] = v.damage;
   return j;
 }
@@ -194,8 +198,9 @@ std::string files_text(const Sample& s) {
 void print_text(const Archive& archive, const ArchiveStep* step, const Verification& v) {
   const ArchiveIndex& index = archive.index();
   fmt::print("archive      {}\n", archive.folder().string());
-  fmt::print("written by   {}, {}, {} rank{}\n", index.program, index.created, index.ranks,
-             index.ranks == 1 ? "" : "s");
+  const bool raw = archive.format() == ArchiveFormat::raw;
+  fmt::print("written by   {}{}, {}, {} rank{}\n", index.program, raw ? ", raw layout" : "",
+             index.created, index.ranks, index.ranks == 1 ? "" : "s");
   fmt::print("size         {}\n", human_bytes(static_cast<double>(bytes_in(archive.folder()))));
   for (const RestartEntry& r : index.restarts)
     fmt::print("restarted    from {} at step {}\n", r.from, r.step);
@@ -212,29 +217,49 @@ void print_text(const Archive& archive, const ArchiveStep* step, const Verificat
           short_text(l.spacing), axes(l.active), axes(l.periodic));
     print_labels(*step);
   }
+  for (const VariableEntry& e : index.variables)
+    if (!e.readable) fmt::print("not read     {}: values of type {}\n", e.name, e.type_name);
   for (const std::string& d : v.damage) fmt::print("DAMAGED      {}\n", d);
   if (v.done)
-    fmt::print("verified     {} values good, {}\n", human_count(v.values),
+    fmt::print("verified     {} values {}, {}\n", human_count(v.values),
+               raw ? "read (raw files have no checksums)" : "good",
                v.damage.empty() ? "nothing damaged" : "damage as listed");
 }
 
-int inform(const std::string& path, bool json, bool all) {
-  const Archive archive = Archive::open(path);
+struct InfoRequest {
+  std::string archive, time;
+  bool json = false, verify = false, checkpoint = false, extremes = false;
+};
+
+int inform(const InfoRequest& r) {
+  const Archive archive = Archive::open(r.archive);
+  const bool all = r.verify;
   Verification v;
   if (all)
     v = verify(archive);
   else
     v.damage = archive.damage();
   std::vector<std::string> unreadable;
-  const std::unique_ptr<ArchiveStep> step = last_step(archive, unreadable);
+  // One that is asked for is read, or refused.
+  const bool asked = r.checkpoint || r.extremes || !r.time.empty();
+  const std::unique_ptr<ArchiveStep> step =
+      asked ? std::make_unique<ArchiveStep>(
+                  archive.read(r.checkpoint ? Stored::checkpoints : Stored::outputs,
+                               r.time.empty() ? "last" : r.time))
+            : last_step(archive, unreadable);
   if (!all) {
     v.damage.insert(v.damage.end(), unreadable.begin(), unreadable.end());
     if (step) v.damage.insert(v.damage.end(), step->damage().begin(), step->damage().end());
   }
-  if (json) {
+  if (r.json) {
+    Json j = to_json(archive, step.get(), v);
+    if (r.extremes) j["state"] = extremes_json(archive, *step);
     TextSink sink("-");
-    sink.write(to_json(archive, step.get(), v).dump(2) + "\n");
+    sink.write(j.dump(2) + "\n");
     sink.close();
+  } else if (r.extremes) {
+    fmt::print("{}", extremes_text(archive, *step));
+    for (const std::string& d : v.damage) fmt::print("DAMAGED      {}\n", d);
   } else {
     print_text(archive, step.get(), v);
   }
@@ -244,15 +269,17 @@ int inform(const std::string& path, bool json, bool all) {
 }  // namespace
 
 void declare_info_command(Command& command) {
-  struct Request {
-    std::string archive;
-    bool json = false, verify = false;
-  };
-  auto r = std::make_shared<Request>();
+  auto r = std::make_shared<InfoRequest>();
   command.option("UDA", r->archive, "The archive").required();
   command.flag("--json", r->json, "As JSON");
   command.flag("--verify", r->verify, "Read everything and check every checksum");
-  command.action([r] { return inform(r->archive, r->json, r->verify); });
+  command.flag("--extremes", r->extremes,
+               "Least and largest value of every label, material and level with their places; "
+               "volume, mass and momentum of each material");
+  command.option("--time", r->time,
+                 "Labels and extremes of this output: last (default), first, a time, #N");
+  command.flag("--checkpoint", r->checkpoint, "Of a checkpoint, not of an output");
+  command.action([r] { return inform(*r); });
 }
 
 }  // namespace sluice

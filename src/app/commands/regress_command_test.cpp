@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "app/command/command_test_support.hpp"
 #include "app/regress/golden.hpp"
@@ -73,6 +75,63 @@ TEST_F(RegressCommand, OneChangedValueOrStepFails) {
   write_golden(changed, golden());
   EXPECT_EQ(regress(), 1);
   EXPECT_THAT(said_, HasSubstr("the golden run has"));
+}
+
+// A golden result of some output on the way says nothing about the end.
+TEST_F(RegressCommand, AGoldenThatIsNotOfTheEndIsInvalid) {
+  ASSERT_EQ(regress({"--bless"}), 0) << said_;
+  Golden early = read_golden(golden());
+  early.steps = 1;
+  early.time *= 0.01;
+  write_golden(early, golden());
+  EXPECT_EQ(regress(), 2);
+  EXPECT_THAT(said_, HasSubstr("is of step 1 at t = 0.002, but the run ended at step"));
+  list(R"("set": ["Grid/Level/Box/resolution=[20,1,1]", "DataArchiver/outputLastTimestep=false",
+          "DataArchiver/outputInterval=9"], "variables": ["rho_CC"])");
+  EXPECT_EQ(regress({"--bless"}), 2);
+  EXPECT_THAT(said_, HasSubstr("the last output is of step 1, but the run ended at step"));
+}
+
+// Of the public suite: its only output is at the end of a run five times as long.
+TEST_F(RegressCommand, TheEndOfAShortenedRunIsCompared) {
+  const char* decks = std::getenv("SLUICE_DECKS");
+  if (decks == nullptr) GTEST_SKIP() << "SLUICE_DECKS names no folder of decks";
+  const auto list = [&](const std::string& more) {
+    std::ofstream(folder_ / "cases.json")
+        << R"({"cases": [{"name": "tube", "deck": ")" << decks << R"(/inputs/ICE/riemann_sm.ups",)"
+        << R"("set": ["Time/maxTime=1e-4")" << more
+        << R"(], "variables": ["press_CC", "rho_CC", "vel_CC", "temp_CC"]}]})";
+  };
+  list("");
+  ASSERT_EQ(regress({"--bless"}), 0) << said_;
+  EXPECT_NEAR(read_golden(golden()).time, 1e-4, 1e-18);
+  EXPECT_EQ(regress(), 0) << said_;
+  for (const char* more : {R"(, "CFD/cfl=0.2")", R"(, "CFD/ICE/advection/@type=FirstOrder")"}) {
+    list(more);
+    EXPECT_EQ(regress(), 1) << more << said_;
+  }
+}
+
+// Both materials, both levels; each change is found.
+TEST_F(RegressCommand, EveryMaterialAndLevelIsCompared) {
+  std::ofstream(folder_ / "cases.json")
+      << "{\"cases\": [{\"name\": \"tube\", \"deck\": \"" << SLUICE_SOURCE_DIR
+      << "/inputs/ice/amr_water_square.ups\", \"set\": [\"Time/max_Timesteps=2\"], "
+         "\"variables\": [\"rho_CC\"]}]}\n";
+  ASSERT_EQ(regress({"--bless"}), 0) << said_;
+  const Golden good = read_golden(golden());
+  std::set<std::string> titles;
+  for (const GoldenTable& table : good.tables) titles.insert(table.title);
+  for (const char* title : {"rho_CC, material 0, level 0", "rho_CC, material 1, level 0",
+                            "rho_CC, material 0, level 1", "rho_CC, material 1, level 1"})
+    EXPECT_EQ(titles.count(title), 1U) << title;
+  for (std::size_t t = 0; t < good.tables.size(); ++t) {
+    Golden changed = good;
+    changed.tables[t].rows[5].values[0] += 1;
+    write_golden(changed, golden());
+    EXPECT_EQ(regress(), 1);
+    EXPECT_THAT(said_, HasSubstr(good.tables[t].title + ": value differs in 1 of"));
+  }
 }
 
 TEST_F(RegressCommand, AChangedDeckFails) {

@@ -10,12 +10,15 @@
 #include "app/command/effect_table.hpp"
 #include "app/command/option_values.hpp"
 #include "app/command/run_ending.hpp"
+#include "app/loading/exact_start.hpp"
+#include "app/loading/last_output.hpp"
 #include "app/loading/scene_loader.hpp"
 #include "app/loading/switched_parts.hpp"
 #include "app/plan/best_settings.hpp"
 #include "app/plan/memory_check.hpp"
 #include "app/process/study_process.hpp"
 #include "app/process/text_sink.hpp"
+#include "framework/archive/archive.hpp"
 #include "framework/base/communicator.hpp"
 #include "framework/base/console.hpp"
 #include "framework/base/json.hpp"
@@ -29,12 +32,13 @@ namespace {
 struct RunRequest {
   RunOptionValues run;
   std::string deck, restart, json, progress = "auto";
-  std::string parent = ".";
+  std::string parent = ".", last_line;
   std::optional<int> step, max_steps;
   std::optional<double> wall_limit;    // seconds
   std::optional<double> target_error;  // relative
   std::string quantity;
-  bool copy = false, costs = false, plot = false, any_memory = false, best_settings = false;
+  bool copy = false, costs = false, plot = false, any_memory = false, best_settings = false,
+       output_at_end = false;
 };
 
 // The deck of the run: as named, or the one that the archive keeps.
@@ -43,11 +47,12 @@ std::string deck_file(const RunRequest& o) {
     if (o.deck.empty()) throw InputError("name a deck, or an archive with --restart");
     return o.deck;
   }
-  if (!o.deck.empty()) return o.deck;
+  if (!o.deck.empty()) return o.deck;  // the run itself looks at the archive
   const std::filesystem::path kept = std::filesystem::path(o.restart) / "input.xml";
   if (!std::filesystem::exists(kept))
     throw InputError(fmt::format("--restart {}: there is no archive ({} does not exist)", o.restart,
                                  kept.string()));
+  require_own_format(Archive::open(o.restart));
   return kept.string();
 }
 
@@ -108,6 +113,9 @@ void tell_end(const RunRequest& o, const RunReport& report, ProgressMode progres
     fmt::print("{}", summary(report));
     if (report.archive && report.status != RunStatus::failed)
       fmt::print("{}", error_lines(*report.archive));
+    if (report.archive)
+      if (const std::string note = last_output_note(*report.archive); !note.empty())
+        fmt::print("{}\n", note);
   }
   if (o.costs)
     fmt::print("{}{}{}", measured_effect_table(report.effects), stages_text(report),
@@ -144,6 +152,12 @@ int run_on(Communicator& ranks, const RunRequest& o) {
   options.restart_step = o.step.value_or(-1);
   options.copy_earlier = o.copy;
   options.block = o.run.block_extents();
+  options.limits.warn = !o.run.quiet;
+  if (o.run.warnings() != Warnings::hidden && loaded->deck.root->find("Meta/exact_solution"))
+    options.look_at_start = [&](Hierarchy& hierarchy, double time) {
+      if (const auto fault = exact_start_fault(*loaded->deck.root, hierarchy, ranks, time))
+        tell_warnings({*fault}, o.run.warnings());
+    };
   // Opened before the run: a path that cannot be written must not cost a run.
   std::optional<TextSink> json;
   if (ranks.is_root() && !o.json.empty()) json.emplace(o.json);
@@ -156,6 +170,8 @@ int run_on(Communicator& ranks, const RunRequest& o) {
     }
     if (!report.message.empty()) fmt::print(stderr, "sluice: error: {}\n", report.message);
     tell_end(o, report, options.progress);
+    if (exit_status_of(report.status) == 0 && !o.last_line.empty())
+      fmt::print("{}\n", o.last_line);
   }
   return exit_status_of(report.status);
 }
@@ -201,9 +217,15 @@ RunRequest with_best_settings(const Communicator& ranks, RunRequest o) {
   return o;
 }
 
+// With --output-at-end: as if the deck said so; the deck that the archive keeps does.
+RunRequest with_output_at_end(RunRequest o) {
+  if (o.output_at_end) o.run.overrides.emplace_back("DataArchiver/outputLastTimestep=true");
+  return o;
+}
+
 // Settings first: the ladder is one of the deck that will run.
 RunRequest with_choices(const Communicator& ranks, const RunRequest& o) {
-  return with_chosen_resolution(ranks, with_best_settings(ranks, o));
+  return with_chosen_resolution(ranks, with_best_settings(ranks, with_output_at_end(o)));
 }
 
 // Several ranks end together, whether well, in a failure that all know of, or in one that a single
@@ -235,6 +257,8 @@ void declare_run_command(Command& command) {
                "With --restart: copy earlier outputs instead of referring to them");
   command.flag("--any-memory", o->any_memory,
                "Start even if the planned memory is more than the available memory");
+  command.flag("--output-at-end", o->output_at_end,
+               "Write an output at the end of the run, whatever the deck's interval");
   command.option("--json", o->json,
                  "Write the report of the run to this file; -: to standard output");
   command.option("--progress", o->progress, "auto, plain or none (warnings and errors only)");
@@ -249,6 +273,8 @@ void declare_run_command(Command& command) {
   add_run_options(command, o->run);
   command.flag("--costs", o->costs,
                "Print the measured share of time of each effect, and messages");
+  command.option("--last-line", o->last_line,
+                 "Print this line at the end of a run that has succeeded, for scripts");
   command.flag("--plot", o->plot, "Draw the last output at the end, with the exact solution");
   command.action([o] { return run(*o); });
 }

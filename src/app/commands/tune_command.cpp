@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iterator>
 #include <memory>
+#include <optional>
 
 #include "app/command/command_line.hpp"
 #include "app/command/option_values.hpp"
@@ -17,6 +18,7 @@
 #include "app/process/text_sink.hpp"
 #include "app/tune/tune_deck.hpp"
 #include "app/tune/tune_report.hpp"
+#include "framework/archive/archive.hpp"
 #include "framework/base/communicator.hpp"
 #include "framework/base/console.hpp"
 #include "framework/base/error.hpp"
@@ -30,14 +32,15 @@ namespace fs = std::filesystem;
 
 struct TuneRequest {
   std::vector<std::string> overrides;
-  std::string deck, json, apply, picture;
-  double budget = 60;  // seconds
-  int steps = 20, systems = 3, threads = 1;
+  std::string deck, json, apply, picture, restart;
+  double budget = 60;                   // seconds
+  std::optional<int> steps, from_step;  // none: as far as the share of the budget goes
+  int systems = 3, threads = 1;
   bool quiet = false;
 };
 
-// Of the budget for the run that makes the systems.
-constexpr double share_of_run = 0.3;
+// Of the budget for the run that makes the systems: the first steps are not like the later ones.
+constexpr double share_of_run = 1.0 / 3;
 // Of the budget for the picture, where one is asked for.
 constexpr double share_of_picture = 0.25;
 constexpr std::size_t max_right_sides = 4;  // of a system
@@ -78,24 +81,18 @@ class ProgressLine {
 void check(const TuneRequest& o) {
   if (!(o.budget > 0))
     throw InputError(fmt::format("--budget is {:g}; it takes seconds greater than 0", o.budget));
-  if (o.steps < 1)
-    throw InputError(fmt::format("--steps is {}; it takes a number of at least 1", o.steps));
+  if (o.steps && *o.steps < 1)
+    throw InputError(fmt::format("--steps is {}; it takes a number of at least 1", *o.steps));
+  if (o.deck.empty() && o.restart.empty())
+    throw InputError("name a deck, or an archive with --restart");
+  if (o.from_step && o.restart.empty())
+    throw InputError("--step names a checkpoint of an archive; give that archive with --restart");
   if (o.systems < 1)
     throw InputError(fmt::format("--systems is {}; it takes a number of at least 1", o.systems));
   if (o.threads < 1) throw InputError("--threads takes a number of at least 1");
   std::error_code none;
   if (!o.apply.empty() && fs::equivalent(o.apply, o.deck, none))
     throw InputError("--apply names the deck itself; the tuned copy needs a name of its own");
-}
-
-// The first system, the last one of so many steps, and others evenly between.
-std::vector<int> wanted_numbers(int steps, int systems) {
-  std::vector<int> numbers;
-  for (int n = 0; n < systems; ++n) {
-    const int number = systems == 1 ? steps : 1 + (steps - 1) * n / (systems - 1);
-    if (numbers.empty() || numbers.back() < number) numbers.push_back(number);
-  }
-  return numbers;
 }
 
 void need_solve(const Deck& deck) {
@@ -107,15 +104,21 @@ void need_solve(const Deck& deck) {
                   deck.file));
 }
 
-// Runs the first steps of the deck; what they solve for is kept.
+// Runs steps of the deck, from its start or from a checkpoint; what they solve for is kept.
 CapturedSystems capture(const LoadedScene& loaded, const TuneRequest& o, TuneReport& report) {
-  solve::SystemCapture captured(wanted_numbers(o.steps, o.systems), max_right_sides);
+  solve::SystemCapture captured(static_cast<std::size_t>(o.systems), max_right_sides);
   RunOptions options;
   options.output = false;
   options.threads = threads_to_use(o.threads);
-  options.limits.max_steps = o.steps;
+  if (!o.restart.empty()) {
+    const Archive earlier = Archive::open(o.restart);
+    options.restart = earlier.folder();
+    options.restart_step = earlier.select_checkpoint(o.from_step.value_or(-1)).step;
+    report.first_step = options.restart_step;
+  }
+  if (o.steps) options.limits.max_steps = report.first_step + *o.steps;
   options.limits.wall_seconds = share_of_run * o.budget;
-  options.limits.tell = false;
+  options.limits.tell = options.limits.warn = false;
   options.progress = ProgressMode::none;
   const double before = processor_seconds();
   Simulation simulation(loaded.scene, *loaded.component, world(), options);
@@ -125,7 +128,7 @@ CapturedSystems capture(const LoadedScene& loaded, const TuneRequest& o, TuneRep
   if (systems.empty())
     throw PhysicsError(
         run.message.empty()
-            ? "the first steps of the deck solve no linear system with a nonzero right-hand side"
+            ? "these steps of the deck solve no linear system with a nonzero right-hand side"
             : run.message);
   if (run.status == RunStatus::failed && !o.quiet)
     fmt::print(stderr, "sluice: warning: the run ended: {}\n", run.message);
@@ -171,8 +174,9 @@ void draw(const TuneRequest& o, const TuneReport& report) try {
   fmt::print(stderr, "sluice: warning: no picture: {}\n", missing.what());
 }
 
-int tune(const TuneRequest& o) {
+int tune(TuneRequest o) {
   check(o);
+  if (o.deck.empty()) o.deck = (fs::path(o.restart) / "input.xml").string();
   if (world().size() > 1) throw InputError("sluice tune runs on one rank; start it without mpirun");
   const auto loaded =
       load_scene(o.deck, o.overrides, {}, o.quiet ? Warnings::hidden : Warnings::shown);
@@ -187,7 +191,8 @@ int tune(const TuneRequest& o) {
   report.deck = loaded->deck.file;
   report.title = loaded->scene.title;
   report.budget = o.budget;
-  line.show(fmt::format("running {} steps of the deck, at most {}", o.steps,
+  line.show(fmt::format("running {}steps of the deck, at most {}",
+                        o.steps ? fmt::format("{} ", *o.steps) : "",
                         human_duration(share_of_run * o.budget)));
   const CapturedSystems systems = capture(*loaded, o, report);
   const double for_search = o.picture.empty() ? o.budget : (1 - share_of_picture) * o.budget;
@@ -221,12 +226,17 @@ int tune(const TuneRequest& o) {
 
 void declare_tune_command(Command& command) {
   auto o = std::make_shared<TuneRequest>();
-  command.option("DECK", o->deck, "Deck (.ups) with <ImplicitSolver>").required();
+  command.option("DECK", o->deck,
+                 "Deck (.ups) with <ImplicitSolver>; with --restart: the archive's own by default");
   command.option("--budget", o->budget, "Seconds for the search (60)");
-  command.option("--steps", o->steps, "Time steps to run while linear systems are collected (20)");
-  command.option(
-      "--systems", o->systems,
-      "Linear systems to keep: the first, the last, and others evenly spaced between them (3)");
+  command.option("--steps", o->steps,
+                 "Time steps to run while linear systems are collected (as many as a third of the "
+                 "budget allows)");
+  command.option("--restart", o->restart,
+                 "Take the systems of the steps after the last checkpoint of this archive");
+  command.option("--step", o->from_step, "With --restart: after the checkpoint of this step");
+  command.option("--systems", o->systems,
+                 "Linear systems to keep, evenly spaced over these steps, the last among them (3)");
   command.option("--apply", o->apply,
                  "Write a copy of the deck with the best solver; all other bytes are unchanged");
   command.option("--picture", o->picture,

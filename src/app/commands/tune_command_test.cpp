@@ -108,6 +108,49 @@ TEST_F(TuneCommand, JsonAloneOnStandardOutput) {
   EXPECT_EQ(told.at("solvers").at(0).at("state"), "ranked");
 }
 
+// The first step of this deck is tiny, so that its solves are nearly done before they begin.
+TEST_F(TuneCommand, SaysWhereSolvesAreTooEasy) {
+  const std::vector<std::string> words = {
+      "tune",  ours("implicit_cavity"), "--steps", "2", "--budget", "20",
+      "--set", "Time/delt_init=1e-7",   "--json",  "-"};
+  ASSERT_EQ(sluice(words), 0) << said_;
+  EXPECT_TRUE(json::parse(said_).at("two_iterations_or_fewer").get<bool>());
+  ASSERT_EQ(sluice({words.begin(), words.end() - 2}), 0) << said_;
+  EXPECT_THAT(said_, HasSubstr("two iterations or fewer"));
+}
+
+// Without --steps as many as a third of the budget allows, or as the deck has.
+TEST_F(TuneCommand, SamplesOverTheWholeRun) {
+  ASSERT_EQ(sluice({"tune", ours("implicit_natural_convection"), "--set", "Time/max_Timesteps=40",
+                    "--budget", "20", "--json", "-"}),
+            0)
+      << said_;
+  const json told = json::parse(said_);
+  EXPECT_EQ(told.at("steps"), 40);
+  ASSERT_EQ(told.at("systems").size(), 3U);
+  EXPECT_NEAR(told.at("systems")[0].at("number").get<double>(), 40 / 3.0, 5);
+  EXPECT_NEAR(told.at("systems")[1].at("number").get<double>(), 80 / 3.0, 5);
+  EXPECT_EQ(told.at("systems")[2].at("number"), 40);
+}
+
+TEST_F(TuneCommand, GoesOnFromACheckpoint) {
+  const std::string archive = run(ours("implicit_natural_convection"), "early");
+  ASSERT_EQ(sluice({"tune", "--restart", archive, "--steps", "3", "--systems", "2", "--budget",
+                    "20", "--quiet", "--json", "-"}),
+            0)
+      << said_;
+  const json told = json::parse(said_);
+  EXPECT_EQ(told.at("first_step"), 8);
+  EXPECT_EQ(told.at("steps"), 3);
+  EXPECT_EQ(told.at("systems").back().at("number"), 3);
+  ASSERT_EQ(sluice({"tune", "--restart", archive, "--steps", "1", "--budget", "20"}), 0) << said_;
+  EXPECT_THAT(said_, HasSubstr("of the first 1 step after step 8"));
+  EXPECT_EQ(sluice({"tune", "--restart", archive, "--step", "7"}), 2);
+  EXPECT_THAT(said_, HasSubstr("has no checkpoint of step 7"));
+  EXPECT_EQ(sluice({"tune"}), 2);
+  EXPECT_EQ(sluice({"tune", ours("implicit_cavity"), "--step", "7"}), 2);
+}
+
 TEST_F(TuneCommand, LevelsAreTunedToo) {
   ASSERT_EQ(sluice({"tune", ours("amr_implicit_blob"), "--steps", "2", "--budget", "20"}), 0)
       << said_;

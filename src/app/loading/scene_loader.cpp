@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "app/loading/components.hpp"
+#include "app/loading/exact_start.hpp"
 #include "app/loading/sluice_schema.hpp"
 #include "app/loading/switched_parts.hpp"
 #include "framework/base/communicator.hpp"
@@ -118,11 +119,26 @@ void make_ready(const Scene& scene, const Component& component, std::vector<Faul
   sort_saves(scene.output, hierarchy, analysis.field_labels());
 }
 
+// With the levels that a run of it would begin with.
+void compare_start(const Deck& deck, const Scene& scene, const Component& component,
+                   std::vector<Fault>& faults) {
+  if (deck.root->find("Meta/exact_solution") == nullptr) return;
+  Hierarchy hierarchy(scene, component, world(), {});
+  hierarchy.initialise();
+  if (const auto fault = exact_start_fault(*deck.root, hierarchy, world(), scene.time.initial_time))
+    faults.push_back(*fault);
+}
+
 }  // namespace
 
 void refuse_warnings(std::vector<Fault>& faults) {
   for (Fault& f : faults)
     if (f.severity == Severity::warning) f.severity = Severity::error;
+}
+
+void tell_warnings(std::vector<Fault> faults, Warnings warnings) {
+  tell(faults, warnings);
+  if (const std::string errors = errors_of(faults); !errors.empty()) throw InputError(errors);
 }
 
 std::vector<Fault> scene_faults(const Deck& deck) {
@@ -132,6 +148,7 @@ std::vector<Fault> scene_faults(const Deck& deck) {
     read_run(deck, {}, run, faults);
     if (any_error(faults) || run.scene.grid.cell_count() > max_cells_to_make) return faults;
     make_ready(run.scene, *run.component, faults);
+    if (!any_error(faults)) compare_start(deck, run.scene, *run.component, faults);
     for (const auto& later : run.later) make_ready(later->scene, *later->component, faults);
   } catch (const DeckError& e) {
     faults.push_back(e.fault());

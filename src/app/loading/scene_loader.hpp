@@ -34,6 +34,10 @@ std::vector<Fault> scene_faults(const Deck& deck);
 enum class Warnings { shown, hidden, refused };
 void refuse_warnings(std::vector<Fault>& faults);
 
+// Prints these warnings as loading does: on rank 0, unless they are hidden; InputError where they
+// are refused. Collective.
+void tell_warnings(std::vector<Fault> faults, Warnings warnings);
+
 // Prints warnings (on rank 0) and throws InputError listing all errors, one a line, when the deck
 // is not good.
 std::unique_ptr<LoadedScene> load_scene(const std::string& file,

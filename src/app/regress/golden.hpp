@@ -38,18 +38,23 @@ struct GoldenTable {
 
 struct Golden {
   int steps = 0;
-  double time = 0;
+  double time = 0;     // s
+  double last_dt = 0;  // s, of the last step; not kept in files
   std::vector<GoldenTable> tables;
 };
 
-// The last output. Particles are in the order of their ids. InputError when the archive lacks a
-// variable.
+// The last output, of every material and level that a variable has. Particles are in the order of
+// their ids. InputError when the archive lacks a variable.
 Golden golden_of(const Archive& archive, const std::vector<std::string>& variables);
 
 // InputError with file and line when it is not such a file.
 Golden read_golden(const std::filesystem::path& file);
 // SystemError when it cannot be written.
 void write_golden(const Golden& golden, const std::filesystem::path& file);
+
+// Whether both are of the end of a run: at one step, or at times that are less than a step apart.
+// Otherwise one is of some output on the way, and nothing is said by a comparison.
+bool of_one_end(const Golden& golden, const Golden& now);
 
 // What differs, in one sentence; empty when nothing does.
 std::string golden_difference(const Golden& golden, const Golden& now, double tolerance);

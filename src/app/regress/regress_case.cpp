@@ -3,13 +3,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <fstream>
 #include <set>
 
+#include "app/loading/last_output.hpp"
 #include "app/process/study_process.hpp"
+#include "app/regress/gold_checks.hpp"
 #include "app/regress/golden.hpp"
-#include "framework/archive/compare.hpp"
+#include "app/regress/regress_keys.hpp"
+#include "framework/archive/compare/compare.hpp"
 #include "framework/base/error.hpp"
 #include "framework/base/json.hpp"
 
@@ -24,44 +28,32 @@ namespace fs = std::filesystem;
 
 RegressCase read_case(const fs::path& file, const Json& json, std::size_t number) {
   std::string where = fmt::format("case {}", number + 1);
-  if (!json.is_object()) refuse(file, where, "not an object");
-  static const std::set<std::string> known = {"name",      "deck",    "set",   "variables",
-                                              "tolerance", "restart", "boxes", "ranks"};
-  for (const auto& [key, value] : json.members())
-    if (known.count(key) == 0)
-      refuse(file, where,
-             fmt::format("unknown entry '{}' (known: {})", key, fmt::join(known, ", ")));
   RegressCase c;
   try {
-    c.name = json.at("name").get<std::string>();
-    where = "case '" + c.name + "'";
+    if (json.is_object() && json.contains("name")) {
+      c.name = json.at("name").get<std::string>();
+      where = "case '" + c.name + "'";
+    }
+    read_regress_keys(json, KeyPlace::list, c);
     c.deck = (file.parent_path() / json.at("deck").get<std::string>()).lexically_normal();
-    c.variables = json.at("variables").get<std::vector<std::string>>();
-    c.overrides = json.value("set", std::vector<std::string>{});
-    c.tolerance = json.value("tolerance", c.tolerance);
-    c.restart = json.value("restart", 0);
-    c.ranks = json.value("ranks", 0);
-    c.boxes = json.value("boxes", std::string());
+  } catch (const InputError& fault) {
+    refuse(file, where, fault.what());
   } catch (const JsonError& problem) {
     refuse(file, where, problem.what());
   }
   if (c.name.empty() || c.name.find('/') != c.name.npos)
     refuse(file, where, "the name cannot be used as a file name");
   if (c.variables.empty()) refuse(file, where, "no variables to compare");
-  if (!(c.tolerance >= 0)) refuse(file, where, "tolerance must be at least 0");
-  if (c.restart != 0 && c.restart < 3)
-    refuse(file, where, "restart must be the number of a step, at least 3");
-  if (c.ranks < 0) refuse(file, where, "ranks must be at least 0");
-  if (c.ranks > 0 && c.boxes.empty())
-    refuse(file, where, "ranks needs boxes, at least as many as there are ranks");
   if (!fs::exists(c.deck)) refuse(file, where, "there is no deck " + c.deck.string());
   c.golden = file.parent_path() / (c.name + ".csv");
   return c;
 }
 
-// Empty when all outputs of both archives hold the same bits.
-std::string difference(const Archive& a, const Archive& b) {
-  const CompareResult result = compare(a, b, {});
+// Empty when all outputs of both archives hold the same bits; or those of times that both have.
+std::string difference(const Archive& a, const Archive& b, bool common_times = false) {
+  CompareOptions options;
+  options.common_times = common_times;
+  const CompareResult result = compare(a, b, options);
   if (!result.not_comparable.empty()) return result.not_comparable.front();
   if (const auto largest = result.largest())
     return fmt::format("{} of {} values; the largest: {}", result.differing, result.values,
@@ -85,14 +77,19 @@ const char* to_string(CaseVerdict v) {
       return "blessed";
     case CaseVerdict::skipped:
       return "-";
+    case CaseVerdict::invalid:
+      return "INVALID";
   }
   return "";
 }
 
-bool RegressResult::good() const {
+int RegressResult::status() const {
+  int status = 0;
   for (const RegressCheck& c : checks)
-    if (c.verdict == CaseVerdict::different) return false;
-  return true;
+    status = std::max(status, c.verdict == CaseVerdict::invalid     ? 2
+                              : c.verdict == CaseVerdict::different ? 1
+                                                                    : 0);
+  return status;
 }
 
 std::vector<RegressCase> read_regress_cases(const fs::path& file) {
@@ -167,7 +164,13 @@ RegressRunner::Run RegressRunner::run_with(const fs::path& program, const Regres
 RegressCheck RegressRunner::check_golden(const RegressCase& c, const Run& plain) const {
   Golden now;
   try {
-    now = golden_of(Archive::open(plain.archive), c.variables);
+    const Archive archive = Archive::open(plain.archive);
+    now = golden_of(archive, c.variables);
+    if (const auto end = run_end(archive); end && end->step != now.steps)
+      return {"golden", CaseVerdict::invalid,
+              fmt::format("the last output is of step {}, but the run ended at step {}: its end is "
+                          "not saved, so that it cannot be compared",
+                          now.steps, end->step)};
   } catch (const InputError& problem) {
     return {"golden", CaseVerdict::different, problem.what()};  // other cases go on
   }
@@ -179,7 +182,14 @@ RegressCheck RegressRunner::check_golden(const RegressCase& c, const Run& plain)
     return {"golden", CaseVerdict::different,
             fmt::format("{} does not exist; sluice regress {} --bless writes it", c.golden.string(),
                         c.name)};
-  return judged("golden", golden_difference(read_golden(c.golden), now, c.tolerance));
+  const Golden golden = read_golden(c.golden);
+  if (!of_one_end(golden, now))
+    return {
+        "golden", CaseVerdict::invalid,
+        fmt::format("{} is of step {} at t = {:g}, but the run ended at step {} at t = {:g}: it "
+                    "is no result of this end; sluice regress {} --bless writes one",
+                    c.golden.string(), golden.steps, golden.time, now.steps, now.time, c.name)};
+  return judged("golden", golden_difference(golden, now, c.tolerance));
 }
 
 RegressCheck RegressRunner::check_restart(const RegressCase& c, const Run& plain) const {
@@ -215,16 +225,48 @@ RegressCheck RegressRunner::check_against(const RegressCase& c, const Run& plain
   return judged("against", difference(Archive::open(plain.archive), Archive::open(other.archive)));
 }
 
+// With the checkpoint that --max-steps writes, whatever checkpoints the deck has.
+RegressCheck RegressRunner::check_restart_in_the_middle(const RegressCase& c,
+                                                        const Run& plain) const {
+  const Archive whole = Archive::open(plain.archive);
+  const auto end = run_end(whole);
+  const int steps = end ? end->step : 0, middle = c.restart > 0 ? c.restart : steps / 2;
+  if (!c.restart_in_the_middle && c.restart == 0) return {"restart", CaseVerdict::skipped, ""};
+  if (middle < 1 || middle >= steps)
+    return {"restart", CaseVerdict::skipped,
+            fmt::format("a run of {} steps has no middle to restart from", steps)};
+  const Run stopped =
+      run_deck(c, "stopped", {"--max-steps", std::to_string(middle)}, std::max(c.ranks, 1));
+  if (!stopped.problem.empty()) return judged("restart", stopped.problem);
+  const Run resumed =
+      run_deck(c, "resumed", {"--restart", stopped.archive.string()}, std::max(c.ranks, 1));
+  if (!resumed.problem.empty()) return judged("restart", resumed.problem);
+  // The stopped half ends with an output of its own.
+  return judged("restart", difference(whole, Archive::open(resumed.archive), true));
+}
+
+// What lies beside the deck, or becomes it.
+std::vector<RegressCheck> RegressRunner::check_gold(const RegressCase& c, const Run& plain) const {
+  if (bless) return {bless_gold(c, plain.archive)};
+  return gold_checks(c, plain.archive);
+}
+
 RegressResult RegressRunner::run(const RegressCase& c) const {
   const auto start = std::chrono::steady_clock::now();
   RegressResult result;
   result.name = c.name;
-  const Run plain = run_deck(c, "plain", {}, 1);
-  if (plain.problem.empty())
+  const Run plain = run_deck(c, "plain", {}, c.of_folder ? std::max(c.ranks, 1) : 1);
+  if (plain.problem.empty() && c.of_folder) {
+    result.checks = check_gold(c, plain);
+    if (!c.variables.empty()) result.checks.push_back(check_golden(c, plain));
+    result.checks.push_back(check_restart_in_the_middle(c, plain));
+    result.checks.push_back(check_split(c, plain, 1));
+    result.checks.push_back(check_against(c, plain));
+  } else if (plain.problem.empty())
     result.checks = {check_golden(c, plain), check_restart(c, plain), check_split(c, plain, 1),
                      check_split(c, plain, c.ranks), check_against(c, plain)};
   else
-    result.checks = {judged("golden", plain.problem)};
+    result.checks = {judged(c.of_folder ? "run" : "golden", plain.problem)};
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;
 }

@@ -6,30 +6,11 @@
 #include <optional>
 
 #include "framework/archive/archive.hpp"
+#include "framework/archive/field_extremes.hpp"
 #include "framework/base/error.hpp"
 
 namespace sluice {
 namespace {
-
-class Search {
- public:
-  // place(): text, made for new extremes alone.
-  template <class Place>
-  void add(double value, Place&& place) {
-    if (found_ && std::isnan(extremes_.least.value)) return;
-    const bool bad = std::isnan(value);
-    if (!found_ || bad || value < extremes_.least.value) extremes_.least = {value, place()};
-    if (!found_ || bad || value > extremes_.most.value) extremes_.most = {value, place()};
-    found_ = true;
-  }
-  std::optional<Extremes> extremes() const {
-    return found_ ? std::optional(extremes_) : std::nullopt;
-  }
-
- private:
-  Extremes extremes_;
-  bool found_ = false;
-};
 
 void require_component(const FieldInfo& field, const LabelRequest& label) {
   if (label.component < field.components()) return;
@@ -37,36 +18,39 @@ void require_component(const FieldInfo& field, const LabelRequest& label) {
                                field.components(), label.component));
 }
 
+// Adds a level; a value that is not a number is both extremes from there on.
+void merge(std::optional<Extremes>& found, const FieldExtremes& of_level, const StepInfo& info) {
+  const auto placed = [&](const ValuePlace& v) {
+    return PlacedValue{v.value, fmt::format("step {}, t = {:g}, level {}, {}", info.step, info.time,
+                                            of_level.field.level, place_text(of_level.field, v))};
+  };
+  if (found && std::isnan(found->least.value)) return;
+  if (of_level.first_nan) {
+    found = {placed(*of_level.first_nan), placed(*of_level.first_nan)};
+    return;
+  }
+  if (!of_level.least) return;
+  if (!found) found = {placed(*of_level.least), placed(*of_level.most)};
+  if (of_level.least->value < found->least.value) found->least = placed(*of_level.least);
+  if (of_level.most->value > found->most.value) found->most = placed(*of_level.most);
+}
+
 std::optional<Extremes> extremes_of_step(const ArchiveStep& step, const LabelRequest& label) {
-  Search search;
+  std::optional<Extremes> found;
   bool saved = false;
   for (int level = 0; level < static_cast<int>(step.grid().levels.size()); ++level) {
-    const std::string when =
-        fmt::format("step {}, t = {:g}, level {}", step.info().step, step.info().time, level);
-    if (const FieldInfo* field = step.find(label.name, label.material, level)) {
-      require_component(*field, label);
-      saved = true;
-      const DenseField values = step.read(*field);
-      for_each_cell(values.cells, [&](IntVec3 c) {
-        if (values.has(c))
-          search.add(values.at(c, label.component),
-                     [&] { return fmt::format("{}, cell [{}, {}, {}]", when, c.x, c.y, c.z); });
-      });
-    } else if (const FieldInfo* particles =
-                   step.find_particles(label.name, label.material, level)) {
-      require_component(*particles, label);
-      saved = true;
-      const auto values = step.read_particles(*particles);
-      for (std::size_t p = 0; p < values[0].size(); ++p)
-        search.add(values[static_cast<std::size_t>(label.component)][p],
-                   [&] { return fmt::format("{}, particle {}", when, p); });
-    }
+    const FieldInfo* field = step.find(label.name, label.material, level);
+    if (field == nullptr) field = step.find_particles(label.name, label.material, level);
+    if (field == nullptr) continue;
+    require_component(*field, label);
+    saved = true;
+    merge(found, extremes_of(step, *field, label.component), step.info());
   }
   if (!saved)
     throw InputError(
         fmt::format("{}: there is no '{}' of material {}; save it with <save label=\"{}\"/>",
                     step.folder().string(), label.name, label.material, label.name));
-  return search.extremes();
+  return found;
 }
 
 }  // namespace

@@ -177,6 +177,17 @@ double TuneReport::gain() const {
   return own_result().seconds() / best()->seconds();
 }
 
+bool TuneReport::easy() const {
+  const TunedSolver* solver = own_result().state == TuneState::ranked ? &own_result() : best();
+  if (solver == nullptr || solver->trials.empty()) return false;
+  constexpr std::size_t few = 2;
+  for (std::size_t n = 0; n < solver->trials.size(); ++n)  // the last system is first
+    if (static_cast<std::size_t>(solver->trials[n].iterations) >
+        few * right_sides[right_sides.size() - 1 - n])
+      return false;
+  return true;
+}
+
 bool TuneReport::worth_it() const {
   return best() != nullptr && (gain() == 0 || gain() > worth_a_change);
 }
@@ -184,15 +195,22 @@ bool TuneReport::worth_it() const {
 std::string tune_text(const TuneReport& r) {
   std::string text = fmt::format("{}{}\n", r.deck, r.title.empty() ? "" : ": " + r.title);
   text += fmt::format(
-      "{} unknowns on {} level{}; system{} {} of the first {} step{}; residual ({}) {}\n\n",
+      "{} unknowns on {} level{}; system{} {} of the first {} step{}{}; residual ({}) {}\n\n",
       human_count(r.unknowns), r.levels, r.levels == 1 ? "" : "s", r.numbers.size() == 1 ? "" : "s",
-      numbers_text(r), r.steps, r.steps == 1 ? "" : "s", norm_name(r.own.norm), goal_text(r.own));
+      numbers_text(r), r.steps, r.steps == 1 ? "" : "s",
+      r.first_step > 0 ? fmt::format(" after step {}", r.first_step) : "", norm_name(r.own.norm),
+      goal_text(r.own));
   text += table_of(r);
   text += fmt::format(
       "  * the deck's own solver. Processor time of set-up and all solves of a system, median over "
       "{} system{}; {} of the budget of {} spent\n\n",
       r.ranked_by, r.ranked_by == 1 ? "" : "s", human_duration(r.seconds),
       human_duration(r.budget));
+  if (r.easy())
+    text +=
+        "note: each of these solves takes two iterations or fewer, so that they say little about "
+        "later, harder ones: take systems from later steps, with a larger --budget, or with "
+        "--restart from a checkpoint of a run\n\n";
   text += verdict(r);
   if (r.worth_it()) text += solver_xml(r.best()->settings);
   return text;
@@ -209,6 +227,8 @@ std::string tune_json(const TuneReport& r) {
                      {"unknowns", r.unknowns},
                      {"levels", r.levels},
                      {"steps", r.steps},
+                     {"first_step", r.first_step},
+                     {"two_iterations_or_fewer", r.easy()},
                      {"step_seconds", r.step_seconds},
                      {"systems", systems},
                      {"ranked_by_systems", r.ranked_by},

@@ -10,7 +10,8 @@ namespace sluice {
 struct TuneReport {
   std::string deck, title;
   solve::SolverSettings own;             // the deck's
-  int steps = 0;                         // of the run that made the systems
+  int first_step = 0;                    // after which the run that made the systems began
+  int steps = 0;                         // of that run
   double step_seconds = 0;               // of one, with the deck's own solver; 0: not known
   std::vector<int> numbers;              // of the systems kept, in the order of the run
   std::vector<std::size_t> right_sides;  // of each
@@ -27,6 +28,8 @@ struct TuneReport {
   const TunedSolver* best() const;
   // Ratio of the time of the deck's own to that of the best, at least 1; 0 where either has failed.
   double gain() const;
+  // Two iterations or fewer per solve, on every system: later ones may be others.
+  bool easy() const;
   // Is the best worth a change of the deck: faster by more than 5 %, or the deck's own fails.
   bool worth_it() const;
 };

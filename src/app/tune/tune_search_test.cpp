@@ -13,9 +13,7 @@ using solve::Norm;
 using solve::SolverSettings;
 
 CapturedSystems systems_of(int count) {
-  std::vector<int> all;
-  for (int n = 1; n <= count; ++n) all.push_back(n);
-  solve::SystemCapture capture(all, 4);
+  solve::SystemCapture capture(static_cast<std::size_t>(count), 4);
   const auto level = solve::level_of({12, 12, 1});
   for (int n = 1; n <= count; ++n) {
     const auto solver = solve::make_linear_solver({});

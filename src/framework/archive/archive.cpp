@@ -5,14 +5,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
+
+#include "framework/archive/posix_file.hpp"
+#include "framework/archive/raw_record.hpp"
 
 namespace sluice {
 namespace fs = std::filesystem;
 namespace {
 
-const StepEntry& nearest(const std::vector<StepEntry>& steps, double time, const fs::path& folder) {
+const char* name_of(Stored kind) {
+  return kind == Stored::outputs ? "output" : "checkpoint";
+}
+
+const StepEntry& nearest(const std::vector<StepEntry>& steps, double time, const fs::path& folder,
+                         const char* kind) {
   auto best = std::min_element(steps.begin(), steps.end(), [&](const auto& a, const auto& b) {
     return std::abs(a.time - time) < std::abs(b.time - time);
   });
@@ -27,26 +33,16 @@ const StepEntry& nearest(const std::vector<StepEntry>& steps, double time, const
   const double round_off = 1e-12 * std::max(std::abs(time), std::abs(best->time));
   if (std::abs(best->time - time) <= std::max(interval / 2, round_off)) return *best;
   throw InputError(fmt::format(
-      "{} has no output near time {:.17g}: the nearest is at {:.17g}, outputs go from {:.17g} to "
-      "{:.17g}; see sluice info",
-      folder.string(), time, best->time, steps.front().time, steps.back().time));
+      "{} has no {} near time {:.17g}: the nearest is at {:.17g}, {}s go from {:.17g} to {:.17g}; "
+      "see sluice info",
+      folder.string(), kind, time, best->time, kind, steps.front().time, steps.back().time));
 }
 
-// Uintah's own archives have an index of the same name without a checksum, which must not be taken
-// for damage. An index of ours says HDF5, also when it is damaged elsewhere.
-void refuse_raw_layout(const fs::path& index, const fs::path& archive) {
-  std::ifstream in(index);
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
-  const bool of_archive = text.find("<Uintah_DataArchive") != std::string::npos;
-  const bool ours = text.find("crc32c") != std::string::npos;
-  const std::size_t format = text.find("<outputFormat>");
-  const bool raw = format == std::string::npos || text.compare(format + 14, 4, "UDA<") == 0;
-  if (!of_archive || ours || !raw) return;
-  throw InputError(
-      fmt::format("{} is an archive in Uintah's raw binary layout; reading it is not supported yet "
-                  "(archives that "
-                  "sluice writes are read)",
-                  archive.string()));
+// Raw archives have an index of the same name, whose missing checksum is no damage.
+ArchiveIndex read_any_index(const fs::path& path) {
+  const std::string text = read_text(path);
+  if (is_raw_index(text)) return parse_raw_index(parse_xml(text, path.string()), path.string());
+  return parse_index(read_sealed(path), path.string());
 }
 
 }  // namespace
@@ -60,12 +56,11 @@ Archive Archive::open(const fs::path& path) {
   const fs::path index = archive.folder_ / "index.xml";
   if (!fs::exists(index, error))
     throw InputError(fmt::format("{} is not an archive: it has no index.xml", path.string()));
-  refuse_raw_layout(index, path);
-  archive.index_ = parse_index(read_sealed(index), index.string());
+  archive.index_ = read_any_index(index);
   const fs::path checkpoints = archive.folder_ / "checkpoints" / "index.xml";
   if (fs::exists(checkpoints, error)) {
     try {
-      archive.checkpoint_index_ = parse_index(read_sealed(checkpoints), checkpoints.string());
+      archive.checkpoint_index_ = read_any_index(checkpoints);
     } catch (const Error& e) {
       archive.damage_.push_back(e.what());
     }
@@ -73,8 +68,9 @@ Archive Archive::open(const fs::path& path) {
   return archive;
 }
 
-const StepEntry& Archive::select_output(std::string_view text) const {
-  const std::vector<StepEntry>& steps = index_.steps;
+const StepEntry& Archive::select(Stored kind, std::string_view text) const {
+  if (kind == Stored::checkpoints) select_checkpoint();  // tells when there is none
+  const std::vector<StepEntry>& steps = kind == Stored::outputs ? outputs() : checkpoints();
   if (steps.empty()) throw InputError(folder_.string() + " has no output yet");
   if (text == "last") return steps.back();
   if (text == "first") return steps.front();
@@ -82,16 +78,16 @@ const StepEntry& Archive::select_output(std::string_view text) const {
     if (text.starts_with('#')) {
       const int n = parse_int(text.substr(1), "--time");
       if (n >= 0 && static_cast<std::size_t>(n) < steps.size()) return steps[n];
-      throw InputError(fmt::format("{} has no output {}: there are #0 to #{}", folder_.string(),
-                                   text, steps.size() - 1));
+      throw InputError(fmt::format("{} has no {} {}: there are #0 to #{}", folder_.string(),
+                                   name_of(kind), text, steps.size() - 1));
     }
     const double time = parse_real(text, "--time");
-    if (std::isfinite(time)) return nearest(steps, time, folder_);
+    if (std::isfinite(time)) return nearest(steps, time, folder_, name_of(kind));
   } catch (const DamageError&) {
     // Not a number: said below.
   }
-  throw InputError(
-      fmt::format("--time {}: expected last, first, a time, or #N for the N-th output", text));
+  throw InputError(fmt::format("--time {}: expected last, first, a time, or #N for the N-th {}",
+                               text, name_of(kind)));
 }
 
 const StepEntry& Archive::select_checkpoint(int step) const {
@@ -108,6 +104,14 @@ const StepEntry& Archive::select_checkpoint(int step) const {
   }
   throw InputError(
       fmt::format("{} has no checkpoint of step {}; it has{}", folder_.string(), step, have));
+}
+
+void require_own_format(const Archive& archive) {
+  if (archive.format() == ArchiveFormat::hdf5) return;
+  throw InputError(fmt::format(
+      "{} is an archive in Uintah's raw binary layout: Sluice reads it (info, extract, plot, "
+      "compare, norms, export), but does not continue its run\n  run its deck from the start: {}",
+      archive.folder().string(), (archive.folder() / "input.xml.orig").string()));
 }
 
 }  // namespace sluice

@@ -8,6 +8,7 @@
 #include <sys/wait.h>
 
 #include <cstdlib>
+#include <functional>
 
 #include <random>
 #include <set>
@@ -34,6 +35,9 @@ class TinyDisk {
     if (mounted_) ::umount2(place_.c_str(), MNT_DETACH);
   }
   bool mounted() const { return mounted_; }
+  void grow() const {
+    EXPECT_EQ(::mount(nullptr, place_.c_str(), nullptr, MS_REMOUNT, "size=4m"), 0);
+  }
 
  private:
   fs::path place_;
@@ -84,8 +88,7 @@ TEST(ArchiveFailure, ADiskThatIsFullLeavesTheArchiveGood) {
     EXPECT_FALSE(fs::exists(writer.folder() / (step_folder_name(step + 1) + ".partial")));
     EXPECT_FALSE(fs::exists(writer.folder() / step_folder_name(step + 1)));
     // With room again the run could go on.
-    if (step == 0) continue;
-    fs::remove_all(writer.folder() / step_folder_name(1));
+    disk.grow();
     EXPECT_NO_THROW(write_one(writer, step + 1, grid, fields)) << kib;
   }
 }
@@ -201,6 +204,59 @@ TEST(ArchiveFailure, FolderThatCannotBeWritten) {
     GTEST_SKIP() << "mounting a memory disk is not permitted here";
   EXPECT_THAT(message_of(folder.path() / "ro"), HasSubstr("Read-only file system"));
   EXPECT_THAT(message_of(folder.path() / "ro"), HasSubstr("-o DIR"));
+}
+
+// A run that writes steps 1 and 2 and a checkpoint; then `lose` takes something away.
+std::string message_when_gone(const std::function<void(const fs::path& archive)>& lose,
+                              const std::function<void(ArchiveWriter&)>& go_on) {
+  const TemporaryFolder folder;
+  const Grid grid = make_grid({6, 4, 2}, {2, 1, 1});
+  Fields fields;
+  fields.add(grid.levels[0], real_label("press_CC"), 0, wavy);
+  ArchiveSetup setup = setup_in(folder.path());
+  setup.other_decks["input_1.xml"] = "<Uintah_specification/>\n";
+  ArchiveWriter writer = ArchiveWriter::create(setup);
+  for (int step = 1; step <= 2; ++step) write_one(writer, step, grid, fields);
+  writer.write_checkpoint({2, 0.2, 0.1, 0.1, {}}, grid, fields.pieces());
+  lose(writer.folder());
+  try {
+    go_on(writer);
+  } catch (const SystemError& e) {
+    return e.what();
+  }
+  return "no error";
+}
+
+TEST(ArchiveFailure, WhatIsGoneIsNamedAtTheNextStep) {
+  const Grid grid = make_grid({6, 4, 2}, {2, 1, 1});
+  Fields fields;
+  fields.add(grid.levels[0], real_label("press_CC"), 0, wavy);
+  const auto output = [&](ArchiveWriter& w) { write_one(w, 3, grid, fields); };
+  const auto checkpoint = [&](ArchiveWriter& w) {
+    w.write_checkpoint({3, 0.3, 0.1, 0.1, {}}, grid, fields.pieces());
+  };
+  const auto end = [](ArchiveWriter& w) { w.finish(); };
+  for (const std::function<void(ArchiveWriter&)>& go_on :
+       {std::function<void(ArchiveWriter&)>(output), {checkpoint}, {end}}) {
+    for (const char* name : {"input.xml", "input_1.xml", "t00001", "t00002/timestep.xml",
+                             "checkpoints/t00002", "checkpoints"}) {
+      const std::string message = message_when_gone(
+          [&](const fs::path& archive) { fs::remove_all(archive / name); }, go_on);
+      EXPECT_THAT(message, HasSubstr("is gone")) << name;
+      EXPECT_THAT(message, HasSubstr(std::string("box.uda.000/") + name)) << name;
+    }
+    for (const bool replaced : {false, true}) {
+      const std::string message = message_when_gone(
+          [&](const fs::path& archive) {
+            fs::rename(archive, archive.string() + ".moved");
+            if (replaced)
+              fs::copy(archive.string() + ".moved", archive, fs::copy_options::recursive);
+          },
+          go_on);
+      EXPECT_THAT(message, HasSubstr("box.uda.000 is gone (the folder of the archive)"));
+    }
+    EXPECT_EQ(message_when_gone([](const fs::path&) {}, go_on), "no error");
+  }
 }
 
 // As an ordinary user, whom permissions bind, in a folder of somebody else.

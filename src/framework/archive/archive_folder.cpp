@@ -101,6 +101,40 @@ void ArchiveWriter::make_archive_folder() {
                   base.string()));
 }
 
+namespace {
+
+void require_file(const fs::path& file, const std::string& meaning) {
+  std::error_code error;
+  if (fs::exists(file, error)) return;
+  throw SystemError(
+      fmt::format("{} is gone ({}): it was removed or renamed while the run was writing, so that "
+                  "the archive is "
+                  "no longer complete; the run ends here",
+                  file.string(), meaning));
+}
+
+}  // namespace
+
+// Steps of an earlier archive, to which this one refers, are not the run's own: they are missed
+// when they are read.
+void ArchiveWriter::require_all_there() const {
+  if (!lock_.is_at(folder_))
+    throw SystemError(fmt::format(
+        "{} is gone (the folder of the archive): it was removed, renamed or replaced while the run "
+        "was writing; the run ends here",
+        folder_.string()));
+  require_file(folder_ / "input.xml", "the deck of the run");
+  for (const auto& [name, xml] : setup_.other_decks)
+    require_file(folder_ / name, "a deck of the run");
+  for (const auto& [name, file] : setup_.kept_files)
+    require_file(folder_ / name, "a file that the deck names");
+  for (const Store* store : {&outputs_, &checkpoints_})
+    for (const StepEntry& s : store->index.steps)
+      if (s.href.begin() != s.href.end() && *s.href.begin() != ".." && s.href.is_relative())
+        require_file(store->folder / s.href,
+                     fmt::format("step {} of {}", s.step, (store->folder / "index.xml").string()));
+}
+
 void ArchiveWriter::link_newest(const fs::path& base) {
   std::error_code ignored;
   const fs::file_status there = fs::symlink_status(base, ignored);

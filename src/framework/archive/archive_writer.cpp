@@ -75,7 +75,10 @@ WriteReport ArchiveWriter::write_output(const StepInfo& info, const Grid& grid,
 
 WriteReport ArchiveWriter::write_checkpoint(const StepInfo& info, const Grid& grid,
                                             std::span<const FieldPiece> pieces) {
-  on_root([&] { make_folder(checkpoints_.folder); });
+  on_root([&] {
+    require_all_there();
+    make_folder(checkpoints_.folder);
+  });
   return write_step(checkpoints_, info, grid, pieces, StorageOptions{});
 }
 
@@ -83,6 +86,7 @@ WriteReport ArchiveWriter::write_step(Store& store, const StepInfo& info, const 
                                       std::span<const FieldPiece> pieces,
                                       const StorageOptions& options) {
   const fs::path partial = store.folder / (step_folder_name(info.step) + ".partial");
+  on_root([&] { require_all_there(); });
   WriteReport report;
   try {
     // 1. A fresh folder that no index names.
@@ -126,7 +130,10 @@ void ArchiveWriter::warn_of_overflows(int step, std::int64_t count) {
 void ArchiveWriter::publish(Store& store, const StepInfo& info, const Grid& grid) {
   const std::string name = step_folder_name(info.step);
   const fs::path partial = store.folder / (name + ".partial"), complete = store.folder / name;
-  StepRecord record{info, grid, ranks_.size, {}};
+  StepRecord record;
+  record.info = info;
+  record.grid = grid;
+  record.ranks = ranks_.size;
   std::vector<StoredVariable> stored;
   for (int rank = 0; rank < ranks_.size; ++rank) {
     record.data_files.push_back(fmt::format("p{:05}.xml", rank));
@@ -214,6 +221,7 @@ void ArchiveWriter::write_text(const std::string& name, const std::string& text)
 
 void ArchiveWriter::finish() {
   on_root([&] {
+    require_all_there();
     write_histories();
     if (!histories_.empty()) write_index(outputs_);
     flush_file_system(folder_);  // the last names, too

@@ -8,6 +8,8 @@
 //
 // A step is written into tNNNNN.partial, renamed, flushed, and only then named in index.xml, which
 // is itself replaced as a whole: what the index names is complete on disk, whatever kills the run.
+// Where the folder, the deck or a step in it is gone when the next step is written, that is a
+// SystemError that names what is gone: a run must not go on writing what nobody can read.
 // All calls are collective over the ranks; a failure on one rank is thrown on all.
 #pragma once
 #include <functional>
@@ -102,6 +104,7 @@ class ArchiveWriter {
   void together(const std::function<void()>& work);
   void on_root(const std::function<void()>& work);
   void make_archive_folder();
+  void require_all_there() const;
   void link_newest(const std::filesystem::path& base);
   WriteReport write_step(Store& store, const StepInfo& info, const Grid& grid,
                          std::span<const FieldPiece> pieces, const StorageOptions& options);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "framework/archive/particle_table.hpp"
 #include "framework/archive/selection.hpp"
@@ -39,10 +40,63 @@ const char* value_columns(ValueType type) {
   return "value";
 }
 
-bool inside(Vec3 p, const ExtractOptions& o) {
-  for (int d = 0; d < 3; ++d)
-    if ((o.from && p[d] < (*o.from)[d]) || (o.to && p[d] > (*o.to)[d])) return false;
-  return true;
+// Square of the distance to the box; 0 inside.
+double distance_to_box(Vec3 p, const ExtractOptions& o) {
+  double sum = 0;
+  for (int d = 0; d < 3; ++d) {
+    const double below = o.from ? (*o.from)[d] - p[d] : 0, above = o.to ? p[d] - (*o.to)[d] : 0;
+    const double outside = std::max({below, above, 0.0});
+    sum += outside * outside;
+  }
+  return sum;
+}
+
+// Which points lie in the box; of those outside, the nearest.
+class BoxOfPoints {
+ public:
+  explicit BoxOfPoints(const ExtractOptions& options) : options_(options) {}
+
+  // place(): text, made where this point is nearer than all before.
+  template <class Place>
+  bool contains(Vec3 p, Place&& place) {
+    const double distance = distance_to_box(p, options_);
+    if (distance == 0) return true;
+    if (nearest_.empty() || distance < distance_) {
+      distance_ = distance;
+      nearest_ = fmt::format("{} at ({:.17g}, {:.17g}, {:.17g})", place(), p.x, p.y, p.z);
+    }
+    return false;
+  }
+  [[noreturn]] void refuse_empty(const ArchiveStep& step) const {
+    if (nearest_.empty())
+      throw InputError(fmt::format("{} holds no value of {} at t = {:g} (step {})",
+                                   step.folder().string(), options_.label, step.info().time,
+                                   step.info().step));
+    throw InputError(
+        fmt::format("no point of {} lies in the box: the nearest is {}", options_.label, nearest_));
+  }
+
+ private:
+  const ExtractOptions& options_;
+  double distance_ = 0;
+  std::string nearest_;
+};
+
+// InputError where none of the chosen material and level have the label.
+void require_such_particles(const ArchiveStep& step, const ExtractOptions& options) {
+  std::set<int> materials, levels;
+  bool found = false;
+  for (const FieldInfo& f : step.particle_fields()) {
+    if (f.name != options.label) continue;
+    materials.insert(f.material);
+    levels.insert(f.level);
+    found = found || ((!options.material || f.material == *options.material) &&
+                      (options.level < 0 || f.level == options.level));
+  }
+  if (found) return;
+  throw InputError(fmt::format("{} has no such {}: it is stored for materials {} and levels {}",
+                               step.folder().string(), options.label, fmt::join(materials, ", "),
+                               fmt::join(levels, ", ")));
 }
 
 // Particles by id; of all levels where none is chosen.
@@ -52,6 +106,7 @@ std::int64_t extract_particles(const ArchiveStep& step, const ExtractOptions& op
   auto out = std::back_inserter(text);
   bool headed = false;
   std::int64_t rows = 0;
+  BoxOfPoints box(options);
   for (const int material : particle_materials(step)) {
     if (options.material && *options.material != material) continue;
     const ParticleTable table = read_particles(step, material, {{options.label}, {}});
@@ -62,14 +117,21 @@ std::int64_t extract_particles(const ArchiveStep& step, const ExtractOptions& op
     headed = true;
     for (std::size_t n = 0; n < table.size(); ++n) {
       const Vec3 p = table.position(n);
-      if ((options.level >= 0 && table.levels[n] != options.level) || !inside(p, options)) continue;
+      if (options.level >= 0 && table.levels[n] != options.level) continue;
+      const auto place = [&] { return fmt::format("particle {}", table.ids[n]); };
+      if (!box.contains(p, place)) continue;
       fmt::format_to(out, "{:.17g},{},{},{},{:.17g},{:.17g},{:.17g}", step.info().time,
-                     table.levels[n], material, table.ids[n], p.x, p.y, p.z);
+                     table.levels[n], material,
+                     table.numbered ? std::to_string(table.ids[n]) : std::string(), p.x, p.y, p.z);
       for (const std::vector<double>& values : column->components)
         fmt::format_to(out, ",{:.17g}", values[n]);
       fmt::format_to(out, "\n");
       ++rows;
     }
+  }
+  if (rows == 0) {
+    require_such_particles(step, options);
+    box.refuse_empty(step);
   }
   write({text.data(), text.size()});
   return rows;
@@ -96,12 +158,16 @@ std::int64_t extract_csv(const ArchiveStep& step, const ExtractOptions& options,
   fmt::format_to(out, "time,level,material,i,j,k,x,y,z,{}\n",
                  value_columns(fields.front().info.type));
   std::int64_t rows = 0;
+  BoxOfPoints box(options);
   for (const LoadedField& f : fields) {
     const Level& level = step.grid().levels[f.info.level];
     for_each_cell(f.values.cells, [&](IntVec3 c) {
       const Vec3 p = position(level, f.info.centring, c);
-      if (!f.values.has(c) || !inside(p, options) || covered(step.grid(), fields, f.info, c))
-        return;
+      if (!f.values.has(c) || covered(step.grid(), fields, f.info, c)) return;
+      const auto place = [&] {
+        return fmt::format("[{}, {}, {}] of level {}", c.x, c.y, c.z, f.info.level);
+      };
+      if (!box.contains(p, place)) return;
       fmt::format_to(out, "{:.17g},{},{},{},{},{},{:.17g},{:.17g},{:.17g}", step.info().time,
                      f.info.level, f.info.material, c.x, c.y, c.z, p.x, p.y, p.z);
       for (int m = 0; m < f.info.components(); ++m)
@@ -114,6 +180,7 @@ std::int64_t extract_csv(const ArchiveStep& step, const ExtractOptions& options,
       }
     });
   }
+  if (rows == 0) box.refuse_empty(step);
   write({text.data(), text.size()});
   return rows;
 }

@@ -103,7 +103,40 @@ TEST(CsvExtract, ClosedBoxOfCentres) {
   std::set<std::pair<int, int>> found;
   for (const Row& r : t.rows) found.insert({r.index.x, r.index.y});
   EXPECT_EQ(found, (std::set<std::pair<int, int>>{{1, 0}, {2, 0}, {3, 0}, {1, 1}, {2, 1}, {3, 1}}));
-  EXPECT_TRUE(extracted(step, {"press_CC", {}, -1, Vec3{5, 5, 5}, Vec3{6, 6, 6}}).rows.empty());
+}
+
+// Empty is not good: what is nearest is named instead.
+TEST(CsvExtract, ABoxWithoutAPointNamesTheNearest) {
+  const TemporaryFolder folder;
+  Grid grid = make_grid({8, 4, 1}, {1, 1, 1});
+  grid.levels[0].anchor = {0, 0, 0};
+  grid.levels[0].spacing = {0.25, 0.5, 1};
+  Fields fields;
+  fields.add(grid.levels[0], real_label("press_CC"), 0, wavy);
+  fields.add_particles(
+      0, 0, {5, 8}, [](double id, int c) { return 0.01 * id + c; }, 2);
+  const ArchiveStep step = written_step(folder, grid, fields);
+  const auto message = [&](const ExtractOptions& o) {
+    std::string text;
+    try {
+      extract_csv(step, o, [&](std::string_view part) { text += part; });
+    } catch (const InputError& e) {
+      EXPECT_EQ(text, "") << "nothing may be written before";
+      return std::string(e.what());
+    }
+    return text;
+  };
+  // Outside the domain; between two centres, of which (0.375, 0.25) is nearer; beside the flat z.
+  EXPECT_THAT(message({"press_CC", {}, -1, Vec3{5, 5, 0}, Vec3{6, 6, 1}}),
+              ::testing::HasSubstr("the nearest is [7, 3, 0] of level 0 at (1.875, 1.75, 0.5)"));
+  EXPECT_THAT(message({"press_CC", {}, -1, Vec3{0.3, 0.2, 0}, Vec3{0.37, 0.3, 1}}),
+              ::testing::HasSubstr("the nearest is [1, 0, 0] of level 0 at (0.375, 0.25, 0.5)"));
+  EXPECT_THAT(message({"press_CC", {}, -1, Vec3{0.1, 0.2, 0}, Vec3{0.2, 0.3, 0}}),
+              ::testing::HasSubstr("the nearest is [0, 0, 0] of level 0"));
+  EXPECT_THAT(message({"p.heat", {}, -1, Vec3{0, 0, 0}, Vec3{0.01, 3, 3}}),
+              ::testing::HasSubstr("the nearest is particle 5"));
+  EXPECT_THAT(message({"p.heat", {}, 1, {}, {}}), ::testing::HasSubstr("materials 2 and levels 0"));
+  EXPECT_THAT(message({"p.heat", 0, -1, {}, {}}), ::testing::HasSubstr("materials 2 and levels 0"));
 }
 
 TEST(CsvExtract, FacesAndNodesLieWhereTheyAre) {

@@ -227,4 +227,11 @@ FolderLock::~FolderLock() {
   if (descriptor_ >= 0) ::close(descriptor_);
 }
 
+bool FolderLock::is_at(const std::filesystem::path& folder) const {
+  struct stat held {
+  }, found{};
+  return ::fstat(descriptor_, &held) == 0 && ::stat(folder.c_str(), &found) == 0 &&
+         held.st_dev == found.st_dev && held.st_ino == found.st_ino;
+}
+
 }  // namespace sluice

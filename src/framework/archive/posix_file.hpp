@@ -72,6 +72,8 @@ class FolderLock {
   FolderLock(FolderLock&& other) noexcept;
   FolderLock& operator=(FolderLock&& other) noexcept;
   ~FolderLock();
+  // Whether this path still leads to the folder: it may have been removed, renamed or replaced.
+  bool is_at(const std::filesystem::path& folder) const;
 
  private:
   int descriptor_ = -1;

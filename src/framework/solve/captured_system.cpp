@@ -200,17 +200,19 @@ class SystemCapture::OnLevels final : public CapturedSystem {
   std::vector<CompositeVector> right_sides_;
 };
 
-SystemCapture::SystemCapture(std::vector<int> wanted, std::size_t most_right_sides)
-    : wanted_(std::move(wanted)), max_right_sides_(most_right_sides) {}
+SystemCapture::SystemCapture(std::size_t wanted, std::size_t most_right_sides)
+    : wanted_(wanted), max_right_sides_(most_right_sides) {}
 
 SystemCapture::~SystemCapture() = default;
 
-// The last system stays only if it is wanted, or was the last one.
+// The last system stays only if its number does.
 void SystemCapture::next(const SolverSettings& settings) {
   settings_ = settings;
-  if (!kept_.empty() &&
-      std::find(wanted_.begin(), wanted_.end(), kept_.back()->number()) == wanted_.end())
-    kept_.pop_back();
+  if (!kept_.empty() && kept_.back()->number() % stride_ != 0) kept_.pop_back();
+  if (kept_.size() >= 2 * wanted_) {
+    stride_ *= 2;
+    std::erase_if(kept_, [&](const auto& system) { return system->number() % stride_ != 0; });
+  }
   ++count_;
   one_ = nullptr;
   several_ = nullptr;
@@ -242,11 +244,20 @@ void SystemCapture::right_side(const CompositeVector& right_side) {
 std::vector<std::unique_ptr<CapturedSystem>> SystemCapture::take() {
   one_ = nullptr;
   several_ = nullptr;
-  std::vector<std::unique_ptr<CapturedSystem>> taken = std::move(kept_);
+  std::vector<std::unique_ptr<CapturedSystem>> taken;
+  std::erase_if(kept_, [](const auto& system) { return system->norms(Norm::largest).empty(); });
+  for (std::size_t n = 1; n <= wanted_ && !kept_.empty(); ++n) {
+    const double place =
+        static_cast<double>(count_) * static_cast<double>(n) / static_cast<double>(wanted_);
+    const auto nearest =
+        std::min_element(kept_.begin(), kept_.end(), [&](const auto& a, const auto& b) {
+          return std::fabs(a->number() - place) < std::fabs(b->number() - place);
+        });
+    // Those before it are nearer to no later place.
+    taken.push_back(std::move(*nearest));
+    kept_.erase(kept_.begin(), nearest + 1);
+  }
   kept_.clear();
-  const bool all = taken.size() > wanted_.size();  // then none was missed
-  if (all) taken.pop_back();
-  std::erase_if(taken, [](const auto& system) { return system->norms(Norm::largest).empty(); });
   return taken;
 }
 

@@ -41,11 +41,13 @@ class CapturedSystem {
   int number_;
 };
 
-// Keeps systems of a run: those whose numbers are asked for, and always the last.
+// Keeps systems of a run that are spread evenly over it, although nobody knows its length before:
+// every one at first; when there are twice as many as wanted, every other one of those goes, and
+// from then on every second system stays (then every fourth, and so on). The last always stays.
 class SystemCapture final : public LinearSystemObserver {
  public:
-  // `wanted`: numbers, ascending, from 1. `most_right_sides`: of one matrix, the first ones.
-  SystemCapture(std::vector<int> wanted, std::size_t most_right_sides);
+  // `wanted`: how many systems, at least 1. `most_right_sides`: of one matrix, the first ones.
+  SystemCapture(std::size_t wanted, std::size_t most_right_sides);
   ~SystemCapture() override;
 
   void matrix(const CellMatrix& matrix, const SolverSettings& settings) override;
@@ -56,8 +58,8 @@ class SystemCapture final : public LinearSystemObserver {
   int count() const { return count_; }  // of matrices so far
   // By which the run solved; after the first system.
   const SolverSettings& settings() const { return settings_; }
-  // In the order of the run; the last one stands for those that were never reached. Without
-  // systems that have no right-hand side but 0.
+  // In the order of the run: of n systems in all, those next to n/wanted, 2n/wanted, ..., n.
+  // Without systems that have no right-hand side but 0.
   std::vector<std::unique_ptr<CapturedSystem>> take();
 
  private:
@@ -65,7 +67,8 @@ class SystemCapture final : public LinearSystemObserver {
   class OnLevels;
   void next(const SolverSettings& settings);
 
-  std::vector<int> wanted_;
+  std::size_t wanted_;
+  int stride_ = 1;  // numbers that are multiples of it stay
   std::size_t max_right_sides_;
   SolverSettings settings_;
   int count_ = 0;

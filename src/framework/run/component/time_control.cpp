@@ -157,6 +157,7 @@ void TimeControl::apply_limits(StepPlan& plan, double physics_dt) {
   if (plan.start <= time_.initial_delt_range || plan.step == 1) {
     cap(plan, time_.delt_init, TimeLimit::delt_init);
   }
+  if (plan.set_by(TimeLimit::delt_min) && plan.dt > physics_dt) plan.stable_dt = physics_dt;
 }
 
 void TimeControl::apply_clamps(StepPlan& plan) const {
@@ -186,7 +187,8 @@ void TimeControl::decide_saves(StepPlan& plan) const {
   act(TimeLimit::delt_init, time_.on_delt_init);
 }
 
-// One sentence for the corrections that did not act in the step before.
+// One sentence for the corrections that did not act in the step before; a warning where the step is
+// no longer a stable one.
 std::string TimeControl::describe(const StepPlan& plan, double physics_dt) {
   std::vector<std::string> names;
   for (const TimeLimit limit : told_limits) {
@@ -194,11 +196,25 @@ std::string TimeControl::describe(const StepPlan& plan, double physics_dt) {
     if (++told_counts_[limit] <= max_messages) names.emplace_back(to_string(limit));
   }
   told_limits_ = plan.limits;
-  if (names.empty()) return {};
+  if (names.empty() || (plan.stable_dt > 0 ? !limits_.warn : !limits_.tell)) return {};
   const double before = physics_dt * time_.timestep_multiplier;
-  return fmt::format("step {} at time {:.6g}: {} {} the time step from {:.6g} to {:.6g}", plan.step,
-                     plan.start, join(names, ", then "), plan.dt > before ? "raises" : "lowers",
-                     before, plan.dt);
+  const std::string text = fmt::format(
+      "step {} at time {:.6g}: {} {} the time step from {:.6g} to {:.6g}", plan.step, plan.start,
+      join(names, ", then "), plan.dt > before ? "raises" : "lowers", before, plan.dt);
+  if (plan.stable_dt == 0) return text;
+  return fmt::format(
+      "warning: {}, above the stable one: the run may fail, or its result be wrong; "
+      "lower <delt_min>",
+      text);
+}
+
+std::string TimeControl::text_of_delt_min(const StepPlan& failed) const {
+  if (time_.delt_min <= 0 || 0.5 * failed.dt >= time_.delt_min) return {};
+  return fmt::format(
+      "\n  <delt_min> {} {}; lower it", shortest_text(time_.delt_min),
+      failed.stable_dt > 0
+          ? fmt::format("has raised this step above the stable one, dt = {:.6g}", failed.stable_dt)
+          : std::string("allows no smaller step"));
 }
 
 StepPlan TimeControl::plan(double physics_dt) {
@@ -212,7 +228,7 @@ StepPlan TimeControl::plan(double physics_dt) {
     require_progress(plan, "from the physics");
   }
   apply_limits(plan, physics_dt);
-  std::string message = limits_.tell ? describe(plan, physics_dt) : std::string();
+  std::string message = describe(plan, physics_dt);
   apply_clamps(plan);
   require_progress(plan, "after all limits");
   decide_saves(plan);

@@ -51,6 +51,7 @@ struct RunLimits {
   int max_steps = 0;        // step number, as max_Timesteps
   double wall_seconds = 0;  // as max_wall_time
   bool tell = true;         // a message when a limit of the deck sets the step
+  bool warn = true;         // a warning when one raises it above the stable step
 };
 
 // All that a restart needs to go on with the same bits.
@@ -79,8 +80,9 @@ struct StepPlan {
   unsigned limits = 0;  // what has set dt, one bit for each TimeLimit
   bool output = false;
   bool checkpoint = false;
-  bool last = false;    // the run ends with it whatever the clock says
-  std::string message;  // a correction worth telling; empty when told before
+  bool last = false;     // the run ends with it whatever the clock says
+  double stable_dt = 0;  // what the physics allows, where delt_min has raised dt above it; else 0
+  std::string message;   // a correction worth telling; empty when told before
 
   bool set_by(TimeLimit limit) const { return (limits >> static_cast<int>(limit) & 1U) != 0; }
 };
@@ -115,6 +117,8 @@ class TimeControl {
   StepPlan plan(double physics_dt);
   // The same step once more, smaller. PhysicsError below delt_min or when time stands still.
   StepPlan retry(const StepPlan& rejected, double dt);
+  // For the message of a failure: what delt_min has to do with it; empty where it has nothing.
+  std::string text_of_delt_min(const StepPlan& failed) const;
   // The step is done. wall_seconds and terminate must have been agreed upon by all ranks.
   StepEnd accept(const StepPlan& plan, double wall_seconds, bool terminate);
   // What the physics allows next, when it is known at the end of a step: kept in checkpoints.

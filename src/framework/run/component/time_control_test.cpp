@@ -77,6 +77,43 @@ TEST(TimeControl, increase_is_a_fraction_of_the_last_step) {
   EXPECT_EQ(control.plan(0.01).dt, 0.01);
 }
 
+// What is no longer stable is told, whatever else is silent; and it is named where the step fails.
+TEST(TimeControl, a_floor_above_the_stable_step_is_a_warning) {
+  TimeSettings time = plain_time();
+  time.delt_min = 0.1;
+  RunLimits silent;
+  silent.tell = false;
+  TimeControl control(time, {}, silent);
+  const StepPlan raised = control.plan(0.02);
+  EXPECT_EQ(raised.dt, 0.1);
+  EXPECT_EQ(raised.stable_dt, 0.02);
+  EXPECT_THAT(raised.message, HasSubstr("warning: step 1 at time 0: delt_min raises the time step "
+                                        "from 0.02 to 0.1, above the stable one"));
+  EXPECT_THAT(control.text_of_delt_min(raised),
+              HasSubstr("<delt_min> 0.1 has raised this step above the stable one, dt = 0.02"));
+  accept(control, raised);
+  EXPECT_EQ(control.plan(0.02).message, "") << "told once";
+  const StepPlan free = control.plan(0.3);
+  EXPECT_EQ(free.stable_dt, 0);
+  EXPECT_EQ(control.text_of_delt_min(free), "") << "a smaller step is allowed";
+  EXPECT_THAT(control.text_of_delt_min(control.plan(0.15)), HasSubstr("allows no smaller step"));
+  silent.warn = false;
+  EXPECT_EQ(TimeControl(time, {}, silent).plan(0.02).message, "");
+}
+
+// Below the stable step a floor only undoes another limit.
+TEST(TimeControl, a_floor_below_the_stable_step_is_none) {
+  TimeSettings time = plain_time();
+  time.delt_min = 0.5;
+  time.max_delt_increase = 0.5;
+  TimeState state = state_after(3, 1.0, 0.1);
+  state.uncut_dt = 0.1;
+  const StepPlan plan = restarted(time, {}, state).plan(1.0);
+  EXPECT_EQ(plan.dt, 0.5);
+  EXPECT_EQ(plan.stable_dt, 0);
+  EXPECT_THAT(plan.message, testing::Not(HasSubstr("warning")));
+}
+
 TEST(TimeControl, floor_then_cap_then_initial_cap) {
   TimeSettings time = plain_time();
   time.delt_min = 0.1;

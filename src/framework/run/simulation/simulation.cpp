@@ -100,11 +100,13 @@ void Simulation::start() {
   int restart_step = 0;
   if (restarting) {
     const Archive earlier = Archive::open(options_.restart);
+    require_own_format(earlier);
     const StepEntry& entry = earlier.select_checkpoint(options_.restart_step);
     restart_step = entry.step;
     restart_from(earlier.read_checkpoint(entry));
   } else {
     hierarchy_->initialise();
+    if (options_.look_at_start) options_.look_at_start(*hierarchy_, time_.state().time);
     set_totals(true);
     limit_ = hierarchy_->rates().first_limit();
     time_.remember_physics_dt(limit_.dt);
@@ -183,24 +185,28 @@ StepInfo Simulation::step_info() const {
 }
 
 void Simulation::fail(const StepPlan& plan, const CycleResult& a) {
+  throw PhysicsError(text_of_failure(plan, a) + time_.text_of_delt_min(plan));
+}
+
+std::string Simulation::text_of_failure(const StepPlan& plan, const CycleResult& a) const {
   if (!a.reason.empty())
-    throw PhysicsError(fmt::format("step {} at t = {:g}, even with dt = {:g}: {}", plan.step,
-                                   plan.start, plan.dt, a.reason));
+    return fmt::format("step {} at t = {:g}, even with dt = {:g}: {}", plan.step, plan.start,
+                       plan.dt, a.reason);
   const CellFault& f = a.first_fault;
   if (a.unmatched)
-    throw PhysicsError(fmt::format(
+    return fmt::format(
         "step {} at t = {:g}: task 'matching of fluxes' found no state that is admissible on both "
         "levels even with dt = {:g}; the first cell is [{}, {}, {}] of level {}, at the edge of a "
         "finer level. Try a smaller <cfl>, a wider <cell_stability_dilation>, or look at the state "
         "before this step in the last checkpoint",
-        plan.step, plan.start, plan.dt, f.cell.x, f.cell.y, f.cell.z, f.level));
-  throw PhysicsError(fmt::format(
+        plan.step, plan.start, plan.dt, f.cell.x, f.cell.y, f.cell.z, f.level);
+  return fmt::format(
       "step {} at t = {:g}: task 'update' left {} cell{} inadmissible even with dt = {:g}; the "
       "first is cell [{}, {}, {}] of level {}, material {}: {} is {:g}. Try a smaller <cfl>, "
       "<advection type=\"FirstOrder\">, or look at the state before this step in the last "
       "checkpoint",
       plan.step, plan.start, a.faults, a.faults == 1 ? "" : "s", plan.dt, f.cell.x, f.cell.y,
-      f.cell.z, f.level, f.material, component_->step().describe_fault(f.kind), f.value));
+      f.cell.z, f.level, f.material, component_->step().describe_fault(f.kind), f.value);
 }
 
 // The state was damaged from outside (memory, a fault of the program): a smaller step cannot help.

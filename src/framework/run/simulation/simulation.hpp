@@ -1,6 +1,7 @@
 // A run from start (or checkpoint) to end: the step loop and everything it keeps and tells.
 #pragma once
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -40,6 +41,8 @@ struct RunOptions {
   bool copy_earlier = false;       // copy earlier outputs instead of referring to them
   IntVec3 block{};                 // extents of a block; 0: chosen
   std::int64_t max_box_cells = 0;  // splits boxes of adaptive levels above so many; 0: no limit
+  // Is shown the state at the start, s; not after a restart. Collective.
+  std::function<void(Hierarchy&, double time)> look_at_start;
   // For tests: plants a NaN into a cell of the state at the start of a step.
   std::optional<std::pair<int, IntVec3>> plant_nan;
 };
@@ -93,6 +96,7 @@ class Simulation {
   RunReport report() const;
   double momentum_of_all_energy() const;
   [[noreturn]] void fail(const StepPlan& plan, const CycleResult& result);
+  std::string text_of_failure(const StepPlan& plan, const CycleResult& result) const;
   [[noreturn]] void fail_unsound(const StepPlan& plan, const CycleResult& result);
   void plant_nan(IntVec3 cell);
   void write_last_good_checkpoint();
