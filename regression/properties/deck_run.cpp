@@ -11,7 +11,7 @@
 #include "app/loading/sluice_schema.hpp"
 #include "app/process/study_process.hpp"
 #include "framework/archive/archive.hpp"
-#include "framework/archive/compare.hpp"
+#include "framework/archive/compare/compare.hpp"
 #include "framework/deck/load_deck.hpp"
 #include "ice/deck/ice_scene.hpp"
 #include "ice/ice.hpp"

@@ -44,6 +44,12 @@ ROOMS = {
         {".": "XML to a tree, spelling, obsolete tags, overrides, the check against a schema"},
         {"format": "the blocks that every component has: schema, rules and completions"},
     ],
+    "framework/archive": [
+        {".": "writing and reading archives: Sluice's own in HDF5, Uintah's raw ones; particles, "
+              "values as CSV"},
+        {"compare": "two archives, of either format: differences and norms",
+         "vtk": "export to the files of ParaView and VisIt"},
+    ],
     "framework/solve": [
         {"block": "matrices of blocks, of several unknowns per node, and their solvers"},
         {".": "systems of one unknown per cell, on one level or several, and their solvers"},

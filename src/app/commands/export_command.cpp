@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "app/command/command_line.hpp"
-#include "framework/archive/vtk_export.hpp"
+#include "framework/archive/vtk/vtk_export.hpp"
 
 namespace sluice {
 namespace {

@@ -1,6 +1,7 @@
 // sluice info UDA: what an archive holds, and with --verify whether every byte is as written.
 #include <fmt/format.h>
 
+#include <functional>
 #include <memory>
 #include <set>
 
@@ -28,15 +29,11 @@ std::int64_t bytes_in(const fs::path& folder) {
   return bytes;
 }
 
-void verify_steps(const std::vector<StepEntry>& entries, const fs::path& folder, Verification& v) {
-  for (const StepEntry& e : entries) {
-    try {
-      require_referenced_archive(e, folder);
-      for (std::string& d : ArchiveStep(folder / e.href).verify(v.values))
-        v.damage.push_back(std::move(d));
-    } catch (const Error& error) {
-      v.damage.push_back(error.what());
-    }
+void verify_step(const std::function<ArchiveStep()>& open, Verification& v) {
+  try {
+    for (std::string& d : open().verify(v.values)) v.damage.push_back(std::move(d));
+  } catch (const Error& error) {
+    v.damage.push_back(error.what());
   }
 }
 
@@ -44,8 +41,10 @@ Verification verify(const Archive& archive) {
   Verification v;
   v.done = true;
   v.damage = archive.damage();
-  verify_steps(archive.outputs(), archive.folder(), v);
-  verify_steps(archive.checkpoints(), archive.folder() / "checkpoints", v);
+  for (const StepEntry& e : archive.outputs())
+    verify_step([&] { return archive.read_output(e); }, v);
+  for (const StepEntry& e : archive.checkpoints())
+    verify_step([&] { return archive.read_checkpoint(e); }, v);
   return v;
 }
 
@@ -104,6 +103,7 @@ Json triple_json(IntVec3 v) {
 Json to_json(const Archive& archive, const ArchiveStep* step, const Verification& v) {
   Json j;
   j["archive"] = archive.folder().string();
+  j["format"] = archive.format() == ArchiveFormat::raw ? "raw" : "HDF5";
   j["program"] = archive.index().program;
   j["created"] = archive.index().created;
   j["ranks"] = archive.index().ranks;
@@ -139,6 +139,9 @@ Json to_json(const Archive& archive, const ArchiveStep* step, const Verification
   }
   j["verified"] = v.done;
   if (v.done) j["good_values"] = v.values;
+  j["not_read"] = Json::array();
+  for (const VariableEntry& e : archive.index().variables)
+    if (!e.readable) j["not_read"].push_back({{"name", e.name}, {"type", e.type_name}});
   j["damage"] = v.damage;
   return j;
 }
@@ -183,8 +186,9 @@ void print_labels(const ArchiveStep& step) {
 void print_text(const Archive& archive, const ArchiveStep* step, const Verification& v) {
   const ArchiveIndex& index = archive.index();
   fmt::print("archive      {}\n", archive.folder().string());
-  fmt::print("written by   {}, {}, {} rank{}\n", index.program, index.created, index.ranks,
-             index.ranks == 1 ? "" : "s");
+  const bool raw = archive.format() == ArchiveFormat::raw;
+  fmt::print("written by   {}{}, {}, {} rank{}\n", index.program, raw ? ", raw layout" : "",
+             index.created, index.ranks, index.ranks == 1 ? "" : "s");
   fmt::print("size         {}\n", human_bytes(static_cast<double>(bytes_in(archive.folder()))));
   for (const RestartEntry& r : index.restarts)
     fmt::print("restarted    from {} at step {}\n", r.from, r.step);
@@ -200,9 +204,12 @@ void print_text(const Archive& archive, const ArchiveStep* step, const Verificat
           short_text(l.spacing), axes(l.active), axes(l.periodic));
     print_labels(*step);
   }
+  for (const VariableEntry& e : index.variables)
+    if (!e.readable) fmt::print("not read     {}: values of type {}\n", e.name, e.type_name);
   for (const std::string& d : v.damage) fmt::print("DAMAGED      {}\n", d);
   if (v.done)
-    fmt::print("verified     {} values good, {}\n", human_count(v.values),
+    fmt::print("verified     {} values {}, {}\n", human_count(v.values),
+               raw ? "read (raw files have no checksums)" : "good",
                v.damage.empty() ? "nothing damaged" : "damage as listed");
 }
 

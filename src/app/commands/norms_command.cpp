@@ -6,7 +6,7 @@
 
 #include "app/command/command_line.hpp"
 #include "app/process/text_sink.hpp"
-#include "framework/archive/norms.hpp"
+#include "framework/archive/compare/norms.hpp"
 #include "framework/base/console.hpp"
 #include "framework/base/json.hpp"
 
@@ -15,6 +15,7 @@ namespace {
 
 struct NormsRequest {
   std::string first, second, only, ignore, csv, json;
+  std::vector<std::string> same;
   NormsOptions options;
 };
 
@@ -61,10 +62,25 @@ void print_table(const std::vector<NormsRow>& rows) {
   fmt::print("{}", table.text());
 }
 
+// Where the times of the two archives differ.
+void print_times(const NormsResult& result) {
+  double told = std::nan("");
+  for (const NormsRow& row : result.rows)
+    if (row.time != row.other_time && row.time != told) {
+      fmt::print(stderr,
+                 "sluice norms: note: time {:.10g} of the first and {:.10g} of the second\n",
+                 row.time, row.other_time);
+      told = row.time;
+    }
+  for (const std::string& note : result.notes) fmt::print(stderr, "sluice norms: note: {}\n", note);
+}
+
 void norms(NormsRequest& r) {
   r.options.labels = {split_names(r.only), split_names(r.ignore)};
+  for (const std::string& text : r.same) r.options.names.push_back(parse_label_name(text));
   const NormsResult result =
       difference_norms(Archive::open(r.first), Archive::open(r.second), r.options);
+  print_times(result);
   if (!r.csv.empty()) write_csv(r.csv, result.rows);
   if (!r.json.empty()) write_json(r.json, result.rows);
   if (r.csv.empty() && r.json.empty()) print_table(result.rows);
@@ -82,8 +98,12 @@ void declare_norms_command(Command& command) {
   command.option("--ignore", r->ignore, "All labels but these: a,b,c");
   command.option("--time", r->options.time,
                  "Only this output: last, first, a time, #N; absent: all outputs");
-  command.option("--time-tolerance", r->options.time_tolerance, "Relative, between outputs")
+  command
+      .option("--time-tolerance", r->options.time_tolerance,
+              "Pair outputs of nearest times, at most this far apart (s). Archives of two formats "
+              "are always paired by nearest time")
       .at_least_zero();
+  command.option("--same", r->same, label_names_help().c_str()).quietly_repeatable();
   command.option("--csv", r->csv, "Write CSV to a file, - for standard output");
   command.option("--json", r->json, "Write JSON to a file, - for standard output");
   command.action([r] {

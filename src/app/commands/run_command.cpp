@@ -16,6 +16,7 @@
 #include "app/plan/memory_check.hpp"
 #include "app/process/study_process.hpp"
 #include "app/process/text_sink.hpp"
+#include "framework/archive/archive.hpp"
 #include "framework/base/communicator.hpp"
 #include "framework/base/console.hpp"
 #include "framework/base/json.hpp"
@@ -43,11 +44,12 @@ std::string deck_file(const RunRequest& o) {
     if (o.deck.empty()) throw InputError("name a deck, or an archive with --restart");
     return o.deck;
   }
-  if (!o.deck.empty()) return o.deck;
+  if (!o.deck.empty()) return o.deck;  // the run itself looks at the archive
   const std::filesystem::path kept = std::filesystem::path(o.restart) / "input.xml";
   if (!std::filesystem::exists(kept))
     throw InputError(fmt::format("--restart {}: there is no archive ({} does not exist)", o.restart,
                                  kept.string()));
+  require_own_format(Archive::open(o.restart));
   return kept.string();
 }
 

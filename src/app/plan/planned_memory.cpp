@@ -14,9 +14,9 @@ namespace {
 // A process that has read a deck and opened an archive, without fields; measured.
 constexpr double base_bytes = 34.5 * 1024 * 1024;
 constexpr double base_bytes_with_ranks = 48.5 * 1024 * 1024;
-constexpr double word = sizeof(double);
+constexpr double real_bytes = sizeof(double);
 // The initial fill keeps six primitives of the largest box, a count and a flag a cell.
-constexpr double fill_bytes_per_cell = 6 * word + 5;
+constexpr double fill_bytes_per_cell = 6 * real_bytes + 5;
 
 class MemoryPlanner {
  public:
@@ -81,7 +81,7 @@ class MemoryPlanner {
     for (const GridBox& b : level.boxes)
       if (b.owner == rank)
         cells += static_cast<double>(b.cells.grown(level.ghosts(ghosts)).volume());
-    return word * cells;
+    return real_bytes * cells;
   }
 
   // Under gravity the fill reaches down to the low end of the domain and is cut afterwards.
@@ -92,7 +92,7 @@ class MemoryPlanner {
       if (r_.scene.constants.gravity[d] != 0) filled.lower[d] = level.domain.lower[d];
     const double whole = fill_bytes_per_cell * static_cast<double>(filled.volume());
     if (filled == cells) return whole;
-    return std::max(whole, 6 * word * static_cast<double>(filled.volume() + cells.volume()));
+    return std::max(whole, 6 * real_bytes * static_cast<double>(filled.volume() + cells.volume()));
   }
 
   void add_fields(PlannedMemory& m, int rank, const std::set<Label>& kept) const {
@@ -100,10 +100,10 @@ class MemoryPlanner {
       // Old and new; with substeps also the state at the start of the coarse step.
       const int copies = r_.hierarchy.levels[level.index].substeps > 1 ? 3 : 2;
       for (const SlotInfo& s : r_.component.state().slots())
-        m.states +=
-            copies * s.components * word * static_cast<double>(framed_cells(level, rank, s.ghosts));
+        m.states += copies * s.components * real_bytes *
+                    static_cast<double>(framed_cells(level, rank, s.ghosts));
       const int width = halo_width(r_.component.state());
-      m.work_fields += copies * m.work_doubles_per_cell * word *
+      m.work_fields += copies * m.work_doubles_per_cell * real_bytes *
                        static_cast<double>(framed_cells(level, rank, width));
       for (Label l : kept)
         m.outputs += stored_components(r_.materials, l) *

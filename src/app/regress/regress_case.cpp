@@ -9,7 +9,7 @@
 
 #include "app/process/study_process.hpp"
 #include "app/regress/golden.hpp"
-#include "framework/archive/compare.hpp"
+#include "framework/archive/compare/compare.hpp"
 #include "framework/base/error.hpp"
 #include "framework/base/json.hpp"
 

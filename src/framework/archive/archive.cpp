@@ -5,8 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
+
+#include "framework/archive/posix_file.hpp"
+#include "framework/archive/raw_record.hpp"
 
 namespace sluice {
 namespace fs = std::filesystem;
@@ -32,21 +33,11 @@ const StepEntry& nearest(const std::vector<StepEntry>& steps, double time, const
       folder.string(), time, best->time, steps.front().time, steps.back().time));
 }
 
-// Uintah's own archives have an index of the same name without a checksum, which must not be taken
-// for damage. An index of ours says HDF5, also when it is damaged elsewhere.
-void refuse_raw_layout(const fs::path& index, const fs::path& archive) {
-  std::ifstream in(index);
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
-  const bool of_archive = text.find("<Uintah_DataArchive") != std::string::npos;
-  const bool ours = text.find("crc32c") != std::string::npos;
-  const std::size_t format = text.find("<outputFormat>");
-  const bool raw = format == std::string::npos || text.compare(format + 14, 4, "UDA<") == 0;
-  if (!of_archive || ours || !raw) return;
-  throw InputError(
-      fmt::format("{} is an archive in Uintah's raw binary layout; reading it is not supported yet "
-                  "(archives that "
-                  "sluice writes are read)",
-                  archive.string()));
+// Raw archives have an index of the same name, whose missing checksum is no damage.
+ArchiveIndex read_any_index(const fs::path& path) {
+  const std::string text = read_text(path);
+  if (is_raw_index(text)) return parse_raw_index(parse_xml(text, path.string()), path.string());
+  return parse_index(read_sealed(path), path.string());
 }
 
 }  // namespace
@@ -60,12 +51,11 @@ Archive Archive::open(const fs::path& path) {
   const fs::path index = archive.folder_ / "index.xml";
   if (!fs::exists(index, error))
     throw InputError(fmt::format("{} is not an archive: it has no index.xml", path.string()));
-  refuse_raw_layout(index, path);
-  archive.index_ = parse_index(read_sealed(index), index.string());
+  archive.index_ = read_any_index(index);
   const fs::path checkpoints = archive.folder_ / "checkpoints" / "index.xml";
   if (fs::exists(checkpoints, error)) {
     try {
-      archive.checkpoint_index_ = parse_index(read_sealed(checkpoints), checkpoints.string());
+      archive.checkpoint_index_ = read_any_index(checkpoints);
     } catch (const Error& e) {
       archive.damage_.push_back(e.what());
     }
@@ -108,6 +98,14 @@ const StepEntry& Archive::select_checkpoint(int step) const {
   }
   throw InputError(
       fmt::format("{} has no checkpoint of step {}; it has{}", folder_.string(), step, have));
+}
+
+void require_own_format(const Archive& archive) {
+  if (archive.format() == ArchiveFormat::hdf5) return;
+  throw InputError(fmt::format(
+      "{} is an archive in Uintah's raw binary layout: Sluice reads it (info, extract, plot, "
+      "compare, norms, export), but does not continue its run\n  run its deck from the start: {}",
+      archive.folder().string(), (archive.folder() / "input.xml.orig").string()));
 }
 
 }  // namespace sluice

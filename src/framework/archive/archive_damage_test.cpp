@@ -116,13 +116,13 @@ TEST(ArchiveDamage, WhatIsNoArchiveIsSaid) {
   const TemporaryFolder folder;
   EXPECT_THROW(Archive::open(folder.path() / "absent"), InputError);
   EXPECT_THROW(Archive::open(folder.path()), InputError);
-  fs::create_directory(folder.path() / "raw");
-  write_sealed(folder.path() / "raw" / "index.xml", XmlElement("Uintah_DataArchive"));
+  fs::create_directory(folder.path() / "other");
+  write_sealed(folder.path() / "other" / "index.xml", XmlElement("Uintah_DataArchive"));
   try {
-    Archive::open(folder.path() / "raw");
+    Archive::open(folder.path() / "other");
     FAIL();
   } catch (const InputError& e) {
-    EXPECT_THAT(e.what(), HasSubstr("raw UDA layout"));
+    EXPECT_THAT(e.what(), HasSubstr("format is not given"));
   }
 }
 

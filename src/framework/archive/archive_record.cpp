@@ -10,7 +10,9 @@
 namespace sluice {
 namespace {
 
-constexpr std::array<std::string_view, 4> stored_names = {"float64", "float32", "int32", "int64"};
+// The first four are those that HDF5 files hold.
+constexpr std::array<std::string_view, 6> stored_names = {"float64", "float32", "int32",
+                                                          "int64",   "int16",   "uint8"};
 constexpr std::array<std::string_view, 7> kind_names = {
     "CCVariable",   "NCVariable",       "SFCXVariable",     "SFCYVariable",
     "SFCZVariable", "ParticleVariable", "ReductionVariable"};
@@ -74,7 +76,8 @@ std::string_view name_of(StoredType t) {
   return stored_names[static_cast<std::size_t>(t)];
 }
 std::size_t size_of(StoredType t) {
-  return t == StoredType::float64 || t == StoredType::int64 ? 8 : 4;
+  constexpr std::array<std::size_t, 6> bytes = {8, 4, 4, 8, 2, 1};
+  return bytes[static_cast<std::size_t>(t)];
 }
 std::string type_text(ValueType type, Centring centring) {
   return fmt::format("{}<{}>", kind_names[static_cast<std::size_t>(centring)],
@@ -120,8 +123,8 @@ ArchiveIndex parse_index(const XmlElement& root, const std::string& context) {
                     context, root.name));
   const XmlElement* format = root.child("outputFormat");
   if (!format || format->text != "HDF5")
-    throw InputError(fmt::format("{}: the archive's format is {}; only HDF5 archives are read",
-                                 context, format ? format->text : "the raw UDA layout"));
+    throw InputError(fmt::format("{}: the archive's format is {}; Sluice knows HDF5 and UDA",
+                                 context, format ? format->text : "not given"));
   ArchiveIndex index;
   index.ranks = parse_int(root.need("numberOfProcessors", context).text, context);
   const XmlElement& meta = root.need("Meta", context);
@@ -142,6 +145,7 @@ ArchiveIndex parse_index(const XmlElement& root, const std::string& context) {
     parse_type(v.need_attribute("type", context), context, entry.type, entry.centring);
     entry.unit = v.attribute("unit").value_or("");
     entry.materials = attribute_int(v, "numMaterials", context);
+    entry.type_name = type_of(entry);
     index.variables.push_back(std::move(entry));
   }
   for (const XmlElement& s : root.need("timesteps", context).children)
@@ -189,6 +193,8 @@ DataFileRecord parse_data_file(const XmlElement& root, const std::string& contex
     v.level = attribute_int(e, "level", context);
     v.material = attribute_int(e, "material", context);
     v.stored = find_name<StoredType>(stored_names, e.need_attribute("stored", context), context);
+    if (v.stored > StoredType::int64)
+      throw DamageError(fmt::format("{}: HDF5 files hold no {}", context, name_of(v.stored)));
     v.gzip = e.attribute("compression").value_or("") == "gzip";
     v.offset = parse_integer(e.need_attribute("offset", context), context);
     v.bytes = parse_integer(e.need_attribute("bytes", context), context);

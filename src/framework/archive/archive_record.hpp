@@ -39,6 +39,8 @@ struct VariableEntry {
   Centring centring = Centring::cell;
   std::string unit;
   int materials = 0;
+  std::string type_name = {};  // as in the index: CCVariable<double>
+  bool readable = true;        // false: a type of the raw layout whose values are not read
 };
 
 struct HistoryEntry {  // a .dat file
@@ -50,7 +52,19 @@ struct RestartEntry {
   int step = 0;
 };
 
+// How the values of an archive are stored: in HDF5, as Sluice writes them, or in the raw binary
+// files of Uintah, which Sluice only reads.
+enum class ArchiveFormat { hdf5, raw };
+struct ArchiveStorage {
+  ArchiveFormat format = ArchiveFormat::hdf5;
+  // Of raw files, where a step does not say otherwise.
+  bool big_endian = false;
+  int word_bits = 64;
+  std::string position_name = "p.x";  // what the positions of particles are called
+};
+
 struct ArchiveIndex {
+  ArchiveStorage storage;
   int ranks = 1;
   std::string program;  // "sluice 0.1.0"
   std::string created;  // ISO 8601, UTC
@@ -61,7 +75,7 @@ struct ArchiveIndex {
 };
 
 // How one label of one material and level lies in a rank's data file.
-enum class StoredType { float64, float32, int32, int64 };
+enum class StoredType { float64, float32, int32, int64, int16, uint8 };  // the last two: raw files
 struct StoredVariable {
   std::string name;
   ValueType type = ValueType::real;
@@ -83,9 +97,18 @@ struct DataFileRecord {
   std::vector<StoredVariable> variables;
 };
 
+// A patch as its file knows it: a box of a level, with the extra cells that a raw archive stores
+// around it where no patch of the level is beside it.
+struct PatchRecord {
+  int id = 0;
+  IndexBox interior, outer;
+};
+
 struct StepRecord {
   StepInfo info;
   Grid grid;
+  std::vector<std::vector<PatchRecord>> patches;  // by level, in the order of Level::boxes
+  std::vector<int> level_ids;                     // by level; they differ in raw archives only
   int ranks = 1;
   std::vector<std::string> data_files;  // p00000.xml, in the folder of the step
 };

@@ -125,7 +125,10 @@ void ArchiveWriter::warn_of_overflows(int step, std::int64_t count) {
 void ArchiveWriter::publish(Store& store, const StepInfo& info, const Grid& grid) {
   const std::string name = step_folder_name(info.step);
   const fs::path partial = store.folder / (name + ".partial"), complete = store.folder / name;
-  StepRecord record{info, grid, ranks_.size, {}};
+  StepRecord record;
+  record.info = info;
+  record.grid = grid;
+  record.ranks = ranks_.size;
   std::vector<StoredVariable> stored;
   for (int rank = 0; rank < ranks_.size; ++rank) {
     record.data_files.push_back(fmt::format("p{:05}.xml", rank));

@@ -64,7 +64,8 @@ std::int64_t extract_particles(const ArchiveStep& step, const ExtractOptions& op
       const Vec3 p = table.position(n);
       if ((options.level >= 0 && table.levels[n] != options.level) || !inside(p, options)) continue;
       fmt::format_to(out, "{:.17g},{},{},{},{:.17g},{:.17g},{:.17g}", step.info().time,
-                     table.levels[n], material, table.ids[n], p.x, p.y, p.z);
+                     table.levels[n], material,
+                     table.numbered ? std::to_string(table.ids[n]) : std::string(), p.x, p.y, p.z);
       for (const std::vector<double>& values : column->components)
         fmt::format_to(out, ",{:.17g}", values[n]);
       fmt::format_to(out, "\n");

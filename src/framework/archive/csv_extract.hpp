@@ -3,6 +3,7 @@
 //   time,level,material,i,j,k,x,y,z,value          (vectors: value_x,value_y,value_z)
 //   time,level,material,id,x,y,z,value             (labels of particles; rows by material, id)
 //
+// Particles of a raw archive without numbers have an empty id, and the order of their patches.
 // 17 digits; interior points only; rows by material, level, k, j, i. With all levels every point
 // comes once, from the finest level that holds a value there.
 #pragma once

@@ -44,12 +44,6 @@ FieldFileReader::FieldFileReader(const std::filesystem::path& record_path) {
                     path_.string(), size, record_.bytes));
 }
 
-const StoredVariable* FieldFileReader::find(std::string_view name, int level, int material) const {
-  for (const StoredVariable& v : record_.variables)
-    if (v.name == name && v.level == level && v.material == material) return &v;
-  return nullptr;
-}
-
 void FieldFileReader::open() {
   if (file_.valid()) return;
   silence_hdf5();
@@ -84,9 +78,10 @@ FieldFileReader::Table FieldFileReader::read_table(const StoredVariable& variabl
   std::int64_t total = 0;
   for (std::size_t n = 0; n + 6 <= numbers.size(); n += 6) {
     const std::int32_t* b = numbers.data() + n;
-    t.boxes.push_back(checked_box({b[0], b[1], b[2]}, {b[3], b[4], b[5]}, file));
+    const IndexBox box = checked_box({b[0], b[1], b[2]}, {b[3], b[4], b[5]}, file);
+    t.boxes.push_back({box, box});
     t.starts.push_back(total);
-    total += t.boxes.back().volume() * components;
+    total += box.volume() * components;
   }
   const auto stored = static_cast<std::int64_t>(value_count(t.values, file));
   if (total != stored ||
@@ -97,16 +92,16 @@ FieldFileReader::Table FieldFileReader::read_table(const StoredVariable& variabl
   return t;
 }
 
-const std::vector<IndexBox>& FieldFileReader::boxes(const StoredVariable& variable) {
+const std::vector<StoredBox>& FieldFileReader::boxes(const StoredVariable& variable) {
   return table(variable).boxes;
 }
 
-template <class T>
-std::vector<double> FieldFileReader::read_box_as(const StoredVariable& variable, const Table& t,
-                                                 std::size_t box) {
+template <class T, class Value>
+std::vector<Value> FieldFileReader::read_box_as(const StoredVariable& variable, std::size_t box) {
+  const Table& t = table(variable);
   const std::string file = path_.string();
   const std::size_t components = component_count(variable.type);
-  const std::size_t volume = t.boxes[box].volume();
+  const std::size_t volume = t.boxes[box].stored.volume();
   std::vector<T> stored(volume * components);
   const hsize_t start = static_cast<hsize_t>(t.starts[box]), count = stored.size();
   const auto space = checked(H5Dget_space(t.values.get()), H5Sclose, "ask for a space", file);
@@ -125,24 +120,33 @@ std::vector<double> FieldFileReader::read_box_as(const StoredVariable& variable,
     if (crc32c(0, stored.data() + c * volume, volume * sizeof(T)) != t.sums[box * components + c])
       throw DamageError(fmt::format("{}: the checksum of {}, box {}, component {} does not match",
                                     file, variable.group(), box, c));
-  std::vector<double> values(stored.size());
+  std::vector<Value> values(stored.size());
   std::transform(stored.begin(), stored.end(), values.begin(),
-                 [](T value) { return static_cast<double>(value); });
+                 [](T value) { return static_cast<Value>(value); });
   return values;
 }
 
-std::vector<double> FieldFileReader::read_box(const StoredVariable& variable, std::size_t box) {
-  const Table& t = table(variable);
+template <class Value>
+std::vector<Value> FieldFileReader::read_values(const StoredVariable& variable, std::size_t box) {
   switch (variable.stored) {
     case StoredType::float64:
-      return read_box_as<double>(variable, t, box);
+      return read_box_as<double, Value>(variable, box);
     case StoredType::float32:
-      return read_box_as<float>(variable, t, box);
+      return read_box_as<float, Value>(variable, box);
     case StoredType::int64:
-      return read_box_as<std::int64_t>(variable, t, box);
+      return read_box_as<std::int64_t, Value>(variable, box);
     default:
-      return read_box_as<std::int32_t>(variable, t, box);
+      return read_box_as<std::int32_t, Value>(variable, box);
   }
+}
+
+std::vector<double> FieldFileReader::read_box(const StoredVariable& variable, std::size_t box) {
+  return read_values<double>(variable, box);
+}
+
+std::vector<std::int64_t> FieldFileReader::read_integers(const StoredVariable& variable,
+                                                         std::size_t box) {
+  return read_values<std::int64_t>(variable, box);
 }
 
 }  // namespace sluice

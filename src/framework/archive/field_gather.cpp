@@ -141,6 +141,8 @@ GatherResult gather(const FieldPiece& piece, StoredType stored,
       return gather_as<std::int32_t>(piece, emit);
     case StoredType::int64:
       return gather_as<std::int64_t>(piece, emit);
+    default:  // of raw files, which are only read
+      break;
   }
   throw std::logic_error("archive: unknown stored type");
 }

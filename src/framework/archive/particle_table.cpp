@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
 #include <set>
 
 namespace sluice {
@@ -56,6 +57,51 @@ std::vector<int> particle_materials(const ArchiveStep& step) {
   return {materials.begin(), materials.end()};
 }
 
+namespace {
+
+// The numbers of a level's particles; none in a raw archive: nullopt.
+std::optional<std::vector<std::int64_t>> read_ids(const ArchiveStep& step, int material,
+                                                  int level) {
+  const bool raw = step.storage().format == ArchiveFormat::raw;
+  if (raw && step.find_particles(particle_id_name, material, level) == nullptr) return std::nullopt;
+  return step.read_particle_integers(need(step, particle_id_name, material, level));
+}
+
+void add_level(const ArchiveStep& step, int level, const std::set<std::string>& names,
+               ParticleTable& table) {
+  const std::size_t before = table.size();
+  std::size_t count = 0;
+  auto column = table.columns.begin();
+  for (const std::string& name : names) {
+    const FieldInfo& info = need(step, name.c_str(), table.material, level);
+    const auto values = step.read_particles(info);
+    if (column->components.empty())
+      *column = {info, std::vector<std::vector<double>>(values.size())};
+    if (column == table.columns.begin()) count = values.front().size();
+    if (values.front().size() != count || values.size() != column->components.size())
+      throw DamageError(fmt::format(
+          "{}: {} of material {} on level {} has {} values for {} particles",
+          step.folder().string(), name, table.material, level, values.front().size(), count));
+    for (std::size_t c = 0; c < values.size(); ++c) {
+      auto& all = column->components[c];
+      all.insert(all.end(), values[c].begin(), values[c].end());
+    }
+    ++column;
+  }
+  const auto ids = read_ids(step, table.material, level);
+  table.numbered = table.numbered && ids.has_value();
+  if (ids && ids->size() != count)
+    throw DamageError(fmt::format(
+        "{}: {} of material {} on level {} has {} values for {} particles", step.folder().string(),
+        particle_id_name, table.material, level, ids->size(), count));
+  table.ids.resize(before + count);
+  if (ids)
+    std::copy(ids->begin(), ids->end(), table.ids.end() - static_cast<std::ptrdiff_t>(count));
+  table.levels.resize(before + count, level);
+}
+
+}  // namespace
+
 ParticleTable read_particles(const ArchiveStep& step, int material, const LabelFilter& labels) {
   ParticleTable table;
   table.material = material;
@@ -67,27 +113,8 @@ ParticleTable read_particles(const ArchiveStep& step, int material, const LabelF
     if (labels.selects(f.name) && f.name != particle_id_name) names.insert(f.name);
   }
   table.columns.resize(names.size());
-  for (const int level : levels) {
-    const auto ids = step.read_particles(need(step, particle_id_name, material, level)).front();
-    for (const double id : ids) table.ids.push_back(static_cast<std::int64_t>(id));
-    table.levels.insert(table.levels.end(), ids.size(), level);
-    auto column = table.columns.begin();
-    for (const std::string& name : names) {
-      const FieldInfo& info = need(step, name.c_str(), material, level);
-      const auto values = step.read_particles(info);
-      if (column->components.empty())
-        *column = {info, std::vector<std::vector<double>>(values.size())};
-      for (std::size_t c = 0; c < values.size(); ++c) {
-        if (values[c].size() != ids.size())
-          throw DamageError(fmt::format(
-              "{}: {} of material {} on level {} has {} values for {} particles",
-              step.folder().string(), name, material, level, values[c].size(), ids.size()));
-        auto& all = column->components[c];
-        all.insert(all.end(), values[c].begin(), values[c].end());
-      }
-      ++column;
-    }
-  }
+  for (const int level : levels) add_level(step, level, names, table);
+  if (!table.numbered) std::iota(table.ids.begin(), table.ids.end(), std::int64_t{0});
   sort_by_id(table);
   return table;
 }

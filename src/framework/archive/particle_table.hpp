@@ -9,7 +9,7 @@
 
 namespace sluice {
 
-// Every step that holds particles holds these two of each.
+// Every step of Sluice that holds particles holds these two of each; a raw one may have no numbers.
 inline constexpr const char* particle_position_name = "p.x";
 inline constexpr const char* particle_id_name = "p.particleID";
 
@@ -21,6 +21,7 @@ struct ParticleColumn {
 struct ParticleTable {
   int material = 0;
   std::vector<std::int64_t> ids;        // ascending
+  bool numbered = true;                 // false: ids count the particles in stored order
   std::vector<int> levels;              // on which each lives
   std::vector<ParticleColumn> columns;  // by name, without the ids; positions are one of them
 
@@ -31,8 +32,8 @@ struct ParticleTable {
 
 // Materials of which the step holds particles, ascending.
 std::vector<int> particle_materials(const ArchiveStep& step);
-// Columns that the filter selects, and positions. DamageError where columns have other lengths than
-// the ids, or positions and ids are missing.
+// Columns that the filter selects, and positions. DamageError where columns have different lengths,
+// or positions are missing; also where ids are, unless the archive is raw.
 ParticleTable read_particles(const ArchiveStep& step, int material, const LabelFilter& labels = {});
 
 }  // namespace sluice

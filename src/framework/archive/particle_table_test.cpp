@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "framework/archive/archive_test_support.hpp"
-#include "framework/archive/compare.hpp"
+#include "framework/archive/compare/compare.hpp"
 #include "framework/archive/csv_extract.hpp"
 #include "framework/archive/xml_text.hpp"
 #include "framework/base/error.hpp"

@@ -114,6 +114,11 @@ StepRecord parse_step(const XmlElement& root, const std::string& context) {
   for (std::size_t l = 0; l < record.grid.levels.size(); ++l)
     if (record.grid.levels[l].index != static_cast<int>(l))
       throw DamageError(context + ": the levels are not numbered 0, 1, ... in order");
+  for (const Level& level : record.grid.levels) {
+    record.level_ids.push_back(level.index);
+    std::vector<PatchRecord>& patches = record.patches.emplace_back();
+    for (const GridBox& b : level.boxes) patches.push_back({b.id, b.cells, b.cells});
+  }
   if (const XmlElement* state = root.child("State"))
     for (const XmlElement& e : state->children)
       record.info.state[e.need_attribute("name", context)] = e.need_attribute("value", context);

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "framework/archive/archive.hpp"
-#include "framework/archive/compare.hpp"
+#include "framework/archive/compare/compare.hpp"
 #include "framework/base/temporary_folder.hpp"
 #include "framework/run/simulation/simulation.hpp"
 #include "framework/run/test_support/hierarchy_test_run.hpp"

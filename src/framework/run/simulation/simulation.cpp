@@ -100,6 +100,7 @@ void Simulation::start() {
   int restart_step = 0;
   if (restarting) {
     const Archive earlier = Archive::open(options_.restart);
+    require_own_format(earlier);
     const StepEntry& entry = earlier.select_checkpoint(options_.restart_step);
     restart_step = entry.step;
     restart_from(earlier.read_checkpoint(entry));

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "framework/archive/archive.hpp"
-#include "framework/archive/compare.hpp"
+#include "framework/archive/compare/compare.hpp"
 #include "framework/base/temporary_folder.hpp"
 #include "framework/run/test_support/mock_component.hpp"
 

@@ -2,7 +2,7 @@
 //
 // Raw appended data would be a quarter smaller, but the VTK of Debian 12 cannot read them: its XML
 // parser (expat 2.5.0-1+deb12u2 and later) reports the start of that section too late.
-#include "framework/archive/vtk_image.hpp"
+#include "framework/archive/vtk/vtk_image.hpp"
 
 #include <fmt/format.h>
 

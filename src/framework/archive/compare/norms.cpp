@@ -1,23 +1,40 @@
 // Norms over coinciding points, with exact sums.
-#include "framework/archive/norms.hpp"
+#include "framework/archive/compare/norms.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "framework/archive/compare/step_pairs.hpp"
 #include "framework/base/error.hpp"
 #include "framework/base/exact_sum.hpp"
+#include "framework/field/component_name.hpp"
 
 namespace sluice {
 namespace {
 
-const StepEntry& partner(const Archive& b, const StepEntry& a, double tolerance) {
+constexpr double same_time = 1e-9;  // relative
+
+const StepEntry& partner(const Archive& b, const StepEntry& a) {
   for (const StepEntry& s : b.outputs())
-    if (std::abs(s.time - a.time) <= tolerance * std::max(std::abs(s.time), std::abs(a.time)))
+    if (std::abs(s.time - a.time) <= same_time * std::max(std::abs(s.time), std::abs(a.time)))
       return s;
-  throw InputError(fmt::format("{} has no output at time {:.17g} (step {} of the first archive)",
-                               b.folder().string(), a.time, a.step));
+  throw InputError(
+      fmt::format("{} has no output at time {:.17g} (step {} of the first archive); "
+                  "--time-tolerance pairs outputs of nearest times",
+                  b.folder().string(), a.time, a.step));
+}
+
+std::vector<StepPair> pairs_of(const Archive& a, const Archive& b, const NormsOptions& options,
+                               std::vector<std::string>& notes) {
+  std::vector<StepEntry> steps = a.outputs();
+  if (!options.time.empty()) steps = {a.select_output(options.time)};
+  if (options.time_tolerance || a.format() != b.format())
+    return pair_nearest_steps(steps, b.outputs(), options.time_tolerance, notes);
+  std::vector<StepPair> pairs;
+  for (const StepEntry& s : steps) pairs.emplace_back(s, partner(b, s));
+  return pairs;
 }
 
 // By how many indices the second level's numbering is shifted; their points must coincide.
@@ -40,7 +57,7 @@ NormsRow norms_of(const DenseField& x, const DenseField& y, IntVec3 shift, int m
   NormsRow row;
   ExactSum absolute, square;
   for_each_cell(x.cells, [&](IntVec3 c) {
-    if (!x.has(c)) return;
+    if (!x.has(c) || !y.has(c + shift)) return;
     const double d = std::abs(x.at(c, m) - y.at(c + shift, m));
     absolute.add(d);
     square.add(d * d);
@@ -55,7 +72,7 @@ NormsRow norms_of(const DenseField& x, const DenseField& y, IntVec3 shift, int m
 
 void add_rows(const ArchiveStep& a, const ArchiveStep& b, const FieldInfo& fa, const FieldInfo& fb,
               std::vector<NormsRow>& rows) {
-  constexpr const char* axes[] = {".x", ".y", ".z"};
+  const bool across = a.storage().format != b.storage().format;
   const std::size_t l = fa.level;
   if (l >= b.grid().levels.size())
     throw InputError(fmt::format("the second archive has no level {}", fa.level));
@@ -63,7 +80,7 @@ void add_rows(const ArchiveStep& a, const ArchiveStep& b, const FieldInfo& fa, c
   const DenseField x = a.read(fa);
   const DenseField y = b.read(fb, x.cells.shifted(shift));
   for_each_cell(x.cells, [&](IntVec3 c) {
-    if (x.has(c) && !y.has(c + shift))
+    if (x.has(c) && !y.has(c + shift) && !across)
       throw InputError(
           fmt::format("the points do not coincide: {} of the second archive has no value on level "
                       "{} at [{}, {}, "
@@ -72,26 +89,39 @@ void add_rows(const ArchiveStep& a, const ArchiveStep& b, const FieldInfo& fa, c
   });
   for (int m = 0; m < fa.components(); ++m) {
     NormsRow row = norms_of(x, y, shift, m);
+    if (row.points == 0) return;
     row.time = a.info().time;
+    row.other_time = b.info().time;
     row.level = fa.level;
     row.material = fa.material;
-    row.label = fa.name + (fa.components() > 1 ? axes[m] : "");
+    const std::string component = component_name(fa.components(), m);
+    row.label = component.empty() ? fa.name : fmt::format("{}.{}", fa.name, component);
     rows.push_back(std::move(row));
   }
 }
 
 }  // namespace
 
+namespace {
+
+const FieldInfo* counterpart(const ArchiveStep& a, const ArchiveStep& b, const FieldInfo& f,
+                             const std::vector<LabelName>& names) {
+  if (a.storage().format == b.storage().format) return b.find(f.name, f.material, f.level);
+  for (const std::string& name : names_elsewhere(f.name, names))
+    if (const FieldInfo* other = b.find(name, f.material, f.level)) return other;
+  return nullptr;
+}
+
+}  // namespace
+
 NormsResult difference_norms(const Archive& a, const Archive& b, const NormsOptions& options) {
-  std::vector<StepEntry> steps = a.outputs();
-  if (!options.time.empty()) steps = {a.select_output(options.time)};
   NormsResult result;
-  for (const StepEntry& entry : steps) {
-    const ArchiveStep sa = a.read_output(entry);
-    const ArchiveStep sb = b.read_output(partner(b, entry, options.time_tolerance));
+  for (const auto& [first, second] : pairs_of(a, b, options, result.notes)) {
+    const ArchiveStep sa = a.read_output(first);
+    const ArchiveStep sb = b.read_output(second);
     for (const FieldInfo& fa : sa.fields()) {
       if (!options.labels.selects(fa.name)) continue;
-      const FieldInfo* fb = sb.find(fa.name, fa.material, fa.level);
+      const FieldInfo* fb = counterpart(sa, sb, fa, options.names);
       if (fb && fb->type == fa.type && fb->centring == fa.centring)
         add_rows(sa, sb, fa, *fb, result.rows);
       else if (std::find(result.skipped.begin(), result.skipped.end(), fa.name) ==

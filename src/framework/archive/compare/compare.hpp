@@ -4,6 +4,10 @@
 // given, so that any difference counts. NaN differs from everything, -0 equals +0. a, b and abs
 // have the unit of the label, rel has none.
 // Archives are not comparable when grids, times, labels, materials or covered cells differ.
+//
+// An archive in Uintah's raw layout is compared with one of Sluice in what both hold: outputs are
+// paired by nearest time, labels by label_names.hpp, particles by particle_pairs.hpp; extra cells
+// do not count. What only one of them holds is a note.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -11,6 +15,8 @@
 #include <vector>
 
 #include "framework/archive/archive.hpp"
+#include "framework/archive/compare/label_names.hpp"
+#include "framework/archive/compare/step_pairs.hpp"
 #include "framework/archive/selection.hpp"
 
 namespace sluice {
@@ -20,6 +26,9 @@ struct CompareOptions {
   LabelFilter labels;
   bool checkpoints = false;   // compare these instead of the outputs
   bool common_times = false;  // only steps whose times both have
+  // s; given: steps are paired by nearest time, at most this far apart
+  std::optional<double> time_tolerance = {};
+  std::vector<LabelName> names = {};  // between formats, before those of the table
 };
 
 struct Difference {
@@ -42,9 +51,11 @@ struct FieldDifference {
 
 struct CompareResult {
   std::vector<std::string> not_comparable;
+  std::vector<std::string> notes;  // between formats: what only one archive holds
+  std::vector<StepPair> paired;    // the steps that were compared
   std::vector<FieldDifference> fields;
   std::int64_t values = 0, differing = 0;
-  int steps = 0;
+  int steps() const { return static_cast<int>(paired.size()); }
   // 0 equal, 1 different, 2 not comparable (although what could be compared was)
   int exit_status() const { return !not_comparable.empty() ? 2 : differing > 0 ? 1 : 0; }
   std::optional<Difference> first() const;

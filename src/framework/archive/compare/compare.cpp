@@ -1,19 +1,19 @@
 // Pairing steps and fields of two archives and comparing value by value.
-#include "framework/archive/compare.hpp"
+#include "framework/archive/compare/compare.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <set>
 
-#include "framework/archive/particle_table.hpp"
+#include "framework/archive/compare/particle_pairs.hpp"
 #include "framework/field/component_name.hpp"
 
 namespace sluice {
 namespace {
-
-using StepPair = std::pair<StepEntry, StepEntry>;
 
 bool same_length(double a, double b) {
   return std::abs(a - b) <= 1e-12 * std::max(std::abs(a), std::abs(b));
@@ -52,10 +52,10 @@ std::vector<StepPair> pair_steps(const std::vector<StepEntry>& a, const std::vec
   return pairs;
 }
 
-std::string grid_mismatch(const Grid& a, const Grid& b) {
-  if (a.levels.size() != b.levels.size())
+std::string grid_mismatch(const Grid& a, const Grid& b, bool same_count) {
+  if (same_count && a.levels.size() != b.levels.size())
     return fmt::format("{} and {} levels", a.levels.size(), b.levels.size());
-  for (std::size_t l = 0; l < a.levels.size(); ++l)
+  for (std::size_t l = 0; l < std::min(a.levels.size(), b.levels.size()); ++l)
     if (std::string why = grid_mismatch(a.levels[l], b.levels[l]); !why.empty())
       return fmt::format("level {}: {}", l, why);
   return "";
@@ -64,25 +64,32 @@ std::string grid_mismatch(const Grid& a, const Grid& b) {
 class StepComparison {
  public:
   StepComparison(const ArchiveStep& a, const ArchiveStep& b, const CompareOptions& options,
-                 CompareResult& result)
-      : a_(a), b_(b), options_(options), result_(result) {}
+                 std::map<int, ParticlePairing>& pairings, CompareResult& result)
+      : a_(a),
+        b_(b),
+        options_(options),
+        pairings_(pairings),
+        result_(result),
+        across_(a.storage().format != b.storage().format) {}
 
   void run() {
-    if (const std::string why = grid_mismatch(a_.grid(), b_.grid()); !why.empty())
+    if (const std::string why = grid_mismatch(a_.grid(), b_.grid(), !across_); !why.empty())
       return refuse("the grids differ: " + why);
-    for (const FieldInfo& f : b_.fields())
-      if (options_.labels.selects(f.name) && !a_.find(f.name, f.material, f.level))
-        refuse(fmt::format("only the second has {}", describe(f)));
+    std::set<const FieldInfo*> seen;
     for (const FieldInfo& f : a_.fields()) {
       if (!options_.labels.selects(f.name)) continue;
-      const FieldInfo* other = b_.find(f.name, f.material, f.level);
+      const FieldInfo* other = counterpart(f);
+      seen.insert(other);
       if (!other)
-        refuse(fmt::format("only the first has {}", describe(f)));
+        only_one(fmt::format("only the first has {}", describe(f)));
       else if (other->type != f.type || other->centring != f.centring)
-        refuse(fmt::format("{} has another type or centring in each", describe(f)));
+        only_one(fmt::format("{} has another type or centring in each", describe(f)));
       else
         compare_field(f, *other);
     }
+    for (const FieldInfo& f : b_.fields())
+      if (options_.labels.selects(f.name) && !seen.contains(&f))
+        only_one(fmt::format("only the second has {}", describe(f)));
     compare_particles();
   }
 
@@ -94,22 +101,38 @@ class StepComparison {
     result_.not_comparable.push_back(
         fmt::format("step {} at time {:.17g}: {}", a_.info().step, a_.info().time, why));
   }
+  // Between formats that is expected, and is said once.
+  void only_one(const std::string& what) {
+    if (!across_) return refuse(what);
+    if (std::find(result_.notes.begin(), result_.notes.end(), what) == result_.notes.end())
+      result_.notes.push_back(what);
+  }
+
+  const FieldInfo* counterpart(const FieldInfo& f) const {
+    if (!across_) return b_.find(f.name, f.material, f.level);
+    for (const std::string& name : names_elsewhere(f.name, options_.names))
+      if (const FieldInfo* other = b_.find(name, f.material, f.level)) return other;
+    return nullptr;
+  }
 
   void compare_field(const FieldInfo& fa, const FieldInfo& fb) {
     const DenseField x = a_.read(fa), y = b_.read(fb);
     FieldDifference found;
-    bool same_cells = true;
+    std::int64_t only_first = 0, only_second = 0;
     for_each_cell(bounding(x.cells, y.cells), [&](IntVec3 c) {
       if (x.has(c) != y.has(c)) {
-        if (same_cells)
+        if (only_first + only_second == 0 && !across_)
           refuse(fmt::format("{}: only the {} holds a value at [{}, {}, {}]", describe(fa),
                              x.has(c) ? "first" : "second", c.x, c.y, c.z));
-        same_cells = false;
+        ++(x.has(c) ? only_first : only_second);
       } else if (x.has(c)) {
         for (int m = 0; m < fa.components(); ++m)
           compare_values(fa, c, m, x.at(c, m), y.at(c, m), found);
       }
     });
+    if (across_ && only_first + only_second > 0)
+      only_one(fmt::format("{} at step {}: {} values are only in the first, {} only in the second",
+                           describe(fa), a_.info().step, only_first, only_second));
     keep(found);
   }
 
@@ -118,37 +141,82 @@ class StepComparison {
     for (const int m : particle_materials(b_))
       if (std::find(materials.begin(), materials.end(), m) == materials.end())
         materials.push_back(m);
+    // Labels are chosen below: another name may be selected in the other archive.
+    const LabelFilter labels = across_ ? LabelFilter{} : options_.labels;
     for (const int m : materials)
-      compare_particles(read_particles(a_, m, options_.labels),
-                        read_particles(b_, m, options_.labels));
+      compare_particles(read_particles(a_, m, labels), read_particles(b_, m, labels));
   }
 
   void compare_particles(const ParticleTable& x, const ParticleTable& y) {
-    const auto [in_x, in_y] = std::mismatch(x.ids.begin(), x.ids.end(), y.ids.begin(), y.ids.end());
-    if (in_x != x.ids.end() || in_y != y.ids.end()) {
-      const bool first = in_y == y.ids.end() || (in_x != x.ids.end() && *in_x < *in_y);
-      return refuse(fmt::format("{} and {} particles of material {}: only the {} has particle {}",
-                                x.size(), y.size(), x.material, first ? "first" : "second",
-                                first ? *in_x : *in_y));
-    }
-    for (const ParticleColumn& b : y.columns)
-      if (options_.labels.selects(b.info.name) && x.find(b.info.name) == nullptr)
-        refuse(fmt::format("only the second has {}", describe(b.info)));
+    const bool by_place = !(x.numbered && y.numbered) && !same_patches();
+    const ParticlePairs pairs = across_ || by_place ? pair_across(x, y) : pair_same(x, y);
+    if (pairs.places.empty() && x.size() + y.size() > 0) return;
+    std::set<const ParticleColumn*> seen;
     for (const ParticleColumn& a : x.columns) {
       if (!options_.labels.selects(a.info.name)) continue;
-      const ParticleColumn* b = y.find(a.info.name);
+      const ParticleColumn* b = counterpart(a.info.name, y);
+      seen.insert(b);
       if (b == nullptr || b->info.type != a.info.type) {
-        refuse(b == nullptr ? "only the first has " + describe(a.info)
-                            : describe(a.info) + " has another type in each");
+        only_one(b == nullptr ? "only the first has " + describe(a.info)
+                              : describe(a.info) + " has another type in each");
         continue;
       }
       FieldDifference found;
+      const bool of_second = !x.numbered && y.numbered;
       for (std::size_t c = 0; c < a.components.size(); ++c)
-        for (std::size_t n = 0; n < x.size(); ++n)
-          compare_values(a.info, {}, static_cast<int>(c), a.components[c][n], b->components[c][n],
-                         found, x.ids[n]);
+        for (const auto& [n, m] : pairs.places)
+          compare_values(a.info, {}, static_cast<int>(c), a.components[c][n], b->components[c][m],
+                         found, of_second ? y.ids[m] : x.ids[n]);
       keep(found);
     }
+    for (const ParticleColumn& b : y.columns)
+      if (options_.labels.selects(b.info.name) && !seen.contains(&b))
+        only_one(fmt::format("only the second has {}", describe(b.info)));
+  }
+
+  const ParticleColumn* counterpart(const std::string& name, const ParticleTable& other) const {
+    if (!across_) return other.find(name);
+    for (const std::string& n : names_elsewhere(name, options_.names))
+      if (const ParticleColumn* column = other.find(n)) return column;
+    return nullptr;
+  }
+
+  // Particles without numbers come in the order of patches.
+  bool same_patches() const {
+    const auto& a = a_.grid().levels;
+    const auto& b = b_.grid().levels;
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Level& l, const Level& m) {
+      return std::equal(l.boxes.begin(), l.boxes.end(), m.boxes.begin(), m.boxes.end(),
+                        [](const GridBox& p, const GridBox& q) { return p.cells == q.cells; });
+    });
+  }
+
+  // Both have the same particles, else they cannot be compared.
+  ParticlePairs pair_same(const ParticleTable& x, const ParticleTable& y) {
+    ParticlePairs pairs;
+    pairs.by_number = true;
+    const auto [in_x, in_y] = std::mismatch(x.ids.begin(), x.ids.end(), y.ids.begin(), y.ids.end());
+    if (in_x != x.ids.end() || in_y != y.ids.end()) {
+      const bool first = in_y == y.ids.end() || (in_x != x.ids.end() && *in_x < *in_y);
+      refuse(fmt::format("{} and {} particles of material {}: only the {} has particle {}",
+                         x.size(), y.size(), x.material, first ? "first" : "second",
+                         first ? *in_x : *in_y));
+      return pairs;
+    }
+    for (std::size_t n = 0; n < x.size(); ++n) pairs.places.emplace_back(n, n);
+    return pairs;
+  }
+
+  ParticlePairs pair_across(const ParticleTable& x, const ParticleTable& y) {
+    ParticlePairs pairs = pairings_[x.material].pair(x, y);
+    const std::string how = pairs.by_number
+                                ? "by number"
+                                : fmt::format("by place, at most {:.3g} apart", pairs.farthest);
+    if (x.size() + y.size() > 0)
+      result_.notes.push_back(
+          fmt::format("particles of material {} at step {}: {} of {} and {} paired {}", x.material,
+                      a_.info().step, pairs.places.size(), x.size(), y.size(), how));
+    return pairs;
   }
 
   void keep(const FieldDifference& found) {
@@ -170,7 +238,9 @@ class StepComparison {
 
   const ArchiveStep &a_, &b_;
   const CompareOptions& options_;
+  std::map<int, ParticlePairing>& pairings_;  // by material
   CompareResult& result_;
+  const bool across_;  // two formats
 };
 
 }  // namespace
@@ -230,14 +300,17 @@ std::string grid_mismatch(const Level& a, const Level& b) {
 
 CompareResult compare(const Archive& a, const Archive& b, const CompareOptions& options) {
   CompareResult result;
-  const bool c = options.checkpoints;
-  for (const auto& [x, y] :
-       pair_steps(c ? a.checkpoints() : a.outputs(), c ? b.checkpoints() : b.outputs(), options,
-                  result.not_comparable)) {
+  const bool c = options.checkpoints, across = a.format() != b.format();
+  const auto& of_a = c ? a.checkpoints() : a.outputs();
+  const auto& of_b = c ? b.checkpoints() : b.outputs();
+  result.paired = across || options.time_tolerance
+                      ? pair_nearest_steps(of_a, of_b, options.time_tolerance, result.notes)
+                      : pair_steps(of_a, of_b, options, result.not_comparable);
+  std::map<int, ParticlePairing> pairings;
+  for (const auto& [x, y] : result.paired) {
     const ArchiveStep sa = c ? a.read_checkpoint(x) : a.read_output(x);
     const ArchiveStep sb = c ? b.read_checkpoint(y) : b.read_output(y);
-    StepComparison(sa, sb, options, result).run();
-    ++result.steps;
+    StepComparison(sa, sb, options, pairings, result).run();
   }
   if (result.values == 0 && result.not_comparable.empty())
     result.not_comparable.push_back("they have no value in common");

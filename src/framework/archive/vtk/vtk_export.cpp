@@ -1,5 +1,5 @@
 // Steps to images, hierarchies of images, and the .pvd file with their times.
-#include "framework/archive/vtk_export.hpp"
+#include "framework/archive/vtk/vtk_export.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 
 #include "framework/archive/particle_table.hpp"
 #include "framework/archive/posix_file.hpp"
-#include "framework/archive/vtk_image.hpp"
+#include "framework/archive/vtk/vtk_image.hpp"
 #include "framework/base/error.hpp"
 #include "framework/grid/box_list.hpp"
 

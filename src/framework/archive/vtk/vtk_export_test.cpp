@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "framework/archive/archive_test_support.hpp"
-#include "framework/archive/vtk_export.hpp"
+#include "framework/archive/vtk/vtk_export.hpp"
 #include "sluice_source_dir.hpp"
 
 namespace sluice::vtk_export_test {

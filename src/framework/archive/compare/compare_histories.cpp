@@ -4,7 +4,7 @@
 #include <set>
 #include <sstream>
 
-#include "framework/archive/compare.hpp"
+#include "framework/archive/compare/compare.hpp"
 #include "framework/archive/posix_file.hpp"
 
 namespace sluice {

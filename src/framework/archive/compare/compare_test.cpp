@@ -1,5 +1,5 @@
 // The rules of comparison, the norms and the CSV contract.
-#include "framework/archive/compare.hpp"
+#include "framework/archive/compare/compare.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "framework/archive/archive_test_support.hpp"
-#include "framework/archive/norms.hpp"
+#include "framework/archive/compare/norms.hpp"
 #include "framework/base/error.hpp"
 
 namespace sluice::compare_test {
@@ -64,8 +64,8 @@ TEST(Compare, LayoutOfBoxesDoesNotMatter) {
     o.checkpoints = checkpoints;
     const CompareResult r = compare_paths(a, b, o);
     EXPECT_EQ(r.exit_status(), 0);
-    EXPECT_EQ(r.steps, checkpoints ? 2 : 3);
-    EXPECT_EQ(r.values, r.steps * 4 * 12 * 6 * 4);
+    EXPECT_EQ(r.steps(), checkpoints ? 2 : 3);
+    EXPECT_EQ(r.values, r.steps() * 4 * 12 * 6 * 4);
   }
 }
 
