@@ -8,7 +8,8 @@
     step.particles()["p.x"]                  # particles by id: arrays [n], vectors [n, component]
     step.particles(1, {"p.stress"})          # of material 1, one variable: tensors [n, 9]
 
-The layout is described in docs/archive_format.md. Checksums are not verified here: `sluice info
+Archives in Uintah's raw layout are read in the same way, see raw_archive.py. The layouts are
+described in docs/archive_format.md. Checksums are not verified here: `sluice info
 --verify` does that.
 """
 import dataclasses
@@ -93,15 +94,24 @@ class Archive:
     def __init__(self, path):
         self.path = pathlib.Path(path).resolve()
         root = _parse(self.path / "index.xml")
-        stored = root.findtext("outputFormat", default="").strip()
-        if stored != "HDF5":
-            raise ArchiveError(f"{path}: the archive's format is '{stored or 'raw UDA'}'; "
-                               "only Sluice's HDF5 archives can be drawn")
+        stored = root.findtext("outputFormat", default="UDA").strip()
+        if stored not in ("HDF5", "UDA"):
+            raise ArchiveError(f"{path}: the archive's format is '{stored}'; HDF5 and UDA are read")
+        self.raw = stored == "UDA"
         self.steps = [(int(e.text), float(e.get("time")), self.path / e.get("href"))
                       for e in root.iterfind("timesteps/timestep")]
-        self.variables = {e.get("name"): _variable(e) for e in root.iterfind("variables/variable")}
+        if self.raw:
+            from sluice_tools import raw_archive  # which needs this module
+            self.order = raw_archive.byte_order(root)
+            self.position_name = (root.findtext("ParticlePosition") or "p.x").strip()
+            self.variables = raw_archive.variables_of(root)
+            self._step = raw_archive.RawStep
+        else:
+            self.variables = {e.get("name"): _variable(e)
+                              for e in root.iterfind("variables/variable")}
+            self._step = Step
         self.histories = {e.get("name"): (self.path / e.get("href"), e.get("type", ""))
-                          for e in root.iterfind("globals/variable")}
+                          for e in root.iterfind("globals/variable") if e.get("href")}
 
     def title(self):
         """What the deck calls itself, or the name of the archive."""
@@ -116,7 +126,7 @@ class Archive:
         """'last', 'first', '#N' (N-th output from 0), or a time: the nearest output."""
         if not self.steps:
             raise ArchiveError(f"{self.path}: the archive holds no output yet")
-        return Step(self, *self.steps[self._position(str(which))])
+        return self._step(self, *self.steps[self._position(str(which))])
 
     def _position(self, which):
         if which in ("last", "first"):
@@ -216,7 +226,8 @@ class Step:
 
     def particles(self, material=None, wanted=None):
         """Variables of all particles of a material (all, or those whose names are wanted), on all
-        levels, in the order of their ids: arrays [n], vectors [n, 3], tensors [n, 9]."""
+        levels, in the order of their ids: arrays [n], vectors [n, 3], tensors [n, 9]. A raw archive
+        may hold no ids: its particles are then in the order of its patches."""
         there = self.particle_materials()
         if not there:
             raise ArchiveError(f"no particles at step {self.number}; save p.x")
@@ -234,6 +245,8 @@ class Step:
                      for _, _, block in self.pieces(name, material, level)]
             values = np.concatenate(lists)
             table[name] = values if kinds[name].components > 1 else values[:, 0]
+        if "p.particleID" not in table:  # of raw archives that save none: in stored order
+            return table
         order = np.argsort(table["p.particleID"])
         return {name: values[order] for name, values in table.items()}
 

@@ -171,7 +171,7 @@ def draw_particles(fig, ax, step, given):
     bar = fig.colorbar(points, ax=ax, orientation="horizontal", aspect=30, pad=0.02)
     bar.outline.set_linewidth(0.4)
     unit = step.archive.variables[base].unit
-    bar.set_label(given.particles + ("" if unit == "1" else f"  ({style.unit_text(unit)})"))
+    bar.set_label(given.particles + ("" if unit in ("", "1") else f"  ({style.unit_text(unit)})"))
 
 
 def draw_particle_panel(fig, ax, step, name, given):

@@ -175,11 +175,11 @@ class Reading(OnDisk):
         with self.assertRaisesRegex(ArchiveError, "press_CC, uvel_FC, vel_CC"):
             self.two_dimensional().step().field("prss_CC")
 
-    def test_raw_layout_is_refused_by_name(self):
+    def test_other_formats_are_refused_by_name(self):
         self.root.mkdir()
-        (self.root / "index.xml").write_text("<Uintah_DataArchive><outputFormat>UDA</outputFormat>"
+        (self.root / "index.xml").write_text("<Uintah_DataArchive><outputFormat>PIDX</outputFormat>"
                                              "</Uintah_DataArchive>")
-        with self.assertRaisesRegex(ArchiveError, "'UDA'"):
+        with self.assertRaisesRegex(ArchiveError, "'PIDX'"):
             Archive(self.root)
 
     def test_history(self):
