@@ -147,8 +147,8 @@ def paths(archive, step, material, given, count):
     first, second, _ = views.plane_axes(step, given.normal)
     last = step.particles(material, {"p.x", "p.particleID"})
     if "p.particleID" not in last:
-        raise ArchiveError("particles of this archive have no numbers (p.particleID), so that their "
-                           "paths are not known")
+        raise ArchiveError("particles of this archive have no numbers (p.particleID): their paths "
+                           "are not known")
     near = views.near_plane(step, last["p.x"], given.normal, given.position)
     ids = last["p.particleID"][near]
     ids = ids[np.unique(np.linspace(0, len(ids) - 1, min(count, len(ids))).astype(int))]

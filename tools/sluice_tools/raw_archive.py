@@ -51,9 +51,9 @@ class Patch:
         self.id = int(element.findtext("id"))
         self.outer = (_triple(element.findtext("lowIndex"), int),
                       _triple(element.findtext("highIndex"), int))
-        self.interior = (_triple(element.findtext("interiorLowIndex", str(list(self.outer[0]))), int),
-                         _triple(element.findtext("interiorHighIndex", str(list(self.outer[1]))),
-                                 int))
+        low, high = element.findtext("interiorLowIndex"), element.findtext("interiorHighIndex")
+        self.interior = (_triple(low, int) if low else self.outer[0],
+                         _triple(high, int) if high else self.outer[1])
         self.open = [[True] * 3, [True] * 3]  # sides without a neighbour: low, high
 
 

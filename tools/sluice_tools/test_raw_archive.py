@@ -44,9 +44,9 @@ class Writer:
         self.data += b"\0" * (-len(self.data) % 1024)
         start = len(self.data)
         self.data += numbers
-        self.blocks += (f'<Variable type="{kind}&lt;{value}&gt;"><variable>{name}</variable><index>0'
-                        f"</index><patch>{patch + 7}</patch>{more}<start>{start}</start><end>"
-                        f"{len(self.data)}</end><filename>p00000.data</filename></Variable>\n")
+        self.blocks += (f'<Variable type="{kind}&lt;{value}&gt;"><variable>{name}</variable>'
+                        f"<index>0</index><patch>{patch + 7}</patch>{more}<start>{start}</start>"
+                        f"<end>{len(self.data)}</end><filename>p00000.data</filename></Variable>\n")
 
     def name(self, kind, value, name):
         self.variables += f'<variable type="{kind}&lt;{value}&gt;" name="{name}"/>'
@@ -107,7 +107,7 @@ class Reading(OnDisk):
         for order in "<>":
             for gzip in (False, True):
                 with self.subTest(order=order, gzip=gzip):
-                    writer = Writer(self.root / f"{'le' if order == '<' else 'be'}{gzip}", order, gzip)
+                    writer = Writer(self.root / f"{ord(order)}{gzip}", order, gzip)
                     writer.add("CCVariable", "double", "press_CC")
                     writer.add("CCVariable", "float", "rho_CC")
                     writer.add("CCVariable", "Vector", "vel_CC", 3)

@@ -30,7 +30,7 @@ namespace {
 struct RunRequest {
   RunOptionValues run;
   std::string deck, restart, json, progress = "auto";
-  std::string parent = ".";
+  std::string parent = ".", last_line;
   std::optional<int> step, max_steps;
   std::optional<double> wall_limit;    // seconds
   std::optional<double> target_error;  // relative
@@ -158,6 +158,8 @@ int run_on(Communicator& ranks, const RunRequest& o) {
     }
     if (!report.message.empty()) fmt::print(stderr, "sluice: error: {}\n", report.message);
     tell_end(o, report, options.progress);
+    if (exit_status_of(report.status) == 0 && !o.last_line.empty())
+      fmt::print("{}\n", o.last_line);
   }
   return exit_status_of(report.status);
 }
@@ -251,6 +253,8 @@ void declare_run_command(Command& command) {
   add_run_options(command, o->run);
   command.flag("--costs", o->costs,
                "Print the measured share of time of each effect, and messages");
+  command.option("--last-line", o->last_line,
+                 "Print this line at the end of a run that has succeeded, for scripts");
   command.flag("--plot", o->plot, "Draw the last output at the end, with the exact solution");
   command.action([o] { return run(*o); });
 }

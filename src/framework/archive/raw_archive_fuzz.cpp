@@ -1,7 +1,8 @@
 // libFuzzer: no bytes in the files of a raw archive may crash its reader; only Error may come out.
 //
 // The first byte chooses a small good archive (either byte order, gzip or not) and the file that
-// the rest replaces in it: index.xml, timestep.xml, grid.xml (also binary), p00000.xml or p00000.data.
+// the rest replaces in it: index.xml, timestep.xml, grid.xml (also binary), p00000.xml or
+// p00000.data.
 #include <cstdint>
 #include <filesystem>
 #include <fstream>

@@ -112,6 +112,8 @@ RawDataFile parse_raw_file(const std::string& href, const fs::path& folder,
                            const std::string& context) {
   RawDataFile file;
   file.record = folder / href;
+  if (fs::path(href).is_absolute() || href.find("..") != href.npos)
+    throw DamageError(fmt::format("{}: the data file {} lies outside the step", context, href));
   const std::size_t slash = href.find('/');
   if (slash != href.npos && slash > 1 && href[0] == 'l') {
     file.level = parse_int(href.substr(1, slash - 1), context);
