@@ -11,6 +11,10 @@ cmake --install "$1" --prefix "$prefix" >"$prefix/install.log" || {
 "$prefix/bin/sluice" --version | grep -E '^sluice [0-9]+\.[0-9]+\.[0-9]+ \(.+\)$'
 "$prefix/bin/sluice" check "$prefix/share/sluice/inputs/ice/shock_tube.ups"
 [[ -f $prefix/share/doc/sluice/user_guide.md ]]
+# The public suite's tools are links to the command.
+status=0
+"$prefix/bin/puda" -timesteps "$prefix/nosuch.uda" 2>"$prefix/said" || status=$?
+[[ $status == 1 ]] && grep -q "^puda: error: cannot open archive" "$prefix/said"
 # The tools are found: the fault is the missing archive (2), not missing tools (3).
 status=0
 "$prefix/bin/sluice" plot "$prefix/nosuch.uda" --exact none || status=$?
