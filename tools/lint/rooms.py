@@ -48,7 +48,8 @@ ROOMS = {
         {".": "writing and reading archives: Sluice's own in HDF5, Uintah's raw ones; particles, "
               "values as CSV"},
         {"compare": "two archives, of either format: differences and norms",
-         "vtk": "export to the files of ParaView and VisIt"},
+         "vtk": "export to the files of ParaView and VisIt",
+         "uda": "export to Uintah's raw layout"},
     ],
     "framework/solve": [
         {"block": "matrices of blocks, of several unknowns per node, and their solvers"},

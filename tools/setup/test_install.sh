@@ -37,6 +37,10 @@ SLUICE_PYTHON=$prefix/my_python
 "$prefix/bin/sluice" plot "$prefix/nosuch.uda" --exact none || status=$?
 [[ $status == 2 ]]
 unset SLUICE_PYTHON
+# The public suite's tools are links to the command.
+status=0
+"$prefix/bin/puda" -timesteps "$prefix/nosuch.uda" 2>"$prefix/said" || status=$?
+[[ $status == 1 ]] && grep -q "^puda: error: cannot open archive" "$prefix/said"
 # The tools are found: the fault is the missing archive (2), not missing tools (3).
 status=0
 "$prefix/bin/sluice" plot "$prefix/nosuch.uda" --exact none || status=$?

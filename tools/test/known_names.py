@@ -67,6 +67,13 @@ def options(program):
     for command in COMMANDS:
         for option in re.findall(r"(?<![\w-])--[a-z][\w-]*", output_of(program, command, "--help")):
             yield f"option {command} {option}"
+    # The public suite's tools are links beside the program.
+    for link in sorted(pathlib.Path(program).resolve().parent.iterdir()):
+        if link.is_symlink() and link.resolve() == pathlib.Path(program).resolve():
+            done = subprocess.run([str(link), "-h"], capture_output=True, text=True, check=False)
+            for names in re.findall(r"^  (-[\w -]+?)(?:  | <)", done.stdout + done.stderr,
+                                    flags=re.M):
+                yield from (f"option {link.name} {name}" for name in names.split())
 
 
 def plans(program):

@@ -7,7 +7,7 @@ mapfile -t targets < <(ninja -C "$SLUICE_ROOT/build/fuzz" -t targets all |
 ((${#targets[@]} > 0)) || { echo "RESULT: no fuzz target is declared"; exit 1; }
 build_preset fuzz "${targets[@]}"
 seconds=${FUZZ_SECONDS:-600}
-((seconds * ${#targets[@]} <= 1200)) || seconds=$((1200 / ${#targets[@]}))
+((seconds * ${#targets[@]} <= 1800)) || seconds=$((1800 / ${#targets[@]}))
 status=0 told=()
 for name in "${targets[@]}"; do
   mkdir -p "$name.corpus"

@@ -7,6 +7,8 @@
 
 #include "app/classic/classic_arguments.hpp"
 #include "framework/archive/archive.hpp"
+#include "framework/archive/particle_patches.hpp"
+#include "framework/archive/selection.hpp"
 
 namespace sluice {
 
@@ -24,17 +26,6 @@ OutputRange outputs_asked(const ClassicArguments& arguments, const Archive& arch
 
 // InputError, with the names that there are, where the archive has no such variable.
 const VariableEntry& need_variable(const Archive& archive, const std::string& name);
-
-// One variable of the particles of one patch and material.
-struct PatchParticles {
-  int level = 0;
-  int patch = 0;  // place on its level, from 0
-  int material = 0;
-  std::vector<std::size_t> places;  // in the lists of the level and material
-};
-// Patch by patch in the order of levels, materials ascending; patches without particles are left
-// out. material < 0: all. Of an archive of Sluice, by the places of particles.
-std::vector<PatchParticles> particles_by_patch(const ArchiveStep& step, int material);
 
 // Lists of a level and material, read when first asked for.
 class ParticleLists {
@@ -63,8 +54,5 @@ std::string point_text(Vec3 p, int digits);   // [1.0e+00 2.0e+00 3.0e+00]
 std::string vector_text(Vec3 v, int digits);  // with a blank before and behind
 // One value of a variable: a vector as above, nine numbers of a tensor.
 std::string value_text(ValueType type, const std::vector<double>& components, int digits);
-
-// The cell of a level that holds a point.
-IntVec3 cell_of(const Level& level, Vec3 point);
 
 }  // namespace sluice

@@ -40,6 +40,9 @@ class ClassicArguments {
   std::optional<std::pair<int, int>> pair(const std::string& option) const;
   std::optional<Vec3> reals(const std::string& option, std::size_t first = 0) const;
   std::vector<std::string> all(const std::string& option) const;  // each time it is given
+  const std::vector<std::string>& values(const std::string& option) const {
+    return given_.at(option).back();
+  }
 
   const std::vector<std::string>& positional() const { return positional_; }
   // The single one that must be there.

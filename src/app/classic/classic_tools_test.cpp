@@ -1,6 +1,7 @@
 // The tools of the public suite on small raw archives: what they print, and how they end.
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <fstream>
 
 #include "app/classic/classic_test_support.hpp"
@@ -204,6 +205,56 @@ TEST(ClassicTools, NormsAreWrittenByLevelAndVariable) {
   const std::string later = write_small(folder / "later.uda.000", small_fields(), 1);
   raw_test::Writer writer(folder / "later.uda.000");
   EXPECT_EQ(call_tool("compute_Lnorm_udas", {"-timeTolerance", "1e-3", a, later}).status, 0);
+}
+
+TEST(ClassicTools, PudaWritesParticlesOfCells) {
+  const TemporaryFolder folder;
+  const std::string a = write_small(folder / "a.uda.000", small_particles(), 1);
+  const InFolder here(folder.path());
+  EXPECT_EQ(call_tool("puda", {"-pic", "1", "0", "0", a}).status, 0);
+  EXPECT_EQ(text_of("partIds.index.1.0.0.time.0000"), "12\n");
+  EXPECT_EQ(call_tool("puda", {"-partvar", "p.volume", "-pol", "x", "0", "0", a}).status, 0);
+  EXPECT_EQ(text_of("particleAverage.axis.x.at.0.0.time.0000"),
+            "0\t0\t0\t1\n1\t0\t0\t1\n2\t0\t0\t2\n3\t0\t0\t0\n");
+  EXPECT_EQ(
+      call_tool("puda", {"-partvar", "p.stress", "-pol", "x", "0", "0", "false", "true", a}).status,
+      0);
+  // Of s11 = 3 with a shear of 1/2: pressure -1, (9 + 3/4)^(1/2).
+  EXPECT_THAT(text_of("particleSingle.axis.x.at.0.0.time.0000"),
+              StartsWith("0\t0\t0\t-1\t3.1225\n"));
+  EXPECT_EQ(call_tool("puda", {"-partvar", "p.volume", "-pol", "w", "0", "0", a}).status, 1);
+}
+
+// On the circle of radius 1 the generalised vortex turns by sin(pi t): at time 1/2 by one radian.
+TEST(ClassicTools, PudaTellsErrorsOfMotions) {
+  const TemporaryFolder folder;
+  const auto count = [](const raw_test::Patch& p) { return p.id == 0 ? 2 : 0; };
+  const Vec3 turned{std::cos(1.0), std::sin(1.0), 0.5};
+  const auto off = [](int n, int c) { return n == 1 && c == 2 ? 0.01 : 0.0; };
+  const std::string a =
+      write_small(folder / "a.uda.000",
+                  {{"p.x",
+                    "ParticleVariable<Point>",
+                    0,
+                    {},
+                    count,
+                    [=](const raw_test::Patch&, int n, int c) { return turned[c] + off(n, c); }},
+                   {"p.displacement",
+                    "ParticleVariable<Vector>",
+                    0,
+                    {},
+                    count,
+                    [=](const raw_test::Patch&, int n, int c) {
+                      return turned[c] - Vec3{1, 0, 0.5}[c] + off(n, c);
+                    }}},
+                  1);
+  const InFolder here(folder.path());
+  const Said said = call_tool("puda", {"-GV_MMS", a});
+  EXPECT_EQ(said.status, 0) << said.error;
+  EXPECT_THAT(said.output, HasSubstr("L_inf Error: 1.00000000e-02, L2norm: 7.07106781e-03 "
+                                     "numParticles: 2 , Worst particle: [5.40302306e-01 "));
+  EXPECT_THAT(lines_of(text_of("L_norms"))[1], StartsWith("5.0000000000000000e-01, 1.00000"));
+  EXPECT_EQ(call_tool("puda", {"-AA_MMS_1", a}).status, 1);  // a bar has one direction
 }
 
 TEST(ClassicTools, RestartsAreJoined) {

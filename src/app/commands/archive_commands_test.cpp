@@ -11,6 +11,7 @@
 #include "app/command/command_line.hpp"
 #include "app/commands/commands.hpp"
 #include "framework/archive/archive_test_support.hpp"
+#include "framework/archive/raw_archive_test_support.hpp"
 #include "framework/base/error.hpp"
 
 namespace sluice::archive_commands_test {
@@ -165,20 +166,29 @@ TEST_F(ArchiveCommands, ExtractRefusesWithExitTwo) {
   EXPECT_EQ(run("extract " + a_ + " --var press_CC --csv /dev/full").status, 3);
 }
 
-TEST_F(ArchiveCommands, ArchivesInUintahsRawLayoutAreRefusedByName) {
-  const fs::path raw = folder_.path() / "raw.uda.000";
-  for (const char* format : {"<outputFormat>UDA</outputFormat>", ""}) {
-    fs::create_directories(raw);
-    std::ofstream(raw / "index.xml") << "<?xml version=\"1.0\" encoding=\"iso-8859-1\"?>\n"
-                                     << "<Uintah_DataArchive>\n"
-                                     << format << "<timesteps/></Uintah_DataArchive>\n";
-    for (const std::string& line : {"info " + raw.string(), "compare " + a_ + " " + raw.string(),
-                                    "extract " + raw.string() + " --var press_CC"}) {
-      const Outcome refused = run(line);
-      EXPECT_EQ(refused.status, 2) << line;
-      EXPECT_THAT(refused.error, HasSubstr("raw binary layout; reading it is not supported yet"));
-    }
-  }
+TEST_F(ArchiveCommands, RawArchivesAreReadAndNotContinued) {
+  raw_test::Writer writer(folder_.path() / "raw.uda.000");
+  const auto place = [](const raw_test::Patch&, int n, int) { return 0.5 + n; };
+  const auto count = [](const raw_test::Patch&) { return 2; };
+  writer.add_step(1, 0.5,
+                  {raw_test::make_level({{0, 0, 0}, {4, 1, 1}}, {1, 1, 1}, {1, 1, 1}, {1, 1, 1})},
+                  {{"press_CC", "CCVariable<double>", 0, [](IntVec3 i, int) { return i.x; }},
+                   {"p.x", "ParticleVariable<Point>", 0, {}, count, place}});
+  writer.write_index();
+  const std::string raw = writer.folder().string();
+  EXPECT_THAT(run("info " + raw + " --verify").output, HasSubstr("raw files have no checksums"));
+  EXPECT_THAT(run("extract " + raw + " --var press_CC").output,
+              HasSubstr("0.5,0,0,3,0,0,3.5,0.5,0.5,3\n"));
+  // Particles without numbers have none in the table.
+  EXPECT_THAT(run("extract " + raw + " --var p.x").output,
+              HasSubstr("0.5,0,0,,1.5,1.5,1.5,1.5,1.5,1.5\n"));
+  EXPECT_EQ(run("compare " + raw + " " + raw).status, 0);
+  // Refused for its format, not for its deck, which is none.
+  std::ofstream(writer.folder() / "input.xml") << "<Uintah_specification/>";
+  const Outcome refused = run("run --restart " + raw);
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_THAT(refused.error, HasSubstr("in Uintah's raw binary layout"));
+  EXPECT_EQ(refused.error.find("fault"), std::string::npos);
 }
 
 TEST_F(ArchiveCommands, CompareExits) {

@@ -4,22 +4,26 @@
 #include <memory>
 
 #include "app/command/command_line.hpp"
+#include "framework/archive/uda/raw_export.hpp"
 #include "framework/archive/vtk/vtk_export.hpp"
 
 namespace sluice {
 namespace {
 
 struct ExportRequest {
-  std::string archive, folder, only, ignore;
+  std::string archive, folder, only, ignore, format = "vtk";
   ExportOptions options;
 };
 
 void export_archive(ExportRequest& r) {
   r.options.labels = {split_names(r.only), split_names(r.ignore)};
   const Archive archive = Archive::open(r.archive);
-  const std::string folder =
-      r.folder.empty() ? archive.folder().filename().string() + ".vtk" : r.folder;
-  fmt::print("{}\n", export_vtk(archive, folder, r.options).string());
+  const std::string name = archive.folder().filename().string();
+  const std::string folder = r.folder.empty() ? name + "." + r.format : r.folder;
+  const auto written = r.format == "uda"
+                           ? export_raw(archive, folder, r.options.labels, r.options.time)
+                           : export_vtk(archive, folder, r.options);
+  fmt::print("{}\n", written.string());
 }
 
 }  // namespace
@@ -27,7 +31,12 @@ void export_archive(ExportRequest& r) {
 void declare_export_command(Command& command) {
   auto r = std::make_shared<ExportRequest>();
   command.option("UDA", r->archive, "The archive").required();
-  command.option("-o,--output", r->folder, "Folder to write into; NAME.uda.NNN.vtk");
+  command
+      .option("--format", r->format,
+              "vtk: .pvd, .vti, .vtm and .vthb files for ParaView and VisIt; uda: Uintah's raw "
+              "layout, for programs that read that")
+      .one_of({"vtk", "uda"});
+  command.option("-o,--output", r->folder, "Folder to write into; NAME.uda.NNN.vtk or .uda");
   command.option("--vars", r->only, "Only these labels: a,b,c");
   command.option("--ignore", r->ignore, "All labels but these: a,b,c");
   command.option("--time", r->options.time,

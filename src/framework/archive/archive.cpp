@@ -108,10 +108,12 @@ const StepEntry& Archive::select_checkpoint(int step) const {
 
 void require_own_format(const Archive& archive) {
   if (archive.format() == ArchiveFormat::hdf5) return;
+  const fs::path deck = archive.folder() / "input.xml.orig";
   throw InputError(fmt::format(
       "{} is an archive in Uintah's raw binary layout: Sluice reads it (info, extract, plot, "
       "compare, norms, export), but does not continue its run\n  run its deck from the start: {}",
-      archive.folder().string(), (archive.folder() / "input.xml.orig").string()));
+      archive.folder().string(),
+      (fs::exists(deck) ? deck : archive.folder() / "input.xml").string()));
 }
 
 }  // namespace sluice

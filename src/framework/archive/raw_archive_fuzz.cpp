@@ -1,8 +1,8 @@
 // libFuzzer: no bytes in the files of a raw archive may crash its reader; only Error may come out.
 //
-// The first byte chooses a small good archive (either byte order, gzip or not) and the file that
-// the rest replaces in it: index.xml, timestep.xml, grid.xml (also binary), p00000.xml or
-// p00000.data.
+// The first byte chooses a small good archive (either byte order, gzip or not), one of its files
+// (index.xml, timestep.xml, grid.xml, which may be binary, p00000.xml or p00000.data), and whether
+// the rest replaces this file or changes single bytes of it: three bytes each, place and value.
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -49,6 +49,19 @@ void replace(const fs::path& file, const std::string& bytes) {
   std::ofstream(file, std::ios::binary | std::ios::trunc) << bytes;
 }
 
+// Bytes at places of the text; a place behind its end adds one.
+std::string changed(std::string text, const std::uint8_t* edits, std::size_t size) {
+  for (std::size_t n = 0; n + 3 <= size; n += 3) {
+    const std::size_t place = edits[n] * std::size_t{256} + edits[n + 1];
+    const char value = static_cast<char>(edits[n + 2]);
+    if (place < text.size())
+      text[place] = value;
+    else
+      text.push_back(value);
+  }
+  return text;
+}
+
 void read_everything(const fs::path& path) {
   const Archive archive = Archive::open(path);
   for (const StepEntry& entry : archive.outputs()) {
@@ -77,7 +90,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const fs::path file = good.path / files[data[0] % 5];
   const bool is_there = fs::exists(file);
   const std::string before = is_there ? read_text(file) : std::string();
-  replace(file, {reinterpret_cast<const char*>(data + 1), size - 1});
+  const bool whole = data[0] / 32 % 2 == 0;
+  replace(file, whole ? std::string(reinterpret_cast<const char*>(data + 1), size - 1)
+                      : changed(before, data + 1, size - 1));
   try {
     read_everything(good.path);
   } catch (const Error&) {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "framework/base/error.hpp"
@@ -30,6 +31,15 @@ Vec3 position(const Level& level, Centring centring, IntVec3 c) {
   for (int d = 0; d < 3; ++d)
     p[d] = level.anchor[d] + (c[d] + 0.5 * (1 - closing[d])) * level.spacing[d];
   return p;
+}
+
+IntVec3 cell_of(const Level& level, Vec3 point) {
+  IntVec3 cell;
+  for (int d = 0; d < 3; ++d) {
+    const double place = std::floor((point[d] - level.anchor[d]) / level.spacing[d]);
+    cell[d] = static_cast<int>(std::clamp(place, -1e9, 1e9));
+  }
+  return cell;
 }
 
 IndexBox index_range(const Level& level, Centring centring) {

@@ -10,6 +10,8 @@ namespace sluice {
 
 // Where index c of a label lies, m: cells at centres, faces on their planes, nodes at corners.
 Vec3 position(const Level& level, Centring centring, IntVec3 c);
+// The cell of a level that holds a point, inside the domain or not.
+IntVec3 cell_of(const Level& level, Vec3 point);
 // The indices of a label of this centring over the whole domain of a level.
 IndexBox index_range(const Level& level, Centring centring);
 

@@ -290,7 +290,7 @@ void write_particles(const fs::path& path, const ParticleTable& table, const Lab
   std::vector<VtkArray> arrays;
   VtkArray ids{particle_id_name, VtkType::long_integer, true, 1, {}};
   for (const std::int64_t id : table.ids) ids.values.push_back(static_cast<double>(id));
-  arrays.push_back(ids);
+  if (table.numbered) arrays.push_back(ids);
   for (const ParticleColumn& column : table.columns)
     if (column.info.name != particle_position_name && labels.selects(column.info.name))
       arrays.push_back(array(column.info.name, column.components));
