@@ -217,7 +217,7 @@ ArchiveIndex parse_raw_index(const XmlElement& root, const std::string& context)
     for (const XmlElement& g : globals->children)
       if (const auto file = g.attribute("href"))
         index.histories.push_back(
-            {g.need_attribute("name", context), *file, g.attribute("type").value_or("")});
+            {g.need_attribute("name", context), *file, g.attribute("type").value_or(""), ""});
   if (const XmlElement* variables = root.child("variables"))
     for (const XmlElement& v : variables->children)
       if (v.name == "variable") index.variables.push_back(parse_raw_variable(v, context));
