@@ -110,7 +110,7 @@ TEST_F(RunEnding, ACheckpointIsShownToo) {
 
 // Removed while the run goes on: the next output says so.
 TEST_F(RunEnding, WhatIsGoneEndsTheRunWithStatus3) {
-  for (const char* gone : {"input.xml", "t00001", ""}) {
+  for (const char* gone : {"input.xml", "t00000", ""}) {
     const std::string archive = (folder_ / "shock_tube.uda.000").string();
     const std::string log = (folder_ / "log").string();
     const Outcome o =

@@ -22,7 +22,9 @@ std::optional<RunEnd> run_end(const Archive& archive) {
   if (!report.is_object() || !report.contains("last_step") || !report.at("last_step").is_whole() ||
       !report.contains("time") || !report.at("time").is_number())
     return std::nullopt;
-  return RunEnd{report.at("last_step").get<int>(), report.at("time").get<double>()};
+  const std::string status = report.value("status", std::string());
+  return RunEnd{report.at("last_step").get<int>(), report.at("time").get<double>(),
+                status == "done" || status == "max_steps"};
 }
 
 std::string last_output_note(const std::filesystem::path& folder) {
@@ -42,7 +44,7 @@ std::string last_output_note(const std::filesystem::path& folder) {
   std::string text = (output == nullptr ? std::string("no output")
                                         : "output of " + step_text(shown, output->time)) +
                      "; " + ended;
-  if (end) text += "; sluice run --output-at-end saves its end";
+  if (end && end->in_full) text += "; sluice run --output-at-end saves its end";
   if (later_checkpoint)
     text += fmt::format("; --checkpoint shows the checkpoint of step {}", checkpoint->step);
   return text;

@@ -11,7 +11,8 @@ class Archive;
 // Where the run of an archive ended.
 struct RunEnd {
   int step = 0;
-  double time = 0;  // s
+  double time = 0;       // s
+  bool in_full = false;  // not cut short, and not failed
 };
 // As the archive keeps it in run.json; none while the run goes on, or where it was killed.
 std::optional<RunEnd> run_end(const Archive& archive);
