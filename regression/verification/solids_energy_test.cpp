@@ -35,7 +35,7 @@ TEST_P(SolidsEnergy, BooksClose) {
   record("nodes", budget(run, "nodes") / scale);
   EXPECT_LE(std::fabs(budget(run, "nodes")), round_off * scale);
   const double lost = budget(run, "transfer loss") + budget(run, "integration loss") +
-                      budget(run, "contact loss") + budget(run, "within particles") +
+                      budget(run, "contact loss") + budget(run, "within cells") +
                       budget(run, "back as heat");
   record("left", (lost + of_energy(run, "defect")) / scale);
   EXPECT_LE(std::fabs(lost + of_energy(run, "defect")), round_off * scale);

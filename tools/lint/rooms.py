@@ -48,6 +48,7 @@ ROOMS = {
         {".": "writing and reading archives: Sluice's own in HDF5, Uintah's raw ones; particles, "
               "values as CSV"},
         {"compare": "two archives, of either format: differences and norms",
+         "extremes": "extremes of labels with their places, and sums over materials, of one step",
          "vtk": "export to the files of ParaView and VisIt",
          "uda": "export to Uintah's raw layout"},
     ],

@@ -26,22 +26,24 @@ else
   echo "skipped: pip install of the tools (no pip, setuptools or wheel)"
 fi
 # The interpreter that is named is taken.
+"$prefix/bin/sluice" run "$prefix/share/sluice/inputs/ice/shock_tube.ups" --max-steps 1 --quiet \
+  -o "$prefix/tube.uda"
+tube=$(find "$prefix/tube.uda" -name run.json -printf '%h\n' | head -1)
+plot=("$prefix/bin/sluice" plot "$tube" --exact none -o "$prefix/tube.png")
 status=0
 export SLUICE_PYTHON=/nosuch/python
-"$prefix/bin/sluice" plot "$prefix/nosuch.uda" --exact none || status=$?
+"${plot[@]}" || status=$?
 [[ $status == 3 ]]
 printf '#!/bin/sh\nexec /usr/bin/python3 "$@"\n' >"$prefix/my_python"
 chmod +x "$prefix/my_python"
-status=0
 SLUICE_PYTHON=$prefix/my_python
-"$prefix/bin/sluice" plot "$prefix/nosuch.uda" --exact none || status=$?
-[[ $status == 2 ]]
+"${plot[@]}"
 unset SLUICE_PYTHON
 # The public suite's tools are links to the command.
 status=0
 "$prefix/bin/puda" -timesteps "$prefix/nosuch.uda" 2>"$prefix/said" || status=$?
 [[ $status == 1 ]] && grep -q "^puda: error: cannot open archive" "$prefix/said"
-# The tools are found: the fault is the missing archive (2), not missing tools (3).
-status=0
-"$prefix/bin/sluice" plot "$prefix/nosuch.uda" --exact none || status=$?
-[[ $status == 2 ]]
+# The tools are found without its help.
+rm "$prefix/tube.png"
+"${plot[@]}"
+[[ -s $prefix/tube.png ]]

@@ -35,7 +35,8 @@ def unexplained(report, kind):
         energy = kept["total energy"]
         # Where each loss is large a sum's last bits are theirs, not the energy's.
         scale = max([energy["scale"], *map(abs, account.values())]) or 1
-        drifts["total energy"] = abs(energy["defect"] + sum(account.values())) / scale
+        lost = sum(value for name, value in account.items() if name != "within particles")
+        drifts["total energy"] = abs(energy["defect"] + lost) / scale
     return drifts
 
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <set>
 
-#include "framework/archive/field_extremes.hpp"
-#include "framework/archive/material_sums.hpp"
+#include "framework/archive/extremes/field_extremes.hpp"
+#include "framework/archive/extremes/material_sums.hpp"
 #include "framework/base/console.hpp"
 #include "framework/base/json.hpp"
 #include "framework/deck/deck.hpp"

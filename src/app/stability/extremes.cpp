@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "framework/archive/archive.hpp"
-#include "framework/archive/field_extremes.hpp"
+#include "framework/archive/extremes/field_extremes.hpp"
 #include "framework/base/error.hpp"
 
 namespace sluice {

@@ -10,10 +10,9 @@ namespace {
 // kinetic energy that internal energy must pay. What the receiver has to pay with is what comes in
 // and what mixing the velocities turns into heat,
 //
-//   th^2 d2/(1-f) <= 2 c e_s/rho_s + mu |v_r - v - th (U - v)|^2,  mu = m_r/(D |F| + m_r)
+//   th^2 d2/(1-f) <= 2 c e_s/rho_s + mu |v_r - v - th (U - v)|^2,  mu = m_r/(|F| + m_r)
 //
-// m_r: the receiver's mass that stays, shared by D directions. The slope is taken th times, the
-// largest that holds.
+// m_r: the receiver's mass that stays. The slope is taken th times, the largest that holds.
 template <int D, int C, bool Scaled>
 void limit_cold_faces(const Row& row, const RemapFluxHandles& h, int axis, double l) {
   auto a = [&](In in, int c = 0) { return row(in, c, axis, -1); };
@@ -52,7 +51,7 @@ void limit_cold_faces(const Row& row, const RemapFluxHandles& h, int axis, doubl
     const double internal = G[i] - F[i] * K_of(d2);
     const double stays =
         (1.0 - smaller(chosen(left, Na[i], Nb[i]), max_mass_passing)) / chosen(left, wa[i], wb[i]);
-    const double mu = stays / (D * std::fabs(F[i]) + stays);
+    const double mu = stays / (std::fabs(F[i]) + stays);
     const double A = d2 / (1.0 - f) - mu * d2, B = mu * along;
     const double paid = larger(0.0, 2 * cold_pays * internal / F[i]) + mu * across;
     const double root = B + std::sqrt(B * B + A * paid);

@@ -1,11 +1,11 @@
 // Volume, mass and momentum of each material against what was put in; extremes of particles.
-#include "framework/archive/material_sums.hpp"
+#include "framework/archive/extremes/material_sums.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "framework/archive/archive_test_support.hpp"
-#include "framework/archive/field_extremes.hpp"
+#include "framework/archive/extremes/field_extremes.hpp"
 
 namespace sluice::material_sums_test {
 namespace {

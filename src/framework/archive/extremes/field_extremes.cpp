@@ -1,5 +1,5 @@
 // One pass over the stored values of a label.
-#include "framework/archive/field_extremes.hpp"
+#include "framework/archive/extremes/field_extremes.hpp"
 
 #include <fmt/format.h>
 

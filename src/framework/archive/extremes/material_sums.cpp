@@ -1,5 +1,5 @@
 // Coarse cells under finer ones are subtracted box by box: exact sums lose nothing by that.
-#include "framework/archive/material_sums.hpp"
+#include "framework/archive/extremes/material_sums.hpp"
 
 #include <algorithm>
 #include <functional>
