@@ -117,4 +117,25 @@ std::string value_text(ValueType type, const std::vector<double>& components, in
   return text;
 }
 
+Archive archive_asked(const ClassicArguments& arguments) {
+  if (!arguments.positional().empty())
+    arguments.refuse(fmt::format("'{}' belongs to no option", arguments.positional().front()));
+  if (!arguments.has("-uda")) arguments.refuse("no archive is given (-uda)");
+  return Archive::open(arguments.text("-uda"));
+}
+
+int digits_asked(const ClassicArguments& arguments) {
+  const int digits = arguments.integer("-pr", 16);
+  if (digits < 1 || digits > 32)
+    throw InputError(fmt::format("-pr {}: must be between 1 and 32", digits));
+  return digits;
+}
+
+const Level& level_asked(const ArchiveStep& step, int level) {
+  const auto& levels = step.grid().levels;
+  if (level < 0 || static_cast<std::size_t>(level) >= levels.size())
+    throw InputError(fmt::format("-l {}: the grid has {} levels", level, levels.size()));
+  return levels[level];
+}
+
 }  // namespace sluice

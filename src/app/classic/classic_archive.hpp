@@ -55,4 +55,11 @@ std::string vector_text(Vec3 v, int digits);  // with a blank before and behind
 // One value of a variable: a vector as above, nine numbers of a tensor.
 std::string value_text(ValueType type, const std::vector<double>& components, int digits);
 
+// Of the tools whose archive is -uda: it is there, and no word belongs to no option.
+Archive archive_asked(const ClassicArguments& arguments);
+// -pr, 1 to 32; 16 without it.
+int digits_asked(const ClassicArguments& arguments);
+// The level -l of the step's grid; InputError where it has none of this number.
+const Level& level_asked(const ArchiveStep& step, int level);
+
 }  // namespace sluice

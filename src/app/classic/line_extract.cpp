@@ -71,20 +71,16 @@ LineRequest request_of(const ClassicArguments& a, const Archive& archive,
   r.variable = a.text("-v");
   r.material = a.integer("-m", 0);
   r.level = a.integer("-l", 0);
-  r.digits = a.integer("-pr", 16);
-  if (r.digits < 1 || r.digits > 32)
-    throw InputError(fmt::format("-pr {}: must be between 1 and 32", r.digits));
+  r.digits = digits_asked(a);
   r.start = a.integers("-istart").value_or(IntVec3{});
   r.end = a.integers("-iend").value_or(IntVec3{});
   const std::optional<Vec3> from = a.reals("-startPt"), to = a.reals("-endPt");
   if (from.has_value() != to.has_value()) throw InputError("-startPt and -endPt belong together");
   if (from) {
     const ArchiveStep step = archive.read_output(archive.outputs()[range.first]);
-    if (r.level < 0 || static_cast<std::size_t>(r.level) >= step.grid().levels.size())
-      throw InputError(
-          fmt::format("-l {}: the grid has {} levels", r.level, step.grid().levels.size()));
-    r.start = cell_of(step.grid().levels[r.level], *from);
-    r.end = cell_of(step.grid().levels[r.level], *to);
+    const Level& level = level_asked(step, r.level);
+    r.start = cell_of(level, *from);
+    r.end = cell_of(level, *to);
   }
   for (int d = 0; d < 3; ++d)
     if (r.end[d] < r.start[d])
@@ -212,10 +208,7 @@ int run_line_extract(const ClassicCall& call) {
     fmt::print(stderr, "{}", usage_of(line_spec()));
     return 1;
   }
-  if (!arguments.positional().empty())
-    arguments.refuse(fmt::format("'{}' belongs to no option", arguments.positional().front()));
-  if (!arguments.has("-uda")) arguments.refuse("no archive is given (-uda)");
-  const Archive archive = Archive::open(arguments.text("-uda"));
+  const Archive archive = archive_asked(arguments);
   const VariableEntry& variable = need_variable(archive, arguments.text("-v"));
   const OutputRange range = outputs_asked(arguments, archive, {"-timestep", "-tlow", "-thigh", ""});
   const LineRequest request = request_of(arguments, archive, range);

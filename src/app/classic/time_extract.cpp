@@ -32,10 +32,7 @@ IntVec3 cell_asked(const ClassicArguments& arguments, const Archive& archive,
   const std::optional<Vec3> point = arguments.reals("-p");
   if (!point) return arguments.integers("-i").value_or(IntVec3{});
   const ArchiveStep step = archive.read_output(archive.outputs()[range.first]);
-  if (level < 0 || static_cast<std::size_t>(level) >= step.grid().levels.size())
-    throw InputError(
-        fmt::format("-l {}: the grid has {} levels", level, step.grid().levels.size()));
-  return cell_of(step.grid().levels[level], *point);
+  return cell_of(level_asked(step, level), *point);
 }
 
 }  // namespace
@@ -46,18 +43,13 @@ int run_time_extract(const ClassicCall& call) {
     fmt::print(stderr, "{}", usage_of(time_spec()));
     return 1;
   }
-  if (!arguments.positional().empty())
-    arguments.refuse(fmt::format("'{}' belongs to no option", arguments.positional().front()));
-  if (!arguments.has("-uda")) arguments.refuse("no archive is given (-uda)");
-  const Archive archive = Archive::open(arguments.text("-uda"));
+  const Archive archive = archive_asked(arguments);
   const VariableEntry& variable = need_variable(archive, arguments.text("-v"));
   if (variable.centring == Centring::particle)
     throw InputError(variable.name + " is a variable of particles; partextract prints those");
   const OutputRange range = outputs_asked(arguments, archive, {"", "-tlow", "-thigh", ""});
   const int level = arguments.integer("-l", 0), material = arguments.integer("-m", 0);
-  const int digits = arguments.integer("-pr", 16);
-  if (digits < 1 || digits > 32)
-    throw InputError(fmt::format("-pr {}: must be between 1 and 32", digits));
+  const int digits = digits_asked(arguments);
   const IntVec3 cell = cell_asked(arguments, archive, range, level);
   if (!arguments.has("-q"))
     fmt::print(
