@@ -1,23 +1,29 @@
 // docs/deck_reference.md is what the schema says, and the schema's own defaults are valid.
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <set>
 
 #include "app/loading/sluice_schema.hpp"
-#include "framework/deck/deck_help.hpp"
+#include "framework/deck/help/deck_pages.hpp"
 #include "framework/deck/schema_check.hpp"
 #include "sluice_source_dir.hpp"
 
 namespace sluice::deck_reference_test {
 namespace {
 
-TEST(DeckReference, PageIsUpToDate) {
-  std::ifstream file(SLUICE_SOURCE_DIR "/docs/deck_reference.md");
-  const std::string page{std::istreambuf_iterator<char>(file), {}};
-  EXPECT_EQ(page, markdown_reference(sluice_schema()))
-      << "write it anew: sluice help --markdown > docs/deck_reference.md";
+TEST(DeckReference, PagesAreUpToDate) {
+  std::set<std::string> written;
+  for (const ReferencePage& page : reference_pages(sluice_schema())) {
+    std::ifstream file(SLUICE_SOURCE_DIR "/docs/" + page.file);
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    EXPECT_EQ(text, page.text) << page.file << ": write it anew with sluice help --markdown docs";
+    EXPECT_TRUE(written.insert(page.file).second) << page.file << " twice";
+  }
+  for (const auto& entry : std::filesystem::directory_iterator(SLUICE_SOURCE_DIR "/docs/deck"))
+    EXPECT_EQ(written.count("deck/" + entry.path().filename().string()), 1u) << entry.path();
 }
 
 // Visits every tag once, a group's members too.
@@ -56,29 +62,6 @@ TEST(DeckReference, EveryTagIsDescribedOnceWithValidDefaults) {
   std::set<std::string> groups;
   check_spec(schema, schema.root, "", groups);
   EXPECT_EQ(groups, std::set<std::string>{"geometry_piece"});
-}
-
-TEST(DeckHelp, FindsTagsByNameByPathAndByAlias) {
-  const Schema schema = sluice_schema();
-  EXPECT_NE(help_on(schema, "CFD/cfl").find("greater than 0 and at most 1"), std::string::npos);
-  EXPECT_NE(help_on(schema, "material/gamma").find("MaterialProperties/ICE/material/gamma"),
-            std::string::npos);
-  EXPECT_NE(help_on(schema, "max_Timestep").find("Time/max_Timesteps"), std::string::npos);
-  EXPECT_NE(help_on(schema, "MaterialProperties/ICE/material/geom_object/union/box").find("min"),
-            std::string::npos);
-}
-
-TEST(DeckHelp, NamesTheNearestTagAndWhatIsNotBuilt) {
-  const Schema schema = sluice_schema();
-  const auto message = [&](const char* name) {
-    try {
-      return help_on(schema, name);
-    } catch (const std::exception& problem) {
-      return std::string(problem.what());
-    }
-  };
-  EXPECT_NE(message("gama").find("did you mean 'gamma'"), std::string::npos);
-  EXPECT_NE(message("RMCRT").find("not supported yet"), std::string::npos);
 }
 
 }  // namespace

@@ -26,10 +26,7 @@ int report(int status, const char* message) {
 int run_sluice(const std::vector<std::string>& words) {
   sluice::CommandLine line("Sluice: coupled fluid-structure simulation with ICE, MPM and MPMICE",
                            std::string("sluice ") + sluice::version::kText);
-  for (const sluice::CommandKind& kind : sluice::command_kinds()) {
-    sluice::Command command = line.add(kind.name, kind.summary);
-    kind.declare(command);
-  }
+  sluice::add_commands(line);
   return line.run(words);
 }
 

@@ -8,6 +8,7 @@
 #include "eos/eos.hpp"
 #include "mpm/material/materials.hpp"
 #include "sluice_source_dir.hpp"
+#include "sluice_version.hpp"
 
 namespace sluice::readme_test {
 namespace {
@@ -26,6 +27,13 @@ TEST(Readme, CountsWhatTheTablesHold) {
   const auto words = [&](const char* tag) { return schema.at(tag)->value.words.size(); };
   EXPECT_THAT(text, HasSubstr(fmt::format("{} bases and {} transfers", words("MPM/interpolator"),
                                           words("MPM/transfer"))));
+}
+
+TEST(Readme, CitationAndPackageNameTheVersion) {
+  const std::string number = version::kNumber;
+  EXPECT_THAT(text_of(SLUICE_SOURCE_DIR "/CITATION.cff"), HasSubstr("\nversion: " + number + "\n"));
+  EXPECT_THAT(text_of(SLUICE_SOURCE_DIR "/README.md"),
+              HasSubstr("sluice_" + number + "_amd64.deb"));
 }
 
 }  // namespace

@@ -50,6 +50,7 @@ SUBJECTS = {
         "implicit": "Semi-implicit pressure",
     },
     "examples": {"examples": "Components to learn from"},
+    "templates": {"templates": "Templates of `sluice new`"},
     "bench": {
         "coupled": "Fluid and solids",
         "solids": "Solids in explicit steps",
@@ -58,7 +59,8 @@ SUBJECTS = {
 }
 HEADS = {
     "ice": "Decks of the fluid", "mpm": "Decks of solids", "mpmice": "Decks of fluid and solids",
-    "examples": "Decks of the example components", "bench": "Decks of the bench",
+    "examples": "Decks of the example components", "templates": "Decks to begin with",
+    "bench": "Decks of the bench",
 }
 CLASSES = [1, 2, 5, 10, 20]  # s; finer would say more of the machine than of the deck
 UNITS = {"s": 1, "min": 60}

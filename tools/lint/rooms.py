@@ -42,7 +42,8 @@ ROOMS = {
     ],
     "framework/deck": [
         {".": "XML to a tree, spelling, obsolete tags, overrides, the check against a schema"},
-        {"format": "the blocks that every component has: schema, rules and completions"},
+        {"format": "the blocks that every component has: schema, rules and completions",
+         "help": "the schema in words: tags, laws, the pages of the reference"},
     ],
     "framework/archive": [
         {".": "writing and reading archives: Sluice's own in HDF5, Uintah's raw ones; particles, "
@@ -165,6 +166,7 @@ ROOMS = {
          "process": "child processes, decks run as such, files that users write, data folders",
          "tune": "the search for a faster solver of a deck's linear systems"},
         {"command": "what commands share: options, help, endings of a run, pictures",
+         "help": "what `sluice help` tells: tags, laws, labels, messages that end a run",
          "regress": "golden results, written and compared",
          "accuracy": "error bars of a deck from its own ladder of resolutions",
          "stability": "hard cases: what must hold, sweeps, maps of where it does",

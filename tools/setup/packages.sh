@@ -16,8 +16,9 @@ packages_of() {
       echo clang-16 libclang-rt-16-dev libomp-16-dev # SUNDIALS asks for OpenMP of any compiler
       echo xvfb xauth libgl1-mesa-dri graphviz
       ;;
-    all) for group in core test lint bench verify; do packages_of $group; done ;;
-    *) fail 2 "setup: no package group '$1' (core, test, lint, bench, verify, all)" ;;
+    package) echo dpkg-dev fakeroot ;; # they tell cpack which libraries a package needs
+    all) for group in core test lint bench verify package; do packages_of $group; done ;;
+    *) fail 2 "setup: no package group '$1' (core, test, lint, bench, verify, package, all)" ;;
   esac
 }
 
@@ -28,6 +29,7 @@ reason_for() {
     lint) echo "clang-format and clang-tidy" ;;
     bench) echo "instruction counts and kernel benchmarks" ;;
     verify) echo "clang for fuzzing, a screen for ParaView, dot for graphs of tasks" ;;
+    package) echo "tools that make a Debian package" ;;
     *) echo "everything" ;;
   esac
 }

@@ -10,6 +10,12 @@ cmake --install "$1" --prefix "$prefix" >"$prefix/install.log" || {
 }
 "$prefix/bin/sluice" --version | grep -E '^sluice [0-9]+\.[0-9]+\.[0-9]+ \(.+\)$'
 "$prefix/bin/sluice" check "$prefix/share/sluice/inputs/ice/shock_tube.ups"
+# A deck of one's own, a law with its example, completion, and the man page.
+"$prefix/bin/sluice" new "$prefix/mine" && "$prefix/bin/sluice" check "$prefix/mine.ups"
+"$prefix/bin/sluice" help Tillotson | grep -q "<A>75.2e9</A>"
+bash -c "source $prefix/share/bash-completion/completions/sluice
+  COMP_WORDS=(sluice pl) COMP_CWORD=1; _sluice; [[ \${COMPREPLY[*]} == 'plan plot' ]]"
+grep -q 'SS "sluice run"' "$prefix/share/man/man1/sluice.1"
 [[ -f $prefix/share/doc/sluice/user_guide.md ]]
 # pip installs the tools, from the installation as from the project; without setuptools it is told.
 if /usr/bin/python3 -c 'import setuptools, wheel, pip' 2>/dev/null; then

@@ -17,7 +17,7 @@ import tempfile
 
 PROJECT = pathlib.Path(__file__).resolve().parents[2]
 COMMANDS = ["accuracy", "run", "check", "compare", "drive", "export", "extract", "help", "info",
-            "movie", "norms", "plan", "plot", "regress", "tune"]
+            "movie", "new", "norms", "plan", "plot", "regress", "tune"]
 # Cases whose archives are looked at: a fluid, several materials, solids, both with burning.
 RUNS = ["sod", "exchange", "blocks_gimp", "strand"]
 
@@ -45,10 +45,17 @@ def keys_of(value, path=""):
             yield from keys_of(inner, path + "[]")
 
 
+def reference_lines(program):
+    with tempfile.TemporaryDirectory() as folder:
+        output_of(program, "help", "--markdown", folder)
+        for page in sorted(pathlib.Path(folder, "deck").glob("*.md")):
+            yield from page.read_text(encoding="utf-8").splitlines()
+
+
 def tags(program):
     section = ""
-    for line in output_of(program, "help", "--markdown").splitlines():
-        if line.startswith("#"):
+    for line in reference_lines(program):
+        if line.startswith(("## ", "### ")):  # those below are tables of laws of the section
             section = line.lstrip("# ").strip()
             yield f"tag {section}"
         match = re.match(r"\| ([@\w.]+) \|", line)

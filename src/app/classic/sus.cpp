@@ -68,7 +68,7 @@ int checkpoint_step(const Archive& archive, int number) {
 std::vector<std::string> run_words(const ClassicArguments& arguments, const std::string& target) {
   std::vector<std::string> words = {"run"};
   if (arguments.has("-restart")) {
-    words.insert(words.end(), {"--restart", target});
+    words.insert(words.end(), {"--restart", target, "-o", "."});
     if (arguments.has("-t"))
       words.insert(words.end(),
                    {"--step", std::to_string(checkpoint_step(Archive::open(target),

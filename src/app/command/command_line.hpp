@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "app/command/command_text.hpp"
+
 namespace CLI {
 class App;
 class Option;
@@ -49,6 +51,11 @@ class Command {
   CommandOption option(const char* names, double& value, const char* text);
   CommandOption option(const char* names, std::optional<int>& value, const char* text);
   CommandOption option(const char* names, std::optional<double>& value, const char* text);
+  // `take` gets the value of each mention, in the order of the command line among all such options.
+  CommandOption each(const char* names, std::function<void(const std::string&)> take,
+                     const char* text);
+  // --json [FILE.json]: the target gets the file, or - for standard output.
+  void json(std::string& target, const char* text);
   void flag(const char* names, bool& value, const char* text);
   // What --help ends with, before the exit statuses.
   void closing_text(const std::string& text);
@@ -68,12 +75,14 @@ class CommandLine {
   CommandLine(const char* text, const std::string& version);
   ~CommandLine();
   Command add(const char* name, const char* text);
-  // The exit status of the command that the words name; that of bad input when they misuse it,
-  // which has then been told.
+  // The exit status of the command that the words name; 0 for help. InputError when they misuse it.
   int run(const std::vector<std::string>& words);
+  // All commands with their options.
+  std::vector<CommandText> texts() const;
 
  private:
   void refuse_unknown_command(const std::string& word) const;
+  std::vector<std::string> with_targets(const std::vector<std::string>& words) const;
 
   std::unique_ptr<CLI::App> app_;
   int exit_status_ = 0;

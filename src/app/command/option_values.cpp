@@ -9,6 +9,7 @@
 
 #include "framework/base/communicator.hpp"
 #include "framework/base/error.hpp"
+#include "framework/deck/load_deck.hpp"
 
 namespace sluice {
 namespace {
@@ -46,8 +47,30 @@ IntVec3 RunOptionValues::block_extents() const {
   return positive_triple(block, "--block");
 }
 
+void add_deck_changes(Command& command, std::vector<std::string>& overrides,
+                      const std::string& of) {
+  const auto add = [&overrides](const std::string& path_and_xml) {
+    overrides.push_back(addition(path_and_xml));
+  };
+  command.each(
+      "--set", [&overrides](const std::string& text) { overrides.push_back(text); },
+      ("Override PATH=VALUE" + of +
+       " (may be repeated); the end of a path is enough where it means one place, as "
+       "resolution=[500,1,1]")
+          .c_str());
+  command.each("--add", add,
+               "Add tags, PATH=XML (may be repeated), as MaterialProperties/ICE=\"<material> ... "
+               "</material>\"");
+  command.each(
+      "--save",
+      [add](const std::string& label) {
+        add(fmt::format("DataArchiver=<save label=\"{}\"/>", label));
+      },
+      "Save one more LABEL (may be repeated)");
+}
+
 void add_run_options(Command& command, RunOptionValues& values) {
-  command.option("--set", values.overrides, "Override PATH=VALUE (may be repeated)").repeatable();
+  add_deck_changes(command, values.overrides);
   command.option("--threads", values.threads, "Threads of each rank");
   command.option("--boxes", values.boxes, "Split the level into I,J,K boxes");
   command.option("--block", values.block,

@@ -28,6 +28,11 @@ struct RunOptionValues {
   IntVec3 block_extents() const;
 };
 
+// --set, --add and --save: changes of a deck, as load_deck takes them, in their order. `of` says
+// which deck, where a command has several: " of a deck".
+void add_deck_changes(Command& command, std::vector<std::string>& overrides,
+                      const std::string& of = "");
+
 void add_run_options(Command& command, RunOptionValues& values);
 // The threads that a run takes: as many as are asked for, but no more than this process has
 // processors, with a note on rank 0. No result depends on their number.

@@ -11,6 +11,7 @@
 
 #include "app/accuracy/deck_accuracy.hpp"
 #include "app/command/command_line.hpp"
+#include "app/command/option_values.hpp"
 #include "app/process/data_folder.hpp"
 #include "app/process/python_tool.hpp"
 #include "app/process/run_journal.hpp"
@@ -171,8 +172,7 @@ void declare_accuracy_command(Command& command) {
       .between(1, 1000);
   command.option("--only", request->only,
                  "Only runs whose \"setting, N cells\" contains this text or matches this pattern");
-  command.option("--set", request->overrides, "Override PATH=VALUE of a deck (may be repeated)")
-      .repeatable();
+  add_deck_changes(command, request->overrides, " of a deck");
   command.action([request] { return accuracy(*request); });
 }
 

@@ -4,8 +4,10 @@
 #include <memory>
 
 #include "app/command/command_line.hpp"
+#include "app/command/option_values.hpp"
 #include "app/loading/scene_loader.hpp"
 #include "app/loading/sluice_schema.hpp"
+#include "app/process/text_sink.hpp"
 #include "framework/base/json.hpp"
 #include "framework/deck/load_deck.hpp"
 
@@ -15,7 +17,7 @@ namespace {
 struct CheckRequest {
   std::vector<std::string> files;
   std::vector<std::string> overrides;
-  bool json = false;
+  std::string json;  // empty: none
   bool quiet = false;
   bool strict = false;
 };
@@ -62,16 +64,11 @@ int check(const CheckRequest& options) {
       for (Fault& fault : scene_faults(deck)) deck.faults.push_back(std::move(fault));
     if (options.strict) refuse_warnings(deck.faults);
     all_good = all_good && deck.good();
-    if (options.json) {
-      reports.push_back(to_json(deck));
-    } else {
-      print(deck, options.quiet);
-    }
+    if (!options.json.empty()) reports.push_back(to_json(deck));
+    if (options.json != "-") print(deck, options.quiet);
   }
-  if (options.json) {
-    const Json report = {{"good", all_good}, {"decks", reports}};
-    fmt::print("{}\n", report.dump(2));
-  }
+  if (!options.json.empty())
+    write_text(options.json, Json{{"good", all_good}, {"decks", reports}}.dump(2) + "\n");
   return all_good ? 0 : 2;
 }
 
@@ -80,8 +77,8 @@ int check(const CheckRequest& options) {
 void declare_check_command(Command& command) {
   auto options = std::make_shared<CheckRequest>();
   command.option("DECK", options->files, "Deck files (.ups)").required();
-  command.option("--set", options->overrides, "Override PATH=VALUE (may be repeated)").repeatable();
-  command.flag("--json", options->json, "Report as JSON");
+  add_deck_changes(command, options->overrides);
+  command.json(options->json, "Report as JSON");
   command.flag("--quiet", options->quiet, "Errors only");
   command.flag("--strict", options->strict, "Treat every warning as an error");
   command.action([options] { return check(*options); });

@@ -1,6 +1,9 @@
 // The table of subcommands.
 #include "app/commands/commands.hpp"
 
+#include "app/command/command_line.hpp"
+#include "sluice_version.hpp"
+
 namespace sluice {
 
 void declare_accuracy_command(Command& command);
@@ -13,6 +16,7 @@ void declare_extract_command(Command& command);
 void declare_help_command(Command& command);
 void declare_info_command(Command& command);
 void declare_movie_command(Command& command);
+void declare_new_command(Command& command);
 void declare_norms_command(Command& command);
 void declare_plan_command(Command& command);
 void declare_plot_command(Command& command);
@@ -37,9 +41,10 @@ constexpr CommandKind kinds[] = {
     {"export", "Write .pvd, .vti, .vtm and .vthb files for ParaView and VisIt",
      declare_export_command},
     {"extract", "Write values of a label as CSV", declare_extract_command},
-    {"help", "Explain a tag of the deck", declare_help_command},
+    {"help", "Explain a command, a tag, a law, a label or a message", declare_help_command},
     {"info", "Describe the content of an archive; exit 1 if it is damaged", declare_info_command},
     {"movie", "Draw an archive over time: .gif or .mp4", declare_movie_command},
+    {"new", "Write a commented deck to begin with", declare_new_command},
     {"norms", "Print L1, L2 and Linf norms of the difference of archives", declare_norms_command},
     {"plan", "Show what a run will do and cost, without running", declare_plan_command},
     {"plot", "Draw archives: profiles, planes, particles, histories", declare_plot_command},
@@ -60,6 +65,19 @@ constexpr CommandKind kinds[] = {
 
 std::span<const CommandKind> command_kinds() {
   return kinds;
+}
+
+void add_commands(CommandLine& line) {
+  for (const CommandKind& kind : kinds) {
+    Command command = line.add(kind.name, kind.summary);
+    kind.declare(command);
+  }
+}
+
+std::vector<CommandText> command_texts() {
+  CommandLine line("sluice", version::kText);
+  add_commands(line);
+  return line.texts();
 }
 
 }  // namespace sluice

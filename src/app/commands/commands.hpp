@@ -5,10 +5,14 @@
 // SystemError, whose message main prints before it ends with the error's own status.
 #pragma once
 #include <span>
+#include <vector>
+
+#include "app/command/command_text.hpp"
 
 namespace sluice {
 
 class Command;
+class CommandLine;
 
 struct CommandKind {
   const char* name;
@@ -17,5 +21,8 @@ struct CommandKind {
 };
 
 std::span<const CommandKind> command_kinds();
+void add_commands(CommandLine& line);
+// All commands with their options in words.
+std::vector<CommandText> command_texts();
 
 }  // namespace sluice

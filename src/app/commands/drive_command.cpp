@@ -31,12 +31,6 @@ std::string csv_of(const mpm::DriverTable& table) {
   return text;
 }
 
-void write(const std::string& target, const std::string& text) {
-  TextSink sink(target);
-  sink.write(text);
-  sink.close();
-}
-
 std::string json_of(const mpm::DriverDeck& deck, const mpm::DriverTable& table) {
   Json rows = Json::array();
   for (const std::vector<double>& row : table.rows) {
@@ -75,7 +69,7 @@ void print_table(const mpm::DriverTable& table) {
 int draw(const std::string& picture, const std::string& title, const std::string& csv) {
   const TemporaryFolder folder;
   const std::string file = (folder / "path.csv").string();
-  write(file, csv);
+  write_text(file, csv);
   return run_python_tool({"materialpath", file, "-o", picture, "--title", title});
 }
 
@@ -86,8 +80,8 @@ int drive(const DriveRequest& r) {
   if (!deck) return static_cast<int>(ExitStatus::bad_input);
   const mpm::DriverTable table = mpm::drive(*deck);
   const std::string csv = csv_of(table);
-  if (!r.csv.empty()) write(r.csv, csv);
-  if (!r.json.empty()) write(r.json, json_of(*deck, table));
+  if (!r.csv.empty()) write_text(r.csv, csv);
+  if (!r.json.empty()) write_text(r.json, json_of(*deck, table));
   if (r.csv.empty() && r.json.empty()) print_table(table);
   if (r.picture.empty()) return 0;
   return draw(r.picture, deck->title.empty() ? deck->law : deck->title, csv);

@@ -227,8 +227,8 @@ void print_text(const Archive& archive, const ArchiveStep* step, const Verificat
 }
 
 struct InfoRequest {
-  std::string archive, time;
-  bool json = false, verify = false, checkpoint = false, extremes = false;
+  std::string archive, time, json;
+  bool verify = false, checkpoint = false, extremes = false;
 };
 
 int inform(const InfoRequest& r) {
@@ -251,12 +251,13 @@ int inform(const InfoRequest& r) {
     v.damage.insert(v.damage.end(), unreadable.begin(), unreadable.end());
     if (step) v.damage.insert(v.damage.end(), step->damage().begin(), step->damage().end());
   }
-  if (r.json) {
+  if (!r.json.empty()) {
     Json j = to_json(archive, step.get(), v);
     if (r.extremes) j["state"] = extremes_json(archive, *step);
-    TextSink sink("-");
-    sink.write(j.dump(2) + "\n");
-    sink.close();
+    write_text(r.json, j.dump(2) + "\n");
+  }
+  if (r.json == "-") {
+    // Nothing else goes to standard output.
   } else if (r.extremes) {
     fmt::print("{}", extremes_text(archive, *step));
     for (const std::string& d : v.damage) fmt::print("DAMAGED      {}\n", d);
@@ -271,7 +272,7 @@ int inform(const InfoRequest& r) {
 void declare_info_command(Command& command) {
   auto r = std::make_shared<InfoRequest>();
   command.option("UDA", r->archive, "The archive").required();
-  command.flag("--json", r->json, "As JSON");
+  command.json(r->json, "As JSON");
   command.flag("--verify", r->verify, "Read everything and check every checksum");
   command.flag("--extremes", r->extremes,
                "Least and largest value of every label, material and level with their places; "

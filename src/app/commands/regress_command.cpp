@@ -26,7 +26,8 @@ namespace fs = std::filesystem;
 struct RegressRequest {
   std::string file, mpiexec = "mpiexec", folder, against, html;
   std::vector<std::string> names;
-  bool bless = false, json = false, list = false;
+  std::string json;
+  bool bless = false, list = false;
 };
 
 std::vector<RegressCase> select(std::vector<RegressCase> all,
@@ -106,10 +107,8 @@ int regress(const RegressRequest& o) {
     page->write(regress_page(results));
     page->close();
   }
-  if (o.json)
-    fmt::print("{}\n", regress_json(results).dump(2));
-  else
-    print_table(results);
+  if (!o.json.empty()) write_text(o.json, regress_json(results).dump(2) + "\n");
+  if (o.json != "-") print_table(results);
   int status = 0;
   for (const RegressResult& r : results) status = std::max(status, r.status());
   return status;
@@ -129,7 +128,7 @@ void declare_regress_command(Command& command) {
   command.option("--mpiexec", o->mpiexec, "Launcher for runs on ranks");
   command.flag("--bless", o->bless, "Store the results as golden results");
   command.option("--html", o->html, "Write a page of what has moved to this file");
-  command.flag("--json", o->json, "As JSON, for scripts");
+  command.json(o->json, "As JSON, for scripts");
   command.flag("--list", o->list, "Print the names of the cases");
   command.closing_text(regress_keys_help());
   command.action([o] { return regress(*o); });

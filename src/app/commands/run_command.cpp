@@ -32,7 +32,7 @@ namespace {
 struct RunRequest {
   RunOptionValues run;
   std::string deck, restart, json, progress = "auto";
-  std::string parent = ".", last_line;
+  std::string parent, last_line;  // parent: empty, where the run puts its archive
   std::optional<int> step, max_steps;
   std::optional<double> wall_limit;    // seconds
   std::optional<double> target_error;  // relative
@@ -54,6 +54,15 @@ std::string deck_file(const RunRequest& o) {
                                  kept.string()));
   require_own_format(Archive::open(o.restart));
   return kept.string();
+}
+
+// Beside the archive that a restart continues, else in the working folder.
+std::string parent_folder(const RunRequest& o) {
+  namespace fs = std::filesystem;
+  if (!o.parent.empty()) return o.parent;
+  if (o.restart.empty()) return ".";
+  const fs::path real = fs::canonical(o.restart).parent_path();
+  return fs::equivalent(real, ".") ? "." : real.string();
 }
 
 void check_numbers(const RunRequest& o) {
@@ -99,7 +108,7 @@ std::string continuation(const RunRequest& o, const RunReport& report) {
     return "no checkpoint was written: this run cannot be continued\n";
   ContinueWords words;
   words.archive = *report.archive;
-  words.parent = o.parent;
+  words.parent = parent_folder(o);
   words.ranks = report.ranks;
   words.threads = o.run.threads;
   words.force_directions = o.run.force_directions;
@@ -133,7 +142,7 @@ int run_on(Communicator& ranks, const RunRequest& o) {
   const std::unique_ptr<LoadedScene> loaded = load_scene(
       deck_file(o), o.run.overrides, o.run.scene_options(ranks.size()), o.run.warnings());
   RunOptions options;
-  options.parent = o.parent;
+  options.parent = parent_folder(o);
   options.output = !o.run.no_output;
   options.threads = threads_to_use(o.run.threads);
   if (!o.any_memory) require_memory(*loaded, ranks, options.threads, o.run.block_extents());
@@ -170,8 +179,7 @@ int run_on(Communicator& ranks, const RunRequest& o) {
     }
     if (!report.message.empty()) fmt::print(stderr, "sluice: error: {}\n", report.message);
     tell_end(o, report, options.progress);
-    if (exit_status_of(report.status) == 0 && !o.last_line.empty())
-      fmt::print("{}\n", o.last_line);
+    if (exit_status_of(report.status) == 0 && !o.last_line.empty()) fmt::print("{}\n", o.last_line);
   }
   return exit_status_of(report.status);
 }
@@ -247,7 +255,9 @@ int run(const RunRequest& o) {
 void declare_run_command(Command& command) {
   auto o = std::make_shared<RunRequest>();
   command.option("DECK", o->deck, "Deck (.ups); with --restart: the archive's own by default");
-  command.option("-o,--output", o->parent, "Parent folder of the archive");
+  command.option(
+      "-o,--output", o->parent,
+      "Parent folder of the archive (default: this folder, or that of the archive restarted)");
   command.option("--max-steps", o->max_steps, "Stop with a checkpoint after this step");
   command.option("--wall-limit", o->wall_limit,
                  "Stop with a checkpoint after this number of seconds");

@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "app/command/command_line.hpp"
+#include "app/command/option_values.hpp"
 #include "app/process/data_folder.hpp"
 #include "app/process/python_tool.hpp"
 #include "app/process/study_process.hpp"
@@ -75,9 +76,7 @@ std::vector<StabilityCase> chosen_cases(const StabilityRequest& o) {
 }
 
 void write_json(const fs::path& path, const Json& json) {
-  TextSink sink(path.string());
-  sink.write(json.dump(1) + "\n");
-  sink.close();
+  write_text(path.string(), json.dump(1) + "\n");
 }
 
 // Picture and page; a message where Python cannot draw, because table and JSON are complete.
@@ -216,8 +215,7 @@ void declare_stability_command(Command& command) {
   command.option("-o", request->folder, "Folder for map, picture and page (stability)");
   command.option("--jobs", request->jobs, "Runs at once (as many as there are cores)")
       .between(1, 1024);
-  command.option("--set", request->overrides, "Override PATH=VALUE of a deck (may be repeated)")
-      .repeatable();
+  add_deck_changes(command, request->overrides, " of a deck");
   command.option("--cases", request->cases, "Another folder of cases");
   command.option("--against", request->against,
                  "Compare with this map (recorded.json beside the cases)");

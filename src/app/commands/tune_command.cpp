@@ -242,7 +242,7 @@ void declare_tune_command(Command& command) {
   command.option("--picture", o->picture,
                  "Draw residual against time of the best (.png, .svg or .pdf)");
   command.option("--json", o->json, "Write all measurements to this file; -: to standard output");
-  command.option("--set", o->overrides, "Override PATH=VALUE (may be repeated)").repeatable();
+  add_deck_changes(command, o->overrides);
   command.option("--threads", o->threads,
                  "Threads of the run; the solvers are measured with one thread");
   command.flag("--quiet", o->quiet, "Do not print warnings of the deck and the progress line");

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <memory>
+#include <set>
 
 #include "exact/exact_solutions.hpp"
 #include "framework/base/error.hpp"
@@ -9,10 +10,20 @@
 namespace sluice {
 namespace {
 
+std::set<std::string> all_parameters() {
+  std::set<std::string> names;
+  for (const auto& help : exact::exact_solution_help())
+    for (const auto& parameter : help.parameters) names.insert(parameter.name);
+  return names;
+}
+
 void check_exact_solution(const DeckNode& root, std::vector<Fault>& faults) {
   const DeckNode* node = root.find("Meta/exact_solution");
   if (!node || !node->attribute("type")) return;
   std::map<std::string, std::string> values;
+  const std::set<std::string> known = all_parameters();
+  for (const auto& child : node->children)
+    if (known.count(child->name) == 0) return;  // told as an unknown tag
   for (const auto& child : node->children) values[child->name] = child->text;
   try {
     exact::make_exact_solution({*node->attribute("type"), std::move(values)});
@@ -41,6 +52,12 @@ void describe_exact_solution(Schema& schema) {
           .attribute(attribute("type", "which one").once().words(types));
   for (const auto& [name, meaning] : parameters) {
     solution = solution.child(tag(name, meaning).text());
+  }
+  for (const auto& help : exact::exact_solution_help()) {
+    std::vector<TagSpec> read;
+    for (const auto& parameter : help.parameters)
+      read.push_back(tag(parameter.name, parameter.meaning).text());
+    solution.laws.emplace_back(help.type, std::move(read));
   }
   schema.add(tag("Meta", "about the deck").child(solution));
   schema.rules.push_back(check_exact_solution);

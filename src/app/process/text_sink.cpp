@@ -30,6 +30,12 @@ void TextSink::close() {
   if ((file == stdout ? std::fflush(file) : std::fclose(file)) != 0) fail();
 }
 
+void write_text(const std::string& target, std::string_view text) {
+  TextSink sink(target);
+  sink.write(text);
+  sink.close();
+}
+
 void TextSink::fail() const {
   throw SystemError(fmt::format("cannot write {}: {}; check the path and the free space", target_,
                                 std::strerror(errno)));

@@ -22,4 +22,7 @@ class TextSink {
   std::FILE* file_;
 };
 
+// The whole text at once.
+void write_text(const std::string& target, std::string_view text);
+
 }  // namespace sluice

@@ -165,6 +165,12 @@ bool Deck::good() const {
          });
 }
 
+std::string element_xml(const DeckNode& node) {
+  std::string xml;
+  append_xml(xml, node, 0);
+  return xml;
+}
+
 std::string to_xml(const DeckNode& root) {
   std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
   append_xml(xml, root, 0);

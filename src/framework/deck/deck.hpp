@@ -32,6 +32,7 @@ struct Fault {
   std::string message;     // what was found and what was expected, one sentence
   std::string suggestion;  // nearest valid name or next thing to try; may be empty
   bool not_built = false;  // known to the deck format, not built yet (an error)
+  bool absent = false;     // a required tag is not there
 };
 std::string to_string(const Fault&);  // "deck.ups:12:7: error: ... (did you mean 'cfl'?)"
 
@@ -90,5 +91,7 @@ Deck read_deck_text(std::string_view xml, const std::string& shown_name);
 
 // Writes the resolved deck as XML (what an archive keeps as input.xml).
 std::string to_xml(const DeckNode& root);
+// One element with all that is below it.
+std::string element_xml(const DeckNode& node);
 
 }  // namespace sluice

@@ -57,6 +57,16 @@ void apply(const DeckRule& rule, Deck& deck) {
   }
 }
 
+// Tags of other spellings and of earlier formats get the names of the schema.
+void bring_up_to_date(Deck& deck, const Schema& schema) {
+  settle_spelling(*deck.root, schema, deck.faults);
+  drop_obsolete(*deck.root, deck.faults);
+  for (const DeckRewrite& rewrite : schema.rewrites) rewrite(*deck.root, deck.faults);
+  drop_obsolete(*deck.root, deck.faults);  // in what has been moved
+  settle_spelling(*deck.root, schema, deck.faults);
+  normalise_names(*deck.root, schema);
+}
+
 }  // namespace
 
 std::unique_ptr<DeckNode> copy_of(const DeckNode& node) {
@@ -72,17 +82,16 @@ std::unique_ptr<DeckNode> copy_of(const DeckNode& node) {
 
 Deck check_deck(Deck deck, const std::vector<std::string>& overrides, const Schema& schema) {
   if (deck.root == nullptr) return deck;
-  settle_spelling(*deck.root, schema, deck.faults);
-  drop_obsolete(*deck.root, deck.faults);
-  for (const DeckRewrite& rewrite : schema.rewrites) rewrite(*deck.root, deck.faults);
-  drop_obsolete(*deck.root, deck.faults);  // in what has been moved
-  settle_spelling(*deck.root, schema, deck.faults);
-  normalise_names(*deck.root, schema);
+  const bool whole = deck.good();
+  bring_up_to_date(deck, schema);
   for (const std::string& text : overrides) {
     apply_override(*deck.root, text, schema, deck.faults);
   }
+  if (std::any_of(overrides.begin(), overrides.end(), is_addition)) bring_up_to_date(deck, schema);
   for (const DeckRewrite& complete : schema.completions) complete(*deck.root, deck.faults);
   check_structure(*deck.root, schema, deck.faults);
+  // What is missing may stand where the reading failed, behind an include that leads nowhere.
+  if (!whole) std::erase_if(deck.faults, [](const Fault& fault) { return fault.absent; });
   locate_files(*deck.root, schema, deck.faults);
   for (const DeckRule& rule : schema.rules) apply(rule, deck);
   sort_by_place(deck.faults);

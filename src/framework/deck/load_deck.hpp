@@ -9,6 +9,8 @@
 //   Grid/Level[1]/Box[@label=left]/...    selects among tags of one name, by number or attribute
 //   CFD/ICE/advection/@type=FirstOrder    sets an attribute
 //   Solver=                               deletes the tag (or attribute)
+//   resolution=[500,1,1]                  the end of a path, where it means one place
+//   +DataArchiver=<save label="rho_CC"/>  adds tags to a tag (addition("DataArchiver=..."))
 // Setting <resolution> removes the level's <spacing>, and the other way round; setting one of
 // several tags that exclude each other removes the others.
 #pragma once
@@ -20,6 +22,14 @@
 #include "framework/deck/schema.hpp"
 
 namespace sluice {
+
+// An override that adds tags: "PATH=XML".
+inline std::string addition(const std::string& path_and_xml) {
+  return '+' + path_and_xml;
+}
+inline bool is_addition(std::string_view override_text) {
+  return !override_text.empty() && override_text.front() == '+';
+}
 
 Deck load_deck(const std::string& file, const std::vector<std::string>& overrides,
                const Schema& schema);

@@ -157,6 +157,53 @@ TEST(Override, ResolutionTakesThePlaceOfSpacingAndTheOtherWayRound) {
   }
 }
 
+// <steps> is not told to be missing beside <stps>, which most likely means it.
+TEST(LoadDeck, TellsAMisspeltTagOnce) {
+  const std::string said = messages(load("<run><stps>3</stps></run>"));
+  EXPECT_THAT(said, HasSubstr("did you mean 'steps'?"));
+  EXPECT_EQ(said.find("needs"), std::string::npos) << said;
+}
+
+TEST(Override, EndOfAPathIsEnoughWhereItMeansOnePlace) {
+  const std::string inside = "<run><steps>3</steps><part id='a'/><part id='b'/></run>";
+  EXPECT_EQ(load(inside, {"steps=9"}).root->find("run/steps")->text, "9");
+  EXPECT_EQ(load(inside, {"part[@id=b]/@id=c"}).root->child("run")->all("part")[1]->attribute("id"),
+            "c");
+  // Not in the deck: the place that the schema has.
+  EXPECT_EQ(load(inside, {"most=2"}).root->find("run/limits/most")->text, "2");
+  const auto said = [&](const char* text) { return messages(load(inside, {text})); };
+  EXPECT_THAT(said("stps=1"), HasSubstr("no deck has a tag 'stps'"));
+  EXPECT_THAT(said("stps=1"), HasSubstr("did you mean 'steps'?"));
+  EXPECT_THAT(said("part/@id=x"), HasSubstr("choose one with part[1]"));
+}
+
+TEST(Override, ShortPathWithSeveralMeaningsListsThem) {
+  const std::string boxes =
+      "<Box><resolution>[4,4,4]</resolution></Box><Box><resolution>[1,1,1]</resolution></Box>";
+  const Deck two = grid({"resolution=[8,1,1]"}, boxes);
+  EXPECT_THAT(messages(two), HasSubstr("'resolution' means 2 places of this deck"));
+  EXPECT_THAT(messages(two), HasSubstr("Grid/Level/Box[1]/resolution, Grid/Level/Box[2]/resolu"));
+  const Deck second = grid({"Box[2]/resolution=[8,1,1]"}, boxes);
+  EXPECT_EQ(second.root->find("Grid/Level")->all("Box")[1]->child("resolution")->text, "[8,1,1]");
+}
+
+TEST(Override, AdditionPutsTagsBehindTheOthers) {
+  const std::string inside = "<run><steps>3</steps><part id='a'/></run>";
+  const Deck deck = load(inside, {addition("run=<part id='b'/><part id='c'/>")});
+  ASSERT_TRUE(deck.good()) << messages(deck);
+  ASSERT_EQ(deck.root->child("run")->all("part").size(), 3u);
+  EXPECT_EQ(deck.root->child("run")->all("part")[2]->attribute("id"), "c");
+  // In order with the others, and checked as what is written in the deck.
+  const Deck changed = load(inside, {addition("run=<part id='b'/>"), "part[2]/@id=d"});
+  EXPECT_EQ(changed.root->child("run")->all("part")[1]->attribute("id"), "d");
+  const auto said = [&](const char* text) { return messages(load(inside, {addition(text)})); };
+  EXPECT_THAT(said("run=<prt/>"), HasSubstr("--add run=<prt/>:1:"));
+  EXPECT_THAT(said("run=<prt/>"), HasSubstr("did you mean 'part'?"));
+  EXPECT_THAT(said("run=<part"), HasSubstr("this is no XML"));
+  EXPECT_THAT(said("run=part"), HasSubstr("there is no tag behind the '='"));
+  EXPECT_THAT(said("run"), HasSubstr("there is no '='"));
+}
+
 struct Resolved {
   Deck deck;
   std::string xml, faults;

@@ -1,4 +1,4 @@
-// --set PATH=VALUE: one value of the deck changed from the command line.
+// --set PATH=VALUE and --add PATH=XML: the deck changed from the command line.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,94 +7,39 @@
 #include "framework/deck/faults.hpp"
 #include "framework/deck/load_deck.hpp"
 #include "framework/deck/nearest_name.hpp"
-#include "framework/deck/schema_check.hpp"
+#include "framework/deck/override_path.hpp"
 #include "framework/deck/value_text.hpp"
+#include "framework/deck/xml_reader.hpp"
 
 namespace sluice {
 namespace {
 
-// One step of a path: NAME, NAME[2], NAME[@label=left].
-struct Step {
-  std::string name;
-  int number = 0;  // 1-based; 0: not given
-  std::string attribute, value;
-};
-
-struct Override {
-  std::vector<Step> steps;
-  std::string attribute;  // of the last step; empty: its text
-  std::string value;      // empty: delete
-};
-
-// What is wrong with an override; caught in apply_override.
-struct OverrideFault {
-  std::string message, suggestion;
-};
-
-constexpr const char* usage =
+constexpr const char* usage_of_set =
     "write PATH=VALUE, as Grid/Level/Box/resolution=[500,1,1] or "
     "CFD/ICE/advection/@type=FirstOrder";
+constexpr const char* usage_of_add =
+    "write PATH=XML, as DataArchiver=<save label=\"vol_frac_CC\"/>";
 
-Step parse_step(std::string_view text) {
-  Step step;
-  const auto bracket = text.find('[');
-  step.name = collapse_blanks(text.substr(0, bracket));
-  if (step.name.empty()) throw OverrideFault{"a tag name is missing in the path", usage};
-  if (bracket == std::string_view::npos) return step;
-  if (text.back() != ']') throw OverrideFault{"a selector must end with ']'", usage};
-  const auto inside = text.substr(bracket + 1, text.size() - bracket - 2);
-  if (!inside.empty() && inside.front() == '@') {
-    const auto equals = inside.find('=');
-    if (equals == std::string_view::npos) {
-      throw OverrideFault{fmt::format("selector [{}] has no '='", inside), usage};
-    }
-    step.attribute = std::string(inside.substr(1, equals - 1));
-    step.value = std::string(inside.substr(equals + 1));
-    return step;
-  }
-  const auto number = parse_integer(inside);
-  if (!number || *number.value < 1) {
-    throw OverrideFault{
-        fmt::format("selector [{}] is neither a number from 1 on nor @NAME=VALUE", inside), usage};
-  }
-  step.number = *number.value;
-  return step;
-}
-
-// The position of a character outside brackets.
-std::size_t find_outside(std::string_view text, char wanted) {
-  int depth = 0;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] == '[') ++depth;
-    if (text[i] == ']') --depth;
-    if (text[i] == wanted && depth == 0) return i;
-  }
-  return std::string_view::npos;
-}
-
-Override parse_override(std::string_view text) {
-  const auto equals = find_outside(text, '=');
+// A path and what stands behind its '='.
+std::pair<TagPath, std::string> path_and_rest(std::string_view text, const char* usage) {
+  const auto equals = find_outside_brackets(text, '=');
   if (equals == std::string_view::npos) throw OverrideFault{"there is no '='", usage};
-  Override parsed;
-  parsed.value = collapse_blanks(text.substr(equals + 1));
-  std::string_view path = text.substr(0, equals);
-  while (!path.empty() && path.front() == '/') path.remove_prefix(1);
-  while (!path.empty()) {
-    const auto slash = find_outside(path, '/');
-    const auto piece = path.substr(0, slash);
-    path = slash == std::string_view::npos ? std::string_view{} : path.substr(slash + 1);
-    if (!piece.empty() && piece.front() == '@') {
-      parsed.attribute = collapse_blanks(piece.substr(1));
-      if (!path.empty()) throw OverrideFault{"an attribute ends the path", usage};
-    } else {
-      parsed.steps.push_back(parse_step(piece));
-    }
+  return {parse_tag_path(text.substr(0, equals)), std::string(text.substr(equals + 1))};
+}
+
+// The tags that a text of XML writes, includes resolved. Throws OverrideFault where it is none.
+std::vector<std::unique_ptr<DeckNode>> tags_in(const std::string& xml, const std::string& origin,
+                                               std::vector<Fault>& faults) {
+  ReadBudget budget;
+  XmlTree tree = read_xml_text("<add>" + xml + "</add>", origin, budget);
+  if (tree.root == nullptr || !tree.faults.empty()) {
+    const std::string why = tree.faults.empty() ? "" : ": " + tree.faults.front().message;
+    throw OverrideFault{"this is no XML" + why, usage_of_add};
   }
-  if (parsed.steps.empty()) throw OverrideFault{"the path is empty", usage};
-  if (parsed.steps.front().name == "Uintah_specification") {
-    parsed.steps.erase(parsed.steps.begin());
-  }
-  return parsed;
+  if (tree.root->children.empty() || !tree.root->text.empty())
+    throw OverrideFault{"there is no tag behind the '='", usage_of_add};
+  resolve_includes(*tree.root, budget, faults);
+  return std::move(tree.root->children);
 }
 
 class Editor {
@@ -102,38 +47,61 @@ class Editor {
   Editor(DeckNode& root, const Schema& schema, std::string origin)
       : root_(root), schema_(schema), origin_(std::move(origin)) {}
 
-  void apply(const Override& change) {
+  // Sets the tag or the attribute; an empty value deletes it.
+  void set(const TagPath& path, const std::string& value) {
+    const auto steps = steps_from_root(path.steps, root_, schema_);
     DeckNode* node = &root_;
     const TagSpec* spec = &schema_.root;
-    const bool deletes = change.value.empty();
-    for (std::size_t s = 0; s < change.steps.size(); ++s) {
-      const bool last = s + 1 == change.steps.size();
-      const Step& step = change.steps[s];
-      const TagSpec* child_spec = spec == nullptr ? nullptr : schema_.child(*spec, step.name);
-      const std::string name = child_spec == nullptr ? step.name : child_spec->name;
-      DeckNode* child = choose(*node, name, step);
-      if (child == nullptr && child_spec == nullptr) refuse_name(*node, spec, step.name);
+    const bool deletes = value.empty();
+    for (std::size_t s = 0; s < steps.size(); ++s) {
+      const bool last = s + 1 == steps.size() && path.attribute.empty();
+      const auto [child, name, child_spec] = below(*node, spec, steps[s]);
       if (child == nullptr && deletes) return;  // already absent
-      if (last && deletes && change.attribute.empty()) {
+      if (last && deletes) {
         std::erase_if(node->children, [&](const auto& c) { return c.get() == child; });
         return;
       }
-      if (last && change.attribute.empty()) remove_rivals(*node, spec, name);
-      if (child == nullptr) child = create(*node, name, step);
-      node = child;
+      if (last) remove_rivals(*node, spec, name);
+      node = child == nullptr ? create(*node, name, steps[s]) : child;
       spec = child_spec;
     }
-    if (change.attribute.empty()) {
-      node->text = change.value;
+    if (path.attribute.empty()) {
+      node->text = value;
       node->where = {origin_, 0, 0};
     } else {
-      set_attribute(*node, spec, change.attribute, change.value);
+      set_attribute(*node, spec, path.attribute, value);
     }
   }
 
+  // Puts tags behind those that a tag contains; the tag is made where there is none.
+  void add(const TagPath& path, std::vector<std::unique_ptr<DeckNode>> tags) {
+    if (!path.attribute.empty()) throw OverrideFault{"an attribute contains no tag", usage_of_add};
+    DeckNode* node = &root_;
+    const TagSpec* spec = &schema_.root;
+    for (const PathStep& step : steps_from_root(path.steps, root_, schema_)) {
+      const auto [child, name, child_spec] = below(*node, spec, step);
+      node = child == nullptr ? create(*node, name, step) : child;
+      spec = child_spec;
+    }
+    for (auto& tag : tags) node->children.push_back(std::move(tag));
+  }
+
  private:
+  struct Below {
+    DeckNode* child;  // nullptr: there is none yet
+    std::string name;
+    const TagSpec* spec;
+  };
+  Below below(DeckNode& parent, const TagSpec* spec, const PathStep& step) const {
+    const TagSpec* child_spec = spec == nullptr ? nullptr : schema_.child(*spec, step.name);
+    const std::string name = child_spec == nullptr ? step.name : child_spec->name;
+    DeckNode* child = choose(parent, name, step);
+    if (child == nullptr && child_spec == nullptr) refuse_name(parent, spec, step.name);
+    return {child, name, child_spec};
+  }
+
   // The child that a step means; nullptr when there is none.
-  static DeckNode* choose(DeckNode& parent, const std::string& name, const Step& step) {
+  static DeckNode* choose(DeckNode& parent, const std::string& name, const PathStep& step) {
     std::vector<DeckNode*> candidates;
     for (const auto& child : parent.children) {
       if (child->name != name) continue;
@@ -169,7 +137,7 @@ class Editor {
                         suggest_name(name, names)};
   }
 
-  DeckNode* create(DeckNode& parent, const std::string& name, const Step& step) const {
+  DeckNode* create(DeckNode& parent, const std::string& name, const PathStep& step) const {
     auto made = std::make_unique<DeckNode>();
     made->name = name;
     made->where = {origin_, 0, 0};
@@ -240,11 +208,19 @@ class Editor {
 
 }  // namespace
 
-void apply_override(DeckNode& root, const std::string& override_text, const Schema& schema,
+void apply_override(DeckNode& root, const std::string& text, const Schema& schema,
                     std::vector<Fault>& faults) {
-  const std::string origin = "--set " + override_text;
+  const bool adds = is_addition(text);
+  const std::string origin = adds ? "--add " + text.substr(1) : "--set " + text;
   try {
-    Editor(root, schema, origin).apply(parse_override(override_text));
+    Editor editor(root, schema, origin);
+    if (adds) {
+      const auto [path, xml] = path_and_rest(std::string_view(text).substr(1), usage_of_add);
+      editor.add(path, tags_in(xml, origin, faults));
+    } else {
+      const auto [path, value] = path_and_rest(text, usage_of_set);
+      editor.set(path, collapse_blanks(value));
+    }
   } catch (const OverrideFault& fault) {
     add_error(faults, {origin, 0, 0}, fault.message, fault.suggestion);
   }

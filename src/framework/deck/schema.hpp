@@ -166,6 +166,9 @@ struct TagSpec : Described<TagSpec> {
   std::vector<std::vector<std::string>> one_of;  // exactly one of these children
   std::vector<std::vector<std::string>> at_most_one_of;
   std::pair<std::string, std::vector<std::string>> applies;  // parent's attribute, its values
+  // Of each word of an attribute that chooses among laws: the tags that this law reads, each with
+  // its own meaning, range and default. Checks of spelling go by the children, help by these.
+  std::vector<std::pair<std::string, std::vector<TagSpec>>> laws;
   bool filled = false;  // an absent tag is added with the defaults of its children
 
   TagSpec attribute(AttributeSpec spec) const {

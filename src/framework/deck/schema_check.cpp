@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "framework/deck/faults.hpp"
 #include "framework/deck/format_tags.hpp"
@@ -44,8 +45,9 @@ class Checker {
     // A misspelt word leaves open which of the dependent tags belong here.
     const bool clear = faults_.size() == before;
     check_text(node, spec);
-    check_children(node, spec, path, clear);
-    check_choices(node, spec);
+    const std::set<std::string> misspelt = misspelt_children(node, spec);
+    check_children(node, spec, path, clear, misspelt);
+    check_choices(node, spec, misspelt);
     fill_in(node, spec, path);
   }
 
@@ -112,7 +114,19 @@ class Checker {
     faults_.back().not_built = verdict.not_built;
   }
 
-  void check_children(DeckNode& node, const TagSpec& spec, const std::string& path, bool clear) {
+  // Names that unknown children most likely mean: what is told there is not told to be missing.
+  std::set<std::string> misspelt_children(const DeckNode& node, const TagSpec& spec) const {
+    std::set<std::string> meant;
+    for (const auto& child : node.children) {
+      if (schema_.child(spec, child->name) != nullptr) continue;
+      if (const auto nearest = nearest_name(child->name, schema_.child_names(spec)))
+        meant.insert(*nearest);
+    }
+    return meant;
+  }
+
+  void check_children(DeckNode& node, const TagSpec& spec, const std::string& path, bool clear,
+                      const std::set<std::string>& misspelt) {
     std::map<std::string, const DeckNode*> seen;
     for (const auto& child : node.children) {
       const TagSpec* known = schema_.child(spec, child->name);
@@ -139,7 +153,9 @@ class Checker {
     for (const TagSpec* known : schema_.children(spec)) {
       const bool needed = known->need == Need::once || known->need == Need::at_least_once;
       if (!needed || !applies(*known, node) || seen.count(known->name) > 0) continue;
+      if (misspelt.count(known->name) > 0) continue;
       fault(node, fmt::format("<{}> needs <{}>: {}", node.name, known->name, known->doc));
+      faults_.back().absent = true;
     }
   }
 
@@ -176,10 +192,14 @@ class Checker {
     return parents.front().empty() ? "the root" : parents.front();
   }
 
-  void check_choices(const DeckNode& node, const TagSpec& spec) {
+  void check_choices(const DeckNode& node, const TagSpec& spec,
+                     const std::set<std::string>& misspelt) {
     for (const auto& names : spec.one_of) {
       const auto present = present_of(node, names);
-      if (present.empty()) {
+      const bool told = std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+        return misspelt.count(name) > 0;
+      });
+      if (present.empty() && !told) {
         fault(node, fmt::format("<{}> needs one of <{}>", node.name, fmt::join(names, ">, <")));
       } else if (present.size() > 1) {
         fault(*present[1],

@@ -18,27 +18,38 @@ Range range_of(eos::Bound bound) {
   return range;
 }
 
-// "density of reference, kg/m^3; absent: 1027".
+// What a law reads: "density of reference", kg/m^3, 1027 where it is absent.
 template <class Law, class Owner>
-std::string meaning_of(const eos::Parameter<Owner>& number, const Law& start) {
-  std::string text(number.meaning);
-  if (!number.unit.empty()) text += fmt::format(", {}", number.unit);
-  if (number.given == eos::Given::in_law_or_default)
-    text += fmt::format("; absent: {:g}", start.*number.member);
+TagSpec tag_of(const eos::Parameter<Owner>& number, const Law& start) {
+  TagSpec spec = tag(std::string(number.name), std::string(number.meaning))
+                     .real()
+                     .unit(std::string(number.unit));
+  spec.value.range = range_of(number.bound);
+  if (number.given != eos::Given::in_law_or_default) return spec.once();
+  return spec.by_default(fmt::format("{:g}", start.*number.member));
+}
+
+// "density of reference, kg/m^3; absent: 1027".
+std::string meaning_of(const TagSpec& spec) {
+  std::string text = spec.doc;
+  if (!spec.value.unit.empty()) text += fmt::format(", {}", spec.value.unit);
+  if (spec.value.default_text) text += "; absent: " + *spec.value.default_text;
   return text;
 }
 
 template <class Law>
 LawEntry entry_of() {
   const Law start{};
-  LawEntry entry{std::string(Law::name), start, {}, false};
+  LawEntry entry{std::string(Law::name), start, {}, {}, false};
   for (const auto& number : Law::parameters()) {
     if (number.given == eos::Given::by_material) {
       entry.gamma_above_one |= number.name == "gamma";
       continue;
     }
-    entry.tags.push_back({std::string(number.name), meaning_of(number, start),
-                          range_of(number.bound), number.given == eos::Given::in_law_or_default,
+    const TagSpec spec = tag_of(number, start);
+    entry.reads.push_back(spec);
+    entry.tags.push_back({spec.name, meaning_of(spec), spec.value.range,
+                          spec.value.default_text.has_value(),
                           [member = number.member](eos::EquationOfState& law, double x) {
                             std::get<Law>(law).*member = x;
                           }});
@@ -105,6 +116,7 @@ TagSpec equation_of_state_tag() {
           .attribute(attribute("type", "which one").once().words(types).not_built({"KumariDass"}))
           .child(tag("gas_constant", "accepted without effect").real());
   for (const std::string& name : order) eos = eos.child(tag(name, meanings.at(name)).real());
+  for (const LawEntry& law : law_table()) eos.laws.emplace_back(law.type, law.reads);
   return eos;
 }
 

@@ -24,6 +24,7 @@ struct LawEntry {
   std::string type;            // attribute of <EOS>
   eos::EquationOfState start;  // values of what may be left out
   std::vector<LawTag> tags;
+  std::vector<TagSpec> reads;    // the same for help and reference
   bool gamma_above_one = false;  // <gamma> of the material is part of the law
 };
 

@@ -144,6 +144,7 @@ TagSpec choice_tag(std::string name, std::string doc,
   for (const std::string& child : order) whole = whole.child(tags.at(child));
   for (const std::string& child : never_read)
     if (tags.count(child) == 0) whole = whole.child(tag(child, "accepted without effect").text());
+  for (const auto& [type, of_part] : parts) whole.laws.emplace_back(type, *of_part);
   return whole;
 }
 
