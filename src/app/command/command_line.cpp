@@ -16,6 +16,12 @@ namespace {
 
 constexpr const char* optional_file = "[FILE.json]";
 
+const CLI::App* find_command(const CLI::App& root, const std::string& name) {
+  for (const CLI::App* command : root.get_subcommands({}))
+    if (command->get_name() == name) return command;
+  return nullptr;
+}
+
 OptionText text_of(const CLI::Option& option) {
   OptionText text;
   text.names = option.get_name(option.get_positional(), true);
@@ -161,7 +167,7 @@ std::vector<CommandText> CommandLine::texts() const {
 // An option with an optional file gets standard output where no file follows it.
 std::vector<std::string> CommandLine::with_targets(const std::vector<std::string>& words) const {
   if (words.empty()) return words;
-  const CLI::App* command = app_->get_subcommand_no_throw(words[0]);
+  const CLI::App* command = find_command(*app_, words[0]);
   const CLI::Option* json = command == nullptr ? nullptr : command->get_option_no_throw("--json");
   if (json == nullptr || json->get_type_name() != optional_file) return words;
   std::vector<std::string> full;
@@ -176,7 +182,7 @@ std::vector<std::string> CommandLine::with_targets(const std::vector<std::string
 // Help and version leave with 0, every misuse with the status of bad input.
 int CommandLine::run(const std::vector<std::string>& words) {
   if (!words.empty() && words[0][0] != '-') refuse_unknown_command(words[0]);
-  if (words.size() == 2 && words[0] == "help" && app_->get_subcommand_no_throw(words[1]) != nullptr)
+  if (words.size() == 2 && words[0] == "help" && find_command(*app_, words[1]) != nullptr)
     return run({words[1], "--help"});
   try {
     const std::vector<std::string> full = with_targets(words);

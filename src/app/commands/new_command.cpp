@@ -88,8 +88,8 @@ int make_deck(const NewRequest& r) {
   std::string text = text_of_template(r.like);
   const std::string head = fmt::format(
       "\n  {0}: {1}\n\n    sluice check {2}        all faults, with line and column\n    sluice "
-      "plan {2}         what will be computed, and what not\n    sluice run {2} --plot\n    sluice "
-      "help TAG                each tag, law and label\n",
+      "plan {2}         what will be computed, and what not\n    sluice run {2}          writes "
+      "{0}.uda; then sluice plot {0}.uda\n    sluice help NAME           each tag, law and label\n",
       name, problem_of(text), file.filename().string());
   replace_between(text, "<!--", "-->", head);
   replace_between(text, "<title>", "</title>", name);

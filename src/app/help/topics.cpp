@@ -36,10 +36,10 @@ void append(std::string& text, const std::string& more) {
   if (const auto parents = parents_in_format(last); !parents.empty())
     throw InputError(fmt::format("<{}> (in {}) is known to the format, but not supported yet", last,
                                  parents.front().empty() ? "the root" : parents.front()));
-  std::vector<std::string> names = tag_names(schema);
+  std::vector<std::string> names = commands;  // first: they win where two are as near
+  for (std::string& tag : tag_names(schema)) names.push_back(std::move(tag));
   for (std::string& word : law_words(schema)) names.push_back(std::move(word));
   for (const Label label : all_labels()) names.push_back(label.name());
-  names.insert(names.end(), commands.begin(), commands.end());
   const auto nearest = nearest_name(last, names);
   throw InputError(
       fmt::format("there is no command, tag, law, label or message '{}'{}", name,
