@@ -197,7 +197,7 @@ TEST(Override, AdditionPutsTagsBehindTheOthers) {
   const Deck changed = load(inside, {addition("run=<part id='b'/>"), "part[2]/@id=d"});
   EXPECT_EQ(changed.root->child("run")->all("part")[1]->attribute("id"), "d");
   const auto said = [&](const char* text) { return messages(load(inside, {addition(text)})); };
-  EXPECT_THAT(said("run=<prt/>"), HasSubstr("--add run=<prt/>:1:"));
+  EXPECT_THAT(said("run=<prt/>"), HasSubstr("--add run:1:"));
   EXPECT_THAT(said("run=<prt/>"), HasSubstr("did you mean 'part'?"));
   EXPECT_THAT(said("run=<part"), HasSubstr("this is no XML"));
   EXPECT_THAT(said("run=part"), HasSubstr("there is no tag behind the '='"));

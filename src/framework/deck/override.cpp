@@ -211,7 +211,8 @@ class Editor {
 void apply_override(DeckNode& root, const std::string& text, const Schema& schema,
                     std::vector<Fault>& faults) {
   const bool adds = is_addition(text);
-  const std::string origin = adds ? "--add " + text.substr(1) : "--set " + text;
+  const std::string origin =
+      adds ? "--add " + text.substr(1, find_outside_brackets(text, '=') - 1) : "--set " + text;
   try {
     Editor editor(root, schema, origin);
     if (adds) {
