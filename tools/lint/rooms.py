@@ -47,8 +47,9 @@ ROOMS = {
     ],
     "framework/archive": [
         {".": "writing and reading archives: Sluice's own in HDF5, Uintah's raw ones; particles, "
-              "values as CSV"},
-        {"compare": "two archives, of either format: differences and norms",
+              "samples"},
+        {"compare": "two archives, of either format and resolution: differences, norms, orders",
+         "extract": "values as rows: of a box, at points, along lines, of particles, over outputs",
          "extremes": "extremes of labels with their places, and sums over materials, of one step",
          "vtk": "export to the files of ParaView and VisIt",
          "uda": "export to Uintah's raw layout"},
@@ -163,7 +164,8 @@ ROOMS = {
     ],
     "app": [
         {"loading": "from the file of a deck to a problem with its components",
-         "process": "child processes, decks run as such, files that users write, data folders",
+         "process": "child processes, decks run as such, files that users write, data folders, "
+                    "pieces of HTML",
          "tune": "the search for a faster solver of a deck's linear systems"},
         {"command": "what commands share: options, help, endings of a run, pictures",
          "help": "what `sluice help` tells: tags, laws, labels, messages that end a run",
@@ -173,6 +175,7 @@ ROOMS = {
          "study": "accuracy studies over series of runs",
          "classic": "the tools of the public suite, under their own names"},
         {"plan": "`sluice plan`: tasks, levels, memory and first step of a run, before it runs"},
+        {"report": "`sluice report`: one page of a run, its deck, plan, costs, pictures"},
         {"commands": "one file per command, a row of `commands.cpp` each"},
         {".": "`main`, and the fuzz target of decks"},
     ],

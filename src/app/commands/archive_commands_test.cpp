@@ -151,14 +151,59 @@ TEST_F(ArchiveCommands, InfoTellsExtremesWithTheirPlaces) {
   EXPECT_THAT(text.output, HasSubstr("cell ["));
 }
 
+// Cells are 0.1 x 0.25 x 0.5 m from (-1, 0.25, 3) on.
+TEST_F(ArchiveCommands, ExtractsPointsAndLinesOverTime) {
+  const std::string label = "extract " + a_ + " --var press_CC ";
+  const Outcome probe = run(label + "--time all --at=-0.77,0.8,3.1");
+  EXPECT_EQ(probe.status, 0) << probe.error;
+  EXPECT_EQ(std::count(probe.output.begin(), probe.output.end(), '\n'), 4);
+  EXPECT_THAT(probe.output, HasSubstr("\n0.10000000000000001,0,0,2,2,0,-0.75,0.875,3.25,"));
+  EXPECT_EQ(run(label + "--time 0.1: --at=-0.77,0.8,3.1").output,
+            run(label + "--time #1:last --at=-0.77,0.8,3.1").output);
+  const auto line = nlohmann::json::parse(
+      run(label + "--line=-1,0.3,3.1:-0.4,1.2,3.1:7 --linear --json -").output);
+  EXPECT_EQ(line["columns"][1], "distance");
+  ASSERT_EQ(line["rows"].size(), 7u);
+  EXPECT_NEAR(line["rows"][6][1].get<double>(), std::hypot(0.6, 0.9), 1e-12);
+  EXPECT_EQ(run("extract " + a_ + " --history TotalMass --time 0.05:0.15").output,
+            "Time,value\n0.10000000000000001,1\n");
+  EXPECT_EQ(run("extract " + a_ + " --history TotalMass --time 0.15:0.16").status, 2);
+  const auto history =
+      nlohmann::json::parse(run("extract " + a_ + " --history TotalMass --json -").output);
+  EXPECT_EQ(history["rows"][1], nlohmann::json({0.1, 1}));
+}
+
 TEST_F(ArchiveCommands, ExtractRefusesWithExitTwo) {
-  for (const std::string wrong :
-       {"--time 0.31", "--time -0.06", "--time #3", "--time soon", "--level 1", "--level x",
-        "--material 7", "--from 0,0,0", "--from 1,0,0 --to 0,1,1", "--from 0,0 --to 1,1,1"}) {
+  for (const std::string wrong : {"--at 0,0",
+                                  "--at 9,9,9",
+                                  "--at=-0.9,1,3 --line=-1,1,3:0,1,3",
+                                  "--line=-1,1,3",
+                                  "--line=-1,1,3:-1,1,3",
+                                  "--line=-1,1,3:0,1,3:1",
+                                  "--line 5,5,5:6,6,6",
+                                  "--linear",
+                                  "--follow",
+                                  "--particle 5",
+                                  "--particle x",
+                                  "--time 0.01:0.02",
+                                  "--time 2:1",
+                                  "--at nan,0,0",
+                                  "--csv - --json -",
+                                  "--time 0.31",
+                                  "--time -0.06",
+                                  "--time #3",
+                                  "--time soon",
+                                  "--level 1",
+                                  "--level x",
+                                  "--material 7",
+                                  "--from 0,0,0",
+                                  "--from 1,0,0 --to 0,1,1",
+                                  "--from 0,0 --to 1,1,1"}) {
     const Outcome o = run("extract " + a_ + " --var press_CC " + wrong);
     EXPECT_EQ(o.status, 2) << wrong << o.output;
     EXPECT_FALSE(o.error.empty()) << wrong;
   }
+  EXPECT_THAT(run("extract " + a_ + " --var press_CC.x").error, HasSubstr("it has no parts"));
   EXPECT_THAT(run("extract " + a_ + " --var rho_CC").error, HasSubstr("it has press_CC"));
   EXPECT_EQ(run("extract " + a_ + "x --var press_CC").status, 2);
   EXPECT_EQ(run("extract " + a_).status, 2);
@@ -195,7 +240,14 @@ TEST_F(ArchiveCommands, CompareExits) {
   EXPECT_EQ(run("compare " + a_ + " " + a_).status, 0);
   const Outcome o = run("compare " + a_ + " " + b_);
   EXPECT_EQ(o.status, 1);
-  EXPECT_THAT(o.output, HasSubstr("24 of 24 values differ"));
+  // One row for the label, over three outputs.
+  EXPECT_THAT(o.output, HasSubstr("\npress_CC"));
+  EXPECT_EQ(o.output.find("\npress_CC"), o.output.rfind("\npress_CC"));
+  const auto j = nlohmann::json::parse(run("compare " + a_ + " " + b_ + " --json -").output);
+  EXPECT_EQ(j["verdict"], "different");
+  ASSERT_EQ(j["labels"].size(), 1u);
+  EXPECT_EQ(j["labels"][0]["differing"], 72);
+  EXPECT_NEAR(j["labels"][0]["largest"]["difference"].get<double>(), 1e-3, 1e-12);
   EXPECT_THAT(o.output,
               HasSubstr("first:   press_CC of material 0 on level 0 at [0, 0, 0], step 0"));
   EXPECT_THAT(o.output, HasSubstr("largest: press_CC"));

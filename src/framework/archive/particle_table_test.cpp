@@ -7,7 +7,7 @@
 
 #include "framework/archive/archive_test_support.hpp"
 #include "framework/archive/compare/compare.hpp"
-#include "framework/archive/csv_extract.hpp"
+#include "framework/archive/extract/extract.hpp"
 #include "framework/archive/xml_text.hpp"
 #include "framework/base/error.hpp"
 

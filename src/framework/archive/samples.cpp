@@ -199,14 +199,18 @@ void sort_line(SampleTable& table) {
   });
 }
 
-void keep_time(SampleTable& table, double wanted, const Sample& sample) {
+std::size_t column_of_times(const SampleTable& table, const Sample& sample) {
   const auto column = std::find_if(table.columns.begin(), table.columns.end(), [](const auto& c) {
     return c == "Time" || c == "time" || c == "#Time";
   });
   if (column == table.columns.end())
     throw InputError(
         fmt::format("'{}' has no column of times: --time selects nothing in it", sample.name));
-  const auto at = static_cast<std::size_t>(column - table.columns.begin());
+  return static_cast<std::size_t>(column - table.columns.begin());
+}
+
+void keep_time(SampleTable& table, double wanted, const Sample& sample) {
+  const std::size_t at = column_of_times(table, sample);
   const auto away = [&](const Words& row) {
     return std::abs(std::strtod(row[at].c_str(), nullptr) - wanted);
   };
@@ -262,6 +266,19 @@ SampleTable read_sample(const Sample& sample, std::optional<double> time) {
   if (sample.kind == "line") sort_line(all);
   if (time) keep_time(all, *time, sample);
   return all;
+}
+
+void keep_lines(SampleTable& table, const Sample& sample, const TimeRange& range) {
+  const std::size_t at = column_of_times(table, sample);
+  const std::string ends =
+      table.rows.empty()
+          ? "it is empty"
+          : fmt::format("it goes from {} to {}", table.rows.front()[at], table.rows.back()[at]);
+  std::erase_if(table.rows, [&](const Words& row) {
+    return !range.contains(std::strtod(row[at].c_str(), nullptr));
+  });
+  if (table.rows.empty())
+    throw InputError(fmt::format("'{}' has no line in this range of times: {}", sample.name, ends));
 }
 
 }  // namespace sluice

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "framework/archive/archive.hpp"
+#include "framework/archive/selection.hpp"
 
 namespace sluice {
 
@@ -31,5 +32,7 @@ struct SampleTable {
 // All lines, by time; of snapshots (planes, averages) with their time as first column. time: only
 // the lines of the sampled time nearest to it, s. InputError for a file that is not such a table.
 SampleTable read_sample(const Sample& sample, std::optional<double> time = {});
+// The lines of a range of times. InputError where there is none, or the table has no times.
+void keep_lines(SampleTable& table, const Sample& sample, const TimeRange& range);
 
 }  // namespace sluice

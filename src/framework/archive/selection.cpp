@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include "framework/base/error.hpp"
@@ -58,6 +59,73 @@ std::vector<std::string> split_names(const std::string& text) {
     if (c == ',' && !name.empty()) names.push_back(std::exchange(name, {}));
   }
   return names;
+}
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+// "A:B" with each end as a time; an empty one is `open`.
+template <class ToTime>
+TimeRange range_of(std::string_view text, ToTime&& to_time) {
+  const std::size_t colon = text.find(':');
+  const std::string_view first = text.substr(0, colon), last = text.substr(colon + 1);
+  const TimeRange range{first.empty() ? -infinite : to_time(first),
+                        last.empty() ? infinite : to_time(last)};
+  if (!(range.first <= range.last))
+    throw InputError(fmt::format("--time {}: the range is empty: it begins after its end", text));
+  return range;
+}
+
+double plain_time(std::string_view text) {
+  try {
+    if (const double time = parse_real(text, "--time"); std::isfinite(time)) return time;
+  } catch (const DamageError&) {
+    // Said below.
+  }
+  throw InputError(fmt::format("--time: '{}' is not a time (s)", text));
+}
+
+const StepEntry& nearest_to(const std::vector<StepEntry>& steps, const TimeRange& range) {
+  return *std::min_element(steps.begin(), steps.end(), [&](const auto& a, const auto& b) {
+    const auto away = [&](double t) { return std::max(range.first - t, t - range.last); };
+    return away(a.time) < away(b.time);
+  });
+}
+
+}  // namespace
+
+bool TimeRange::contains(double time) const {
+  const auto round_off = [&](double end) {
+    return std::isinf(end) ? 0 : 1e-12 * std::max(std::abs(time), std::abs(end));
+  };
+  return time >= first - round_off(first) && time <= last + round_off(last);
+}
+
+TimeRange parse_time_range(std::string_view text) {
+  return range_of(text, plain_time);
+}
+
+std::vector<StepEntry> select_steps(const Archive& archive, Stored kind, std::string_view text) {
+  if (text != "all" && text.find(':') == std::string_view::npos)
+    return {archive.select(kind, text)};
+  archive.select(kind, "last");  // tells when there is none
+  const std::vector<StepEntry>& steps =
+      kind == Stored::outputs ? archive.outputs() : archive.checkpoints();
+  if (text == "all") return steps;
+  const TimeRange range = range_of(text, [&](std::string_view end) {
+    const bool word = end.starts_with('#') || end == "first" || end == "last";
+    return word ? archive.select(kind, end).time : plain_time(end);
+  });
+  std::vector<StepEntry> chosen;
+  for (const StepEntry& s : steps)
+    if (range.contains(s.time)) chosen.push_back(s);
+  if (!chosen.empty()) return chosen;
+  const StepEntry& nearest = nearest_to(steps, range);
+  throw InputError(fmt::format(
+      "--time {}: {} has nothing between: the nearest is step {} at {:.17g}; see sluice "
+      "info",
+      text, archive.folder().string(), nearest.step, nearest.time));
 }
 
 std::vector<FieldInfo> select_fields(const ArchiveStep& step, const std::string& name,

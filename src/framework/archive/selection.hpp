@@ -2,6 +2,7 @@
 #pragma once
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "framework/archive/archive.hpp"
@@ -28,5 +29,17 @@ std::vector<std::string> split_names(const std::string& text);
 // step has when there is none. level < 0: all levels.
 std::vector<FieldInfo> select_fields(const ArchiveStep& step, const std::string& name,
                                      std::optional<int> material, int level);
+
+// The states that "all", "A:B" or the words of Archive::select choose. A and B are times, which
+// bound a closed range, or words; either may be missing. InputError where there is none, with the
+// nearest.
+std::vector<StepEntry> select_steps(const Archive& archive, Stored kind, std::string_view text);
+// Whether a time is in the range "A:B" of plain times; an end that is missing bounds nothing.
+// InputError where it is no such range.
+struct TimeRange {
+  double first, last;  // s
+  bool contains(double time) const;
+};
+TimeRange parse_time_range(std::string_view text);
 
 }  // namespace sluice

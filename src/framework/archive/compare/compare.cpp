@@ -8,8 +8,13 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <tuple>
 
+#include "framework/archive/compare/compare_means.hpp"
+#include "framework/archive/compare/field_pairs.hpp"
 #include "framework/archive/compare/particle_pairs.hpp"
+#include "framework/archive/compare/step_log.hpp"
+#include "framework/base/error.hpp"
 #include "framework/field/component_name.hpp"
 
 namespace sluice {
@@ -70,42 +75,52 @@ class StepComparison {
         options_(options),
         pairings_(pairings),
         result_(result),
-        across_(a.storage().format != b.storage().format) {}
+        across_(a.storage().format != b.storage().format),
+        log_(a.info(), across_, options, result) {}
 
   void run() {
+    if (options_.means && !same_cells()) return run_means();
     if (const std::string why = grid_mismatch(a_.grid(), b_.grid(), !across_); !why.empty())
-      return refuse("the grids differ: " + why);
+      return log_.refuse("the grids differ", ": " + why);
     std::set<const FieldInfo*> seen;
     for (const FieldInfo& f : a_.fields()) {
       if (!options_.labels.selects(f.name)) continue;
       const FieldInfo* other = counterpart(f);
       seen.insert(other);
       if (!other)
-        only_one(fmt::format("only the first has {}", describe(f)));
+        log_.only_one("only the first has " + missing_in(b_, f));
       else if (other->type != f.type || other->centring != f.centring)
-        only_one(fmt::format("{} has another type or centring in each", describe(f)));
+        log_.only_one(fmt::format("{} has another type or centring in each", describe(f)));
       else
         compare_field(f, *other);
     }
     for (const FieldInfo& f : b_.fields())
       if (options_.labels.selects(f.name) && !seen.contains(&f))
-        only_one(fmt::format("only the second has {}", describe(f)));
+        log_.only_one("only the second has " + missing_in(a_, f));
     compare_particles();
   }
 
  private:
-  static std::string describe(const FieldInfo& f) {
-    return fmt::format("{} of material {} on level {}", f.name, f.material, f.level);
+  bool same_cells() const {
+    const Grid &a = a_.grid(), &b = b_.grid();
+    return !grids_differ(a, b) && !grids_differ(b, a) && a.levels.size() == b.levels.size();
   }
-  void refuse(const std::string& why) {
-    result_.not_comparable.push_back(
-        fmt::format("step {} at time {:.17g}: {}", a_.info().step, a_.info().time, why));
+
+  void run_means() {
+    try {
+      compare_means(a_, b_, options_, log_);
+    } catch (const InputError& error) {
+      log_.refuse("the grids differ", fmt::format(": {}", error.what()));
+    }
   }
-  // Between formats that is expected, and is said once.
-  void only_one(const std::string& what) {
-    if (!across_) return refuse(what);
-    if (std::find(result_.notes.begin(), result_.notes.end(), what) == result_.notes.end())
-      result_.notes.push_back(what);
+
+  // The label alone where the other step does not have it at all.
+  std::string missing_in(const ArchiveStep& other, const FieldInfo& f) const {
+    for (const std::string& name :
+         across_ ? names_elsewhere(f.name, options_.names) : std::vector<std::string>{f.name})
+      for (const FieldInfo& o : other.fields())
+        if (o.name == name) return describe(f);
+    return f.name;
   }
 
   const FieldInfo* counterpart(const FieldInfo& f) const {
@@ -118,22 +133,26 @@ class StepComparison {
   void compare_field(const FieldInfo& fa, const FieldInfo& fb) {
     const DenseField x = a_.read(fa), y = b_.read(fb);
     FieldDifference found;
+    Difference where = difference_in(fa);
     std::int64_t only_first = 0, only_second = 0;
     for_each_cell(bounding(x.cells, y.cells), [&](IntVec3 c) {
       if (x.has(c) != y.has(c)) {
         if (only_first + only_second == 0 && !across_)
-          refuse(fmt::format("{}: only the {} holds a value at [{}, {}, {}]", describe(fa),
-                             x.has(c) ? "first" : "second", c.x, c.y, c.z));
+          log_.refuse(describe(fa) + ": only one archive holds a value",
+                      fmt::format(" at [{}, {}, {}], the {}", c.x, c.y, c.z,
+                                  x.has(c) ? "first" : "second"));
         ++(x.has(c) ? only_first : only_second);
       } else if (x.has(c)) {
-        for (int m = 0; m < fa.components(); ++m)
-          compare_values(fa, c, m, x.at(c, m), y.at(c, m), found);
+        where.index = c;
+        for (where.component = 0; where.component < where.components; ++where.component)
+          log_.compare_values(where, x.at(c, where.component), y.at(c, where.component), found);
       }
     });
     if (across_ && only_first + only_second > 0)
-      only_one(fmt::format("{} at step {}: {} values are only in the first, {} only in the second",
-                           describe(fa), a_.info().step, only_first, only_second));
-    keep(found);
+      log_.only_one(
+          fmt::format("{} at step {}: {} values are only in the first, {} only in the second",
+                      describe(fa), a_.info().step, only_first, only_second));
+    log_.keep(found);
   }
 
   void compare_particles() {
@@ -157,21 +176,24 @@ class StepComparison {
       const ParticleColumn* b = counterpart(a.info.name, y);
       seen.insert(b);
       if (b == nullptr || b->info.type != a.info.type) {
-        only_one(b == nullptr ? "only the first has " + describe(a.info)
-                              : describe(a.info) + " has another type in each");
+        log_.only_one(b == nullptr ? "only the first has " + describe(a.info)
+                                   : describe(a.info) + " has another type in each");
         continue;
       }
       FieldDifference found;
+      Difference where = difference_in(a.info);
       const bool of_second = !x.numbered && y.numbered;
       for (std::size_t c = 0; c < a.components.size(); ++c)
-        for (const auto& [n, m] : pairs.places)
-          compare_values(a.info, {}, static_cast<int>(c), a.components[c][n], b->components[c][m],
-                         found, of_second ? y.ids[m] : x.ids[n]);
-      keep(found);
+        for (const auto& [n, m] : pairs.places) {
+          where.component = static_cast<int>(c);
+          where.particle = of_second ? y.ids[m] : x.ids[n];
+          log_.compare_values(where, a.components[c][n], b->components[c][m], found);
+        }
+      log_.keep(found);
     }
     for (const ParticleColumn& b : y.columns)
       if (options_.labels.selects(b.info.name) && !seen.contains(&b))
-        only_one(fmt::format("only the second has {}", describe(b.info)));
+        log_.only_one(fmt::format("only the second has {}", describe(b.info)));
   }
 
   const ParticleColumn* counterpart(const std::string& name, const ParticleTable& other) const {
@@ -198,9 +220,9 @@ class StepComparison {
     const auto [in_x, in_y] = std::mismatch(x.ids.begin(), x.ids.end(), y.ids.begin(), y.ids.end());
     if (in_x != x.ids.end() || in_y != y.ids.end()) {
       const bool first = in_y == y.ids.end() || (in_x != x.ids.end() && *in_x < *in_y);
-      refuse(fmt::format("{} and {} particles of material {}: only the {} has particle {}",
-                         x.size(), y.size(), x.material, first ? "first" : "second",
-                         first ? *in_x : *in_y));
+      log_.refuse(fmt::format("the particles of material {} are not the same", x.material),
+                  fmt::format(": {} and {}; only the {} has particle {}", x.size(), y.size(),
+                              first ? "first" : "second", first ? *in_x : *in_y));
       return pairs;
     }
     for (std::size_t n = 0; n < x.size(); ++n) pairs.places.emplace_back(n, n);
@@ -219,28 +241,12 @@ class StepComparison {
     return pairs;
   }
 
-  void keep(const FieldDifference& found) {
-    result_.values += found.values;
-    result_.differing += found.differing;
-    if (found.differing > 0) result_.fields.push_back(found);
-  }
-
-  void compare_values(const FieldInfo& f, IntVec3 c, int m, double a, double b,
-                      FieldDifference& found, std::int64_t particle = -1) {
-    ++found.values;
-    if (!numbers_differ(a, b, options_.absolute, options_.relative)) return;
-    const Difference d{
-        a_.info().step, a_.info().time, f.name, f.level, f.material, m, f.components(), c, a, b,
-        particle};
-    if (found.differing++ == 0) found.first = found.largest = d;
-    if (d.size() > found.largest.size()) found.largest = d;
-  }
-
   const ArchiveStep &a_, &b_;
   const CompareOptions& options_;
   std::map<int, ParticlePairing>& pairings_;  // by material
   CompareResult& result_;
   const bool across_;  // two formats
+  StepLog log_;
 };
 
 }  // namespace
@@ -250,10 +256,22 @@ double Difference::size() const {
   return std::isnan(d) ? std::numeric_limits<double>::infinity() : d;
 }
 
+double Difference::relative() const {
+  const double scale = std::max(std::abs(a), std::abs(b));
+  const double r = size() / scale;
+  return std::isnan(r) ? std::numeric_limits<double>::infinity() : r;
+}
+
+std::string to_string(const RefusedCause& r) {
+  const std::string others = r.steps > 1 ? fmt::format(" and {} more", r.steps - 1) : "";
+  return fmt::format("step {} at time {:.17g}{}: {}{}", r.step, r.time, others, r.cause, r.detail);
+}
+
 std::string to_string(const Difference& d) {
   const char* const component = component_name(d.components, d.component);
   const std::string place = d.particle >= 0 ? fmt::format(", particle {}", d.particle)
-                                            : fmt::format(" on level {} at [{}, {}, {}]", d.level,
+                                            : fmt::format(" on level {}{} at [{}, {}, {}]", d.level,
+                                                          d.of_second ? " of the second" : "",
                                                           d.index.x, d.index.y, d.index.z);
   return fmt::format(
       "{}{}{} of material {}{}, step {}, time {:.17g}: {:.17g} and {:.17g}, {:.3g} apart", d.label,
@@ -273,6 +291,24 @@ std::optional<Difference> CompareResult::largest() const {
                             return a.largest.size() < b.largest.size();
                           })
       ->largest;
+}
+
+std::vector<FieldDifference> differences_by_label(const CompareResult& result) {
+  std::map<std::tuple<std::string, int, int>, FieldDifference> all;
+  for (const FieldDifference& f : result.fields) {
+    const Difference& d = f.first;
+    const auto [at, is_new] = all.try_emplace({d.label, d.material, f.means ? -1 : d.level}, f);
+    if (is_new) continue;
+    FieldDifference& row = at->second;
+    row.differing += f.differing;
+    row.values += f.values;
+    if (f.largest.size() > row.largest.size()) row.largest = f.largest;
+    if (f.largest_relative.relative() > row.largest_relative.relative())
+      row.largest_relative = f.largest_relative;
+  }
+  std::vector<FieldDifference> rows;
+  for (auto& [key, row] : all) rows.push_back(std::move(row));
+  return rows;
 }
 
 bool numbers_differ(double a, double b, double absolute, double relative) {
@@ -312,6 +348,8 @@ CompareResult compare(const Archive& a, const Archive& b, const CompareOptions& 
     const ArchiveStep sb = c ? b.read_checkpoint(y) : b.read_output(y);
     StepComparison(sa, sb, options, pairings, result).run();
   }
+  for (const RefusedCause& cause : result.refused)
+    result.not_comparable.push_back(to_string(cause));
   if (result.values == 0 && result.not_comparable.empty())
     result.not_comparable.push_back("they have no value in common");
   return result;

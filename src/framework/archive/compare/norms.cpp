@@ -1,4 +1,4 @@
-// Norms over coinciding points, with exact sums.
+// Norms over coinciding points, or over means on the coarser grid, with exact sums.
 #include "framework/archive/compare/norms.hpp"
 
 #include <fmt/format.h>
@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "framework/archive/compare/coarse_means.hpp"
+#include "framework/archive/compare/field_pairs.hpp"
 #include "framework/archive/compare/step_pairs.hpp"
 #include "framework/base/error.hpp"
 #include "framework/base/exact_sum.hpp"
@@ -26,8 +28,10 @@ const StepEntry& partner(const Archive& b, const StepEntry& a) {
                   b.folder().string(), a.time, a.step));
 }
 
-std::vector<StepPair> pairs_of(const Archive& a, const Archive& b, const NormsOptions& options,
-                               std::vector<std::string>& notes) {
+}  // namespace
+
+std::vector<StepPair> paired_outputs(const Archive& a, const Archive& b,
+                                     const NormsOptions& options, std::vector<std::string>& notes) {
   std::vector<StepEntry> steps = a.outputs();
   if (!options.time.empty()) steps = {a.select_output(options.time)};
   if (options.time_tolerance || a.format() != b.format())
@@ -36,6 +40,8 @@ std::vector<StepPair> pairs_of(const Archive& a, const Archive& b, const NormsOp
   for (const StepEntry& s : steps) pairs.emplace_back(s, partner(b, s));
   return pairs;
 }
+
+namespace {
 
 // By how many indices the second level's numbering is shifted; their points must coincide.
 IntVec3 index_shift(const Level& a, const Level& b) {
@@ -70,6 +76,39 @@ NormsRow norms_of(const DenseField& x, const DenseField& y, IntVec3 shift, int m
   return row;
 }
 
+// sum |d| V / sum V and so on
+class WeightedNorms {
+ public:
+  void add(double d, double volume) {
+    absolute_.add(d * volume);
+    square_.add(d * d * volume);
+    volume_.add(volume);
+    row_.linf = std::max(row_.linf, d);
+    ++row_.points;
+  }
+  NormsRow row() const {
+    NormsRow row = row_;
+    row.l1 = absolute_.value() / volume_.value();
+    row.l2 = std::sqrt(square_.value() / volume_.value());
+    return row;
+  }
+
+ private:
+  ExactSum absolute_, square_, volume_;
+  NormsRow row_;
+};
+
+NormsRow named(NormsRow row, const ArchiveStep& a, const ArchiveStep& b, const FieldInfo& f,
+               int level, int component) {
+  row.time = a.info().time;
+  row.other_time = b.info().time;
+  row.level = level;
+  row.material = f.material;
+  const std::string word = component_name(f.components(), component);
+  row.label = word.empty() ? f.name : fmt::format("{}.{}", f.name, word);
+  return row;
+}
+
 void add_rows(const ArchiveStep& a, const ArchiveStep& b, const FieldInfo& fa, const FieldInfo& fb,
               std::vector<NormsRow>& rows) {
   const bool across = a.storage().format != b.storage().format;
@@ -90,43 +129,54 @@ void add_rows(const ArchiveStep& a, const ArchiveStep& b, const FieldInfo& fa, c
   for (int m = 0; m < fa.components(); ++m) {
     NormsRow row = norms_of(x, y, shift, m);
     if (row.points == 0) return;
-    row.time = a.info().time;
-    row.other_time = b.info().time;
-    row.level = fa.level;
-    row.material = fa.material;
-    const std::string component = component_name(fa.components(), m);
-    row.label = component.empty() ? fa.name : fmt::format("{}.{}", fa.name, component);
-    rows.push_back(std::move(row));
+    rows.push_back(named(std::move(row), a, b, fa, fa.level, m));
   }
 }
 
-}  // namespace
-
-namespace {
-
-const FieldInfo* counterpart(const ArchiveStep& a, const ArchiveStep& b, const FieldInfo& f,
-                             const std::vector<LabelName>& names) {
-  if (a.storage().format == b.storage().format) return b.find(f.name, f.material, f.level);
-  for (const std::string& name : names_elsewhere(f.name, names))
-    if (const FieldInfo* other = b.find(name, f.material, f.level)) return other;
-  return nullptr;
+// Norms of means on the coarser grid.
+void add_mean_rows(const ArchiveStep& a, const ArchiveStep& b, const std::vector<FieldInfo>& of_a,
+                   const std::vector<FieldInfo>& of_b, NormsResult& result) {
+  const CompositeField first(a, of_a), second(b, of_b);
+  require_common_domain(*first.levels().front().level, *second.levels().front().level);
+  std::vector<WeightedNorms> sums(static_cast<std::size_t>(first.info().components()));
+  const MeansCount count = visit_coarse_means(
+      first, second, [&](const MeanPlace& place, const double* x, const double* y) {
+        for (std::size_t m = 0; m < sums.size(); ++m)
+          sums[m].add(std::abs(x[m] - y[m]), place.level->cell_volume());
+      });
+  if (count.left_out > 0)
+    result.notes.push_back(fmt::format(
+        "{} of material {} at time {:.10g}: {} places are left out, where one archive has no value "
+        "or only a part of the coarser cell",
+        first.info().name, first.info().material, a.info().time, count.left_out));
+  for (std::size_t m = 0; m < sums.size() && count.compared > 0; ++m)
+    result.rows.push_back(
+        named(sums[m].row(), a, b, first.info(), all_levels, static_cast<int>(m)));
 }
 
 }  // namespace
 
 NormsResult difference_norms(const Archive& a, const Archive& b, const NormsOptions& options) {
   NormsResult result;
-  for (const auto& [first, second] : pairs_of(a, b, options, result.notes)) {
+  for (const auto& [first, second] : paired_outputs(a, b, options, result.notes)) {
     const ArchiveStep sa = a.read_output(first);
     const ArchiveStep sb = b.read_output(second);
-    for (const FieldInfo& fa : sa.fields()) {
-      if (!options.labels.selects(fa.name)) continue;
-      const FieldInfo* fb = counterpart(sa, sb, fa, options.names);
-      if (fb && fb->type == fa.type && fb->centring == fa.centring)
-        add_rows(sa, sb, fa, *fb, result.rows);
-      else if (std::find(result.skipped.begin(), result.skipped.end(), fa.name) ==
-               result.skipped.end())
-        result.skipped.push_back(fa.name);
+    const bool means = grids_differ(sa.grid(), sb.grid());
+    for (const PairedFields& pair : pair_fields(sa, sb, options.labels, options.names)) {
+      const FieldInfo& fa = pair.of_a.front();
+      if (pair.of_b.empty()) {
+        if (std::find(result.skipped.begin(), result.skipped.end(), fa.name) ==
+            result.skipped.end())
+          result.skipped.push_back(fa.name);
+      } else if (means) {
+        add_mean_rows(sa, sb, pair.of_a, pair.of_b, result);
+      } else {
+        for (const FieldInfo& f : pair.of_a)
+          if (const FieldInfo* other = pair.of_second(f.level))
+            add_rows(sa, sb, f, *other, result.rows);
+          else
+            result.skipped.push_back(fmt::format("{} on level {}", f.name, f.level));
+      }
     }
   }
   if (result.rows.empty())

@@ -1,6 +1,6 @@
 // The CSV contract: header, order, digits, closed boxes, finest level, positions of faces and
 // nodes.
-#include "framework/archive/csv_extract.hpp"
+#include "framework/archive/extract/extract.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 #include "framework/archive/archive_test_support.hpp"
 #include "framework/base/error.hpp"
 
-namespace sluice::csv_extract_test {
+namespace sluice::extract_box_test {
 namespace {
 
 using namespace archive_test;
@@ -64,7 +64,7 @@ ArchiveStep written_step(const TemporaryFolder& folder, const Grid& grid, Fields
   return archive.read_output(archive.outputs()[0]);
 }
 
-TEST(CsvExtract, EveryCellOnceWithAllDigits) {
+TEST(ExtractBox, EveryCellOnceWithAllDigits) {
   const TemporaryFolder folder;
   const Grid grid = make_grid({5, 4, 3}, {2, 2, 1});
   Fields fields;
@@ -90,7 +90,7 @@ TEST(CsvExtract, EveryCellOnceWithAllDigits) {
                                  wavy(v.rows[7].index, 2)}));
 }
 
-TEST(CsvExtract, ClosedBoxOfCentres) {
+TEST(ExtractBox, ClosedBoxOfCentres) {
   const TemporaryFolder folder;
   Grid grid = make_grid({8, 4, 1}, {1, 1, 1});
   grid.levels[0].anchor = {0, 0, 0};
@@ -106,7 +106,7 @@ TEST(CsvExtract, ClosedBoxOfCentres) {
 }
 
 // Empty is not good: what is nearest is named instead.
-TEST(CsvExtract, ABoxWithoutAPointNamesTheNearest) {
+TEST(ExtractBox, ABoxWithoutAPointNamesTheNearest) {
   const TemporaryFolder folder;
   Grid grid = make_grid({8, 4, 1}, {1, 1, 1});
   grid.levels[0].anchor = {0, 0, 0};
@@ -139,7 +139,7 @@ TEST(CsvExtract, ABoxWithoutAPointNamesTheNearest) {
   EXPECT_THAT(message({"p.heat", 0, -1, {}, {}}), ::testing::HasSubstr("materials 2 and levels 0"));
 }
 
-TEST(CsvExtract, FacesAndNodesLieWhereTheyAre) {
+TEST(ExtractBox, FacesAndNodesLieWhereTheyAre) {
   const TemporaryFolder folder;
   const Grid grid = make_grid({4, 3, 2}, {2, 1, 1});
   const Level& level = grid.levels[0];
@@ -159,7 +159,7 @@ TEST(CsvExtract, FacesAndNodesLieWhereTheyAre) {
   EXPECT_EQ(n.rows.back().x.z, level.anchor.z + 2 * level.spacing.z);
 }
 
-TEST(CsvExtract, AllLevelsGiveEveryPointOnceFromTheFinest) {
+TEST(ExtractBox, AllLevelsGiveEveryPointOnceFromTheFinest) {
   const TemporaryFolder folder;
   const Grid grid = make_two_levels(3);
   Fields fields;
@@ -185,7 +185,7 @@ TEST(CsvExtract, AllLevelsGiveEveryPointOnceFromTheFinest) {
             grid.levels[0].cell_count() + fine);
 }
 
-TEST(CsvExtract, WhatIsNotThereIsSaid) {
+TEST(ExtractBox, WhatIsNotThereIsSaid) {
   const TemporaryFolder folder;
   const Grid grid = make_grid({4, 1, 1}, {1, 1, 1});
   Fields fields;
@@ -205,4 +205,4 @@ TEST(CsvExtract, WhatIsNotThereIsSaid) {
 }
 
 }  // namespace
-}  // namespace sluice::csv_extract_test
+}  // namespace sluice::extract_box_test
