@@ -49,8 +49,10 @@ ROOMS = {
               "values as CSV"},
         {"compare": "two archives, of either format: differences and norms",
          "extremes": "extremes of labels with their places, and sums over materials, of one step",
-         "vtk": "export to the files of ParaView and VisIt",
+         "drawing": "names of arrays, and marks of covered cells, for programs that draw",
          "uda": "export to Uintah's raw layout"},
+        {"vtk": "export to the files of ParaView and VisIt",
+         "xdmf": "archives opened where they lie by ParaView and VisIt"},
     ],
     "framework/solve": [
         {"block": "matrices of blocks, of several unknowns per node, and their solvers"},
