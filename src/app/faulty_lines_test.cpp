@@ -101,12 +101,12 @@ TEST_P(FaultyLine, EndsAsRecorded) {
 INSTANTIATE_TEST_SUITE_P(All, FaultyLine, testing::ValuesIn(recorded()),
                          [](const auto& info) { return fmt::format("Line{:02}", info.index + 1); });
 
-// A faulty line is bad input, and something is said of it.
+// A faulty line is bad input, or names a file that the system refuses; something is said of it.
 TEST(FaultyLines, AreSixtyAndSaySomething) {
   const std::vector<Entry> entries = recorded();
   EXPECT_GE(entries.size(), 60U);
   for (const Entry& e : entries) {
-    EXPECT_EQ(e.status, 2) << e.words;
+    EXPECT_TRUE(e.status == 2 || e.status == 3) << e.words;
     EXPECT_GT(e.said.size(), 10U) << e.words;
   }
 }

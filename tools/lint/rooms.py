@@ -49,7 +49,8 @@ ROOMS = {
               "values as CSV"},
         {"compare": "two archives, of either format: differences and norms",
          "extremes": "extremes of labels with their places, and sums over materials, of one step",
-         "drawing": "names of arrays, and marks of covered cells, for programs that draw",
+         "drawing": "for programs that draw: names of arrays, marks of covered cells, files "
+                    "written in parts",
          "uda": "export to Uintah's raw layout"},
         {"vtk": "export to the files of ParaView and VisIt",
          "xdmf": "archives opened where they lie by ParaView and VisIt"},

@@ -15,7 +15,6 @@ class FieldFileReader : public StepFile {
   // Reads the record (pNNNNN.xml) and checks the size of the data file beside it.
   explicit FieldFileReader(const std::filesystem::path& record_path);
 
-  const std::filesystem::path& path() const { return path_; }  // of the data file
   const std::vector<StoredVariable>& variables() const override { return record_.variables; }
   // Checks the file's structure at the first call.
   const std::vector<StoredBox>& boxes(const StoredVariable& variable) override;

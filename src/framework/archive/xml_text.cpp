@@ -137,40 +137,16 @@ XmlElement parse_xml(std::string_view text, const std::string& context) {
   return convert(root, 0, context);
 }
 
-namespace {
-
-std::unique_ptr<xmlDoc, FreeDocument> document_of(const XmlElement& root) {
-  std::unique_ptr<xmlDoc, FreeDocument> document(xmlNewDoc(as_xml("1.0")));
+std::string to_text(const XmlElement& root) {
+  const std::unique_ptr<xmlDoc, FreeDocument> document(xmlNewDoc(as_xml("1.0")));
   xmlNode* node = xmlNewDocNode(document.get(), nullptr, as_xml(root.name), nullptr);
   xmlDocSetRootElement(document.get(), node);
   build(node, root);
-  return document;
-}
-
-[[noreturn]] void fail_of_memory(const XmlElement& root) {
-  throw SystemError("cannot write <" + root.name + "> as XML: out of memory");
-}
-
-}  // namespace
-
-std::string to_part(const XmlElement& element) {
-  const std::unique_ptr<xmlDoc, FreeDocument> document = document_of(element);
-  const std::unique_ptr<xmlBuffer, decltype(&xmlBufferFree)> buffer(xmlBufferCreate(),
-                                                                    xmlBufferFree);
-  const int count =
-      buffer ? xmlNodeDump(buffer.get(), document.get(), xmlDocGetRootElement(document.get()), 0, 0)
-             : -1;
-  if (count < 0) fail_of_memory(element);
-  return std::string(reinterpret_cast<const char*>(xmlBufferContent(buffer.get())), count);
-}
-
-std::string to_text(const XmlElement& root) {
-  const std::unique_ptr<xmlDoc, FreeDocument> document = document_of(root);
   xmlChar* bytes = nullptr;
   int count = 0;
   xmlDocDumpFormatMemoryEnc(document.get(), &bytes, &count, "UTF-8", 1);
   const std::unique_ptr<xmlChar, FreeText> owner(bytes);
-  if (!bytes) fail_of_memory(root);
+  if (!bytes) throw SystemError("cannot write <" + root.name + "> as XML: out of memory");
   return std::string(reinterpret_cast<const char*>(bytes), count);
 }
 

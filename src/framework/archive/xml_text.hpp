@@ -44,8 +44,6 @@ struct XmlElement {
 // DamageError for what is not XML.
 XmlElement parse_xml(std::string_view text, const std::string& context);
 std::string to_text(const XmlElement& root);
-// An element of a larger text: without the line that declares XML, and without indentation.
-std::string to_part(const XmlElement& element);
 
 std::string seal(std::string xml);
 // In a folder that nothing names yet, not flushed; publish_sealed flushes it, with all else that

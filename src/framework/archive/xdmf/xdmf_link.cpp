@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "framework/archive/drawing/replacing_file.hpp"
+#include "framework/archive/drawing/xml_part.hpp"
 #include "framework/archive/xdmf/xdmf_step.hpp"
 
 namespace sluice {

@@ -215,7 +215,7 @@ XmlElement xdmf_step(const XdmfContext& context, const StepRecord& record,
   StepText text(context, record, covered);
   for (const std::string& name : record.data_files) {
     FieldFileReader file(folder / fs::path(name).filename());
-    text.add_file(file, (href / file.path().filename()).string());
+    text.add_file(file, (href / fs::path(name).filename().replace_extension(".h5")).string());
   }
   return text.text();
 }
