@@ -12,7 +12,6 @@
 #include <sstream>
 
 #include "app/command/command_test_support.hpp"
-#include "framework/archive/archive_test_support.hpp"
 #include "sluice_source_dir.hpp"
 
 namespace sluice::faulty_lines_test {
@@ -65,16 +64,11 @@ class Files {
     std::ofstream(folder_ / name) << text;
   }
   void write_archive() const {
-    using namespace archive_test;
-    const Grid grid = make_grid({6, 4, 1}, {2, 1, 1});
-    Fields fields;
-    fields.add(grid.levels[0], real_label("press_CC"), 0, wavy);
-    fields.add(grid.levels[0], vector_label("vel_CC"), 0, wavy);
-    ArchiveSetup setup = setup_in(folder_.path());
-    setup.filebase = "a.uda";
-    ArchiveWriter writer = ArchiveWriter::create(setup);
-    for (int step = 0; step <= 2; ++step)
-      writer.write_output({step, 0.125 * step, 0.125, 0.125, {}}, grid, fields.pieces());
+    const Outcome made = run_in_shell("cd " + folder() +
+                                      " && " SLUICE_COMMAND
+                                      " run good.ups --quiet --max-steps 3 --output-at-end "
+                                      "--set DataArchiver/filebase=a.uda");
+    EXPECT_EQ(made.status, 0) << made.text;
   }
 
   TemporaryFolder folder_;

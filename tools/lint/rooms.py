@@ -175,7 +175,7 @@ ROOMS = {
          "classic": "the tools of the public suite, under their own names"},
         {"plan": "`sluice plan`: tasks, levels, memory and first step of a run, before it runs"},
         {"commands": "one file per command, a row of `commands.cpp` each"},
-        {".": "`main`, and the fuzz target of decks"},
+        {".": "`main`, and the fuzz targets of decks and lists"},
     ],
 }
 # Folders of helpers of tests; they lie in any room.
