@@ -51,8 +51,11 @@ ROOMS = {
         {"compare": "two archives, of either format and resolution: differences, norms, orders",
          "extract": "values as rows: of a box, at points, along lines, of particles, over outputs",
          "extremes": "extremes of labels with their places, and sums over materials, of one step",
-         "vtk": "export to the files of ParaView and VisIt",
+         "drawing": "for programs that draw: names of arrays, marks of covered cells, files "
+                    "written in parts",
          "uda": "export to Uintah's raw layout"},
+        {"vtk": "export to the files of ParaView and VisIt",
+         "xdmf": "archives opened where they lie by ParaView and VisIt"},
     ],
     "framework/solve": [
         {"block": "matrices of blocks, of several unknowns per node, and their solvers"},
@@ -177,7 +180,7 @@ ROOMS = {
         {"plan": "`sluice plan`: tasks, levels, memory and first step of a run, before it runs"},
         {"report": "`sluice report`: one page of a run, its deck, plan, costs, pictures"},
         {"commands": "one file per command, a row of `commands.cpp` each"},
-        {".": "`main`, and the fuzz target of decks"},
+        {".": "`main`, and the fuzz targets of decks and lists"},
     ],
 }
 # Folders of helpers of tests; they lie in any room.

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# 100 runs killed at random moments, in part one rank of several, and restarted: the same bits
+# 120 runs killed at random moments, in part one rank of several, and restarted: the same bits
 status=0 told=()
 kill_runs_of() {  # deck, kills, steps, settings
   local name
@@ -10,6 +10,7 @@ kill_runs_of() {  # deck, kills, steps, settings
   told+=("$(sed -n 's/^RESULT: //p' "$name.told")")
 }
 kill_runs_of ice/blast_2d.ups "${KILLS:-40}" 300 --set "Grid/Level/Box/resolution=[128,128,1]"
+kill_runs_of ice/amr_explosion.ups "${KILLS:-20}" 60
 kill_runs_of mpm/colliding_disks.ups "${KILLS:-20}" 400
 kill_runs_of mpmice/shock_over_foam.ups "${KILLS:-20}" 60
 kill_runs_of mpmice/shock_over_foam.ups "${KILLS:-10}" 300 --ranks 3

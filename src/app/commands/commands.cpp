@@ -38,7 +38,7 @@ constexpr CommandKind kinds[] = {
      "a\n<velocity_gradient>, a final <deformation> F, or a <rotation> by an "
      "<angle>.\ninputs/mpm/drive has examples.",
      declare_drive_command},
-    {"export", "Write .pvd, .vti, .vtm and .vthb files for ParaView and VisIt",
+    {"export", "Write .pvd, .vti, .vtm and .vtp files for ParaView and VisIt",
      declare_export_command},
     {"extract", "Write values of a label as CSV", declare_extract_command},
     {"help", "Explain a command, a tag, a law, a label or a message", declare_help_command},

@@ -19,6 +19,7 @@
 #include "app/process/study_process.hpp"
 #include "app/process/text_sink.hpp"
 #include "framework/archive/archive.hpp"
+#include "framework/archive/xdmf/xdmf_link.hpp"
 #include "framework/base/communicator.hpp"
 #include "framework/base/console.hpp"
 #include "framework/base/json.hpp"
@@ -137,6 +138,17 @@ void tell_end(const RunRequest& o, const RunReport& report, ProgressMode progres
     fmt::print(progress == ProgressMode::none ? stderr : stdout, "{}", continuation(o, report));
 }
 
+// What ParaView opens where it lies. A run that has failed has already said why.
+void write_link(const RunReport& report) {
+  if (!report.archive) return;
+  try {
+    const Archive archive = Archive::open(*report.archive);
+    if (!archive.outputs().empty()) write_xdmf_link(archive);
+  } catch (const Error&) {
+    if (report.status != RunStatus::failed) throw;
+  }
+}
+
 int run_on(Communicator& ranks, const RunRequest& o) {
   check_numbers(o);
   const std::unique_ptr<LoadedScene> loaded = load_scene(
@@ -179,6 +191,7 @@ int run_on(Communicator& ranks, const RunRequest& o) {
     }
     if (!report.message.empty()) fmt::print(stderr, "sluice: error: {}\n", report.message);
     tell_end(o, report, options.progress);
+    write_link(report);
     if (exit_status_of(report.status) == 0 && !o.last_line.empty()) fmt::print("{}\n", o.last_line);
   }
   return exit_status_of(report.status);

@@ -120,6 +120,7 @@ std::vector<Value> FieldFileReader::read_box_as(const StoredVariable& variable, 
     if (crc32c(0, stored.data() + c * volume, volume * sizeof(T)) != t.sums[box * components + c])
       throw DamageError(fmt::format("{}: the checksum of {}, box {}, component {} does not match",
                                     file, variable.group(), box, c));
+  if constexpr (std::is_same_v<T, Value>) return stored;
   std::vector<Value> values(stored.size());
   std::transform(stored.begin(), stored.end(), values.begin(),
                  [](T value) { return static_cast<Value>(value); });

@@ -39,10 +39,12 @@ void add_all_kinds(Fields& fields, const Level& level) {
 void expect_right_numbers(const fs::path& archive_path, const fs::path& folder,
                           const char* extension, With readers) {
   const Archive archive = Archive::open(archive_path);
-  const fs::path pvd = export_vtk(archive, folder / "vtk", {});
-  EXPECT_EQ(pvd.filename(), "box.uda.000.pvd");
-  EXPECT_TRUE(fs::exists(folder / "vtk" / ("t00002" + std::string(extension))));
-  const int status = verify_export(archive_path, pvd, readers);
+  ExportOptions options;
+  options.amr = std::string(extension) == ".vthb";
+  const fs::path made = export_vtk(archive, folder / ("as" + std::string(extension)), options);
+  EXPECT_EQ(made.filename(), options.amr ? "box.uda.000.vthb.series" : "box.uda.000.pvd");
+  EXPECT_TRUE(fs::exists(made.parent_path() / ("t00002" + std::string(extension))));
+  const int status = verify_export(archive_path, made, readers);
   if (status == 77) GTEST_SKIP() << "vtkmodules (python3-paraview) or h5py is not installed";
   EXPECT_EQ(status, 0);
 }
@@ -74,8 +76,8 @@ void export_two_levels(int nz, int ny, With readers) {
   ArchiveWriter writer = ArchiveWriter::create(setup_in(folder.path()));
   for (int step = 1; step <= 2; ++step)
     writer.write_output({step, step / 3.0, 0, 0, {}}, grid, fields.pieces());
-  expect_right_numbers(writer.folder(), folder.path(), ".vtm", readers);
-  EXPECT_TRUE(fs::exists(folder.path() / "vtk" / "t00002.vthb"));
+  for (const char* extension : {".vtm", ".vthb"})
+    expect_right_numbers(writer.folder(), folder.path(), extension, readers);
 }
 
 TEST(VtkExport, TwoLevelsInTwoDimensions) {
@@ -111,8 +113,9 @@ void export_unequal_ratios(With readers) {
   for (int step = 1; step <= 2; ++step)
     writer.write_output({step, step / 3.0, 0, 0, {}}, grid, fields.pieces());
   expect_right_numbers(writer.folder(), folder.path(), ".vtm", readers);
-  EXPECT_FALSE(fs::exists(folder.path() / "vtk" / "t00002.vthb"));
-  EXPECT_FALSE(fs::exists(folder.path() / "vtk" / "box.uda.000.vthb.series"));
+  ExportOptions amr;
+  amr.amr = true;
+  EXPECT_THROW(export_vtk(Archive::open(writer.folder()), folder.path() / "amr", amr), InputError);
 }
 
 TEST(VtkExport, UnequalRatiosAreWrittenAsBlocksOnly) {
@@ -134,10 +137,11 @@ void export_particles(With readers) {
   for (int step = 1; step <= 2; ++step)
     writer.write_output({step, step / 3.0, 0, 0, {}}, grid, fields.pieces());
   expect_right_numbers(writer.folder(), folder.path(), ".vtm", readers);
-  EXPECT_TRUE(fs::exists(folder.path() / "vtk" / "box.uda.000_particles.pvd"));
+  EXPECT_TRUE(fs::exists(folder.path() / "as.vtm" / "box.uda.000_particles.pvd"));
   // Particles alone.
-  const fs::path pvd =
-      export_vtk(Archive::open(writer.folder()), folder.path() / "points", {{{"p.heat"}, {}}, ""});
+  ExportOptions heat;
+  heat.labels.only = {"p.heat"};
+  const fs::path pvd = export_vtk(Archive::open(writer.folder()), folder.path() / "points", heat);
   EXPECT_EQ(pvd.filename(), "box.uda.000_particles.pvd");
   EXPECT_FALSE(fs::exists(folder.path() / "points" / "box.uda.000.pvd"));
 }
@@ -149,7 +153,39 @@ TEST(FullVtkExport, ParticlesAsPoints) {
   export_particles(With::paraview);
 }
 
-// The check itself must be able to fail: a number changed after the export is found.
+void export_floats_in_gzip(With readers) {
+  const TemporaryFolder folder;
+  const Grid grid = make_two_levels(3);
+  Fields fields;
+  for (const Level& level : grid.levels) add_all_kinds(fields, level);
+  for (FieldPiece& piece : fields.pieces()) piece.gzip = true;
+  ArchiveSetup setup = setup_in(folder.path());
+  setup.outputs.doubles_as_float = true;
+  ArchiveWriter writer = ArchiveWriter::create(setup);
+  for (int step = 1; step <= 2; ++step)
+    writer.write_output({step, step / 3.0, 0, 0, {}}, grid, fields.pieces());
+  expect_right_numbers(writer.folder(), folder.path(), ".vtm", readers);
+}
+
+TEST(VtkExport, FloatsInGzip) {
+  export_floats_in_gzip(With::vtk);
+}
+
+// Several blocks of compressed values, and the last one full or not.
+TEST(VtkExport, ManyValues) {
+  for (const int nx : {8192, 20000}) {
+    const TemporaryFolder folder;
+    const Grid grid = make_grid({nx, 1, 1}, {1, 1, 1});
+    Fields fields;
+    fields.add(grid.levels[0], real_label("press_CC"), 0, wavy);
+    fields.add(grid.levels[0], vector_label("vel_CC"), 0, wavy);
+    ArchiveWriter writer = ArchiveWriter::create(setup_in(folder.path()));
+    writer.write_output({2, 0.5, 0, 0, {}}, grid, fields.pieces());
+    expect_right_numbers(writer.folder(), folder.path(), ".vti", With::vtk);
+  }
+}
+
+// The check itself must be able to fail: another number is found.
 TEST(VtkExport, TheReadingBackFindsAWrongNumber) {
   const TemporaryFolder folder;
   const Grid grid = make_grid({7, 5, 3}, {1, 1, 1});
@@ -157,10 +193,17 @@ TEST(VtkExport, TheReadingBackFindsAWrongNumber) {
   fields.add(grid.levels[0], real_label("press_CC"), 0, wavy);
   ArchiveWriter writer = ArchiveWriter::create(setup_in(folder.path()));
   writer.write_output({1, 1, 0, 0, {}}, grid, fields.pieces());
-  const fs::path pvd = export_vtk(Archive::open(writer.folder()), folder.path() / "vtk", {});
-  const fs::path image = folder.path() / "vtk" / "t00001.vti";
-  flip_bit(image, static_cast<std::int64_t>(fs::file_size(image)) - 200);
-  const int status = verify_export(writer.folder(), pvd, With::vtk);
+  const fs::path pvd =
+      export_vtk(Archive::open(writer.folder()), folder.path() / "vtk", ExportOptions());
+  // The same archive with one other value.
+  const TemporaryFolder elsewhere;
+  Fields others;
+  others.add(grid.levels[0], real_label("press_CC"), 0, [](IntVec3 c, int m) {
+    return wavy(c, m) + (c == IntVec3{3, 2, 1} ? 1e-14 : 0);
+  });
+  ArchiveWriter other = ArchiveWriter::create(setup_in(elsewhere.path()));
+  other.write_output({1, 1, 0, 0, {}}, grid, others.pieces());
+  const int status = verify_export(other.folder(), pvd, With::vtk);
   if (status == 77) GTEST_SKIP() << "vtkmodules (python3-paraview) or h5py is not installed";
   EXPECT_EQ(status, 1);
 }
