@@ -22,7 +22,8 @@ ROOMS = {
          "mpm": "the solids",
          "examples": "small components to learn from, see "
                      "[your own component](your_own_component.md)"},
-        {"mpmice": "fluid and solids coupled"},
+        {"mpmice": "fluid and solids coupled",
+         "peridynamics": "solids of points with bonds, which crack"},
         {"app": "the `sluice` command"},
     ],
     "framework": [
