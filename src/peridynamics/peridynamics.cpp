@@ -8,6 +8,7 @@
 #include "framework/scene/deck_values.hpp"
 #include "peridynamics/deck/read_scene.hpp"
 #include "peridynamics/effects.hpp"
+#include "peridynamics/start/family_bound.hpp"
 #include "peridynamics/step/peri_step.hpp"
 
 namespace sluice::peridynamics {
@@ -62,6 +63,8 @@ double Peridynamics::array_bytes(const Level& finest) const {
 
 std::unique_ptr<Component> make(const Deck& deck, const Scene& scene, std::vector<Fault>& faults) {
   PeriScene solids = read_peri_scene(deck, scene, faults);
+  if (any_error(faults)) return nullptr;
+  check_horizons(scene.grid.levels.front(), solids, faults);
   if (any_error(faults)) return nullptr;
   return std::make_unique<Peridynamics>(scene, std::move(solids));
 }

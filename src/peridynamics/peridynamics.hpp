@@ -2,7 +2,6 @@
 #pragma once
 #include <memory>
 
-#include "framework/deck/schema.hpp"
 #include "framework/run/component/component.hpp"
 #include "framework/scene/scene.hpp"
 #include "peridynamics/deck/peri_scene.hpp"
@@ -60,7 +59,6 @@ class Peridynamics final : public Component,
   ReductionLayout reductions_;
 };
 
-void add_tags(Schema& schema);
 void declare_labels();
 std::vector<std::string> histories(const DeckNode& root);
 std::unique_ptr<Component> make(const Deck& deck, const Scene& scene, std::vector<Fault>& faults);

@@ -1,4 +1,4 @@
-// Runs of peridynamic solids: by hand, conserved quantities, order in time, splits, restart, faults.
+// Runs of peridynamic solids: conserved quantities, order in time, splits, mirror images, faults.
 #include "peridynamics/peridynamics.hpp"
 
 #include <gmock/gmock.h>
@@ -41,14 +41,15 @@ PeriDeck breaking() {
   PeriDeck d;
   d.settings = "<plane>stress</plane>";
   d.material = std::string(lps) +
-               "<damage_model type=\"spherical_strain_energy\"><G_Ic>40</G_Ic>"
-               "</damage_model>" +
-               box("[0.1,0.5,0]", "[0.9,0.9,0.05]", "[0,4,0]") +
-               box("[0.1,0.1,0]", "[0.9,0.5,0.05]", "[0,-4,0]");
-  d.beside = "<precrack><segment><p1>[0.1,0.5,0]</p1><p2>[0.4,0.5,0]</p2></segment></precrack>";
-  d.cells = {40, 40, 1};
-  d.upper = {1, 1, 0.025};
+               "<damage_model type=\"spherical_strain_energy\"><G_Ic>40</G_Ic></damage_model>" +
+               box("[-0.375,0,0]", "[0.375,0.375,0.05]", "[0,4,0]") +
+               box("[-0.375,-0.375,0]", "[0.375,0,0.05]", "[0,-4,0]");
+  d.beside = "<precrack><segment><p1>[-0.375,0,0]</p1><p2>[-0.0625,0,0]</p2></segment></precrack>";
+  d.lower = {-0.5, -0.5, 0};
+  d.upper = {0.5, 0.5, 0.03125};
+  d.cells = {32, 32, 1};
   d.periodic = {0, 0, 1};
+  d.multiplier = 0.4;
   d.end = 4e-4;
   d.save +=
       "<save label=\"p.damage\"/><save label=\"p.neighborcount\"/>"
@@ -62,7 +63,9 @@ void expect_same(const Run& a, const Run& b, const std::string& label) {
 }
 
 TEST(Runs, KeepMomentumAndEnergy) {
-  const PeriRun run(two_halves().text());
+  PeriDeck deck = two_halves();
+  deck.multiplier = 0.3;  // velocities jump at the start: of the order of the step's square
+  const PeriRun run(deck.text());
   const auto v = run.last("p.velocity");
   Vec3 sum{}, start{};
   double size = 0;
@@ -74,7 +77,7 @@ TEST(Runs, KeepMomentumAndEnergy) {
   start = {0, half * 1, half * 2};
   for (int d = 0; d < 3; ++d) EXPECT_NEAR(sum[d], start[d], 1e-13 * size);
   const auto kinetic = run.history("KineticEnergy"), strain = run.history("StrainEnergy");
-  const double before = kinetic.front() + strain.front();
+  const double before = 0.5 * 2000 * 0.05 * 0.05 * 0.05 * 8 * 8 * 8 * (26 + 29);
   for (std::size_t n = 0; n < kinetic.size(); ++n)
     EXPECT_NEAR(kinetic[n] + strain[n], before, 1e-2 * before);
 }
@@ -123,7 +126,7 @@ TEST(Runs, KeepTheBooksOfBrokenBonds) {
   const PeriRun run(breaking().text());
   const auto K = run.history("KineticEnergy"), W = run.history("StrainEnergy"),
              broken = run.history("BrokenEnergy");
-  const double start = 0.5 * 2000 * 0.8 * 0.8 * 0.025 * 16;
+  const double start = 0.5 * 2000 * 0.75 * 0.75 * 0.03125 * 16;
   EXPECT_GT(broken.back(), 0.01 * start);
   for (std::size_t n = 0; n < K.size(); ++n)
     EXPECT_NEAR(K[n] + W[n] + broken[n], start, 1e-2 * start);
@@ -140,7 +143,7 @@ TEST(Runs, BreakMirrorImages) {
   for (const auto& [id, X] : place) by_place[key(X[0], X[1])] = damage.at(id)[0];
   double most = 0;
   for (const auto& [id, X] : place) {
-    const double other = by_place.at(key(X[0], 1 - X[1]));
+    const double other = by_place.at(key(X[0], -X[1]));
     EXPECT_NEAR(damage.at(id)[0], other, 1e-12);
     most = std::max(most, other);
   }

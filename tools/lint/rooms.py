@@ -147,6 +147,14 @@ ROOMS = {
          "metal": "elastic-plastic metals: flow stresses, moduli, pressure laws, failure"},
         {".": "the registry of all models, and the driver of one particle"},
     ],
+    "peridynamics": [
+        {"deck": "tags, rules, and the plain data read from a deck (`peri_scene.hpp`)"},
+        {"points": "the points of a rank side by side, their images, what they carry"},
+        {"bonds": "families in rows of eight, weights, sums over bonds"},
+        {"step": "points with their bonds and state; the stages of a step"},
+        {"start": "points of geometry objects as particles of the run"},
+        {".": "the component, its step as a table, books, effects"},
+    ],
     "mpmice": [
         {"geometry": "solids in cells, from the outer faces of particles"},
         {"fields": "the cells near solids, arrays over them, values of other ranks; "

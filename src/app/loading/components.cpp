@@ -21,6 +21,7 @@
 #include "mpm/mpm.hpp"
 #include "mpm/start/seed_faults.hpp"
 #include "mpmice/make_component.hpp"
+#include "peridynamics/deck/schema.hpp"
 #include "peridynamics/peridynamics.hpp"
 
 namespace sluice {

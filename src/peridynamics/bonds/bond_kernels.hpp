@@ -1,7 +1,8 @@
 // Sums over bonds, eight points at a time: dilatation, forces, stability.
 //
-// A bond from i to j has xi = X_j - X_i, r = |xi|, eta = u_j - u_i, y = |xi + eta|, M = (xi + eta)/y
-// and the extension e = (2 xi.eta + eta.eta)/(y + r), which loses no digits where eta is small.
+// A bond from i to j has xi = X_j - X_i, r = |xi|, eta = u_j - u_i, y = |xi + eta|, the direction
+// M = (xi + eta)/y and the extension e = (2 xi.eta + eta.eta)/(y + r), which loses no digits where
+// eta is small.
 //
 //   theta_i = (d/m_i) sum w r e V_j
 //   t_ij + t_ji = w [ r (A_i + A_j) + e (B_i + B_j) + (e/r) (C_i + C_j) ]
@@ -9,8 +10,8 @@
 //   f_i = sum (t_ij + t_ji) M V_j
 //   W_i = (k/2 - (d+2) mu/(2 d)) theta^2 + (B_i/2) sum w e^2 V_j + sum (C_i + C_j) w e^2/(4 r) V_j
 // Everything of a pair is the same in both its ends, to the bit. d = 2: places lie in x and y.
-// A bond breaks where e > 0 and e > s r or omega (t_ij + t_ji)/w e/2 > w_c, the smaller limit of both
-// ends. SI units: m, Pa, N/m^3, J/m^3.
+// A bond breaks where e > 0 and e > s r or omega (t_ij + t_ji)/w e/2 > w_c, the smaller limit of
+// both ends. SI units: m, Pa, N/m^3, J/m^3.
 #pragma once
 #include <array>
 #include <vector>

@@ -62,8 +62,8 @@ TEST(Families, AreThoseOfAllPairs) {
   }
 }
 
-// A pure change of size, e = s r: theta = d s and W = k theta^2/2 at every point, at surfaces and on
-// irregular points too.
+// A pure change of size, e = s r: theta = d s and W = k theta^2/2 at every point, at surfaces and
+// on irregular points too.
 TEST(Lps, HasTheDilatationAndEnergyOfAChangeOfSize) {
   for (const int d : {2, 3}) {
     const PeriScene scene = plain(Law::lps, d, 3, 5, 3, Influence::linear);

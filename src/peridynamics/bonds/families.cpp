@@ -150,78 +150,95 @@ std::size_t Families::bytes() const {
   return sum;
 }
 
+namespace {
+
+// Finds the families of one tile after the other; one a thread, whose memory serves all its tiles.
+class TileMaker {
+ public:
+  TileMaker(const PointTable& points, const PointRows& rows, const PeriScene& scene)
+      : points_(&points), rows_(&rows), scene_(&scene) {}
+
+  // The next chunks of a tile, bonds to `memory`, sums to `all`.
+  void make(std::span<const BondChunk> chunks, Families& all, BondTile& tile, BondMemory& memory) {
+    FamilySearch search(*points_, *rows_, *scene_);
+    made_.clear();
+    RowWriter writer(made_, *points_);
+    for (const BondChunk& from : chunks) {
+      BondChunk& chunk = tile.chunks.emplace_back(from);
+      for (int l = 0; l < chunk.lanes; ++l) {
+        search.find(chunk.first + l, lists_[l]);
+        add(static_cast<std::size_t>(chunk.first + l), lists_[l], all.sums);
+      }
+      writer.write(chunk, lists_);
+    }
+    tile.base = memory.keep(made_.base);
+    tile.index = memory.keep(made_.index);
+    tile.r = memory.keep(made_.r);
+    tile.w = memory.keep(made_.w);
+  }
+
+  std::int64_t bonds = 0, cut = 0;
+  int largest = 0;
+
+ private:
+  // m = sum w r^2 V, S = sum w r V.
+  void add(std::size_t i, const std::vector<Neighbour>& list, FamilySums& sums) {
+    for (const Neighbour& n : list) {
+      const double V = points_->V[static_cast<std::size_t>(n.entry)], w = n.w;
+      sums.m[i] += w * n.r * n.r * V;
+      sums.s[i] += w * n.r * V;
+      sums.volume[i] += n.beta * V;
+      if (!n.cut) sums.intact[i] += n.beta * V;
+      sums.neighbours[i] += n.cut ? 0 : 1;
+      cut += n.cut ? 1 : 0;
+    }
+    bonds += static_cast<std::int64_t>(list.size());
+    largest = std::max(largest, static_cast<int>(list.size()));
+  }
+
+  const PointTable* points_;
+  const PointRows* rows_;
+  const PeriScene* scene_;
+  RowsInWork made_;
+  std::vector<Neighbour> lists_[8];
+};
+
+void make_room(std::size_t size, FamilySums& sums) {
+  for (Column* column : {&sums.m, &sums.s, &sums.volume, &sums.intact}) column->assign(size, 0.0);
+  sums.neighbours.assign(size, 0);
+}
+
+}  // namespace
+
 Families find_families(const PointTable& points, const PeriScene& scene, const ThreadTeam* team) {
   const PointRows rows(points);
   const std::vector<BondChunk> chunks = chunks_of(points);
   Families all;
-  const std::size_t size = static_cast<std::size_t>(points.size());
-  for (Column* column : {&all.sums.m, &all.sums.s, &all.sums.volume, &all.sums.intact})
-    column->assign(size, 0.0);
-  all.sums.neighbours.assign(size, 0);
+  make_room(static_cast<std::size_t>(points.size()), all.sums);
   all.tiles.resize((chunks.size() + chunks_of_tile - 1) / chunks_of_tile);
-  struct Count {
-    std::int64_t bonds = 0, cut = 0;
-    int largest = 0;
-  };
-  std::vector<Count> counts(all.tiles.size());
-  FirstFault fault;
-  // Of a thread; its memory serves one tile after the other.
-  struct Bench {
-    RowsInWork rows;
-    std::vector<Neighbour> lists[8];
-  };
   const std::size_t threads = static_cast<std::size_t>(team != nullptr ? team->size() : 1);
-  std::vector<Bench> benches(threads);
+  std::vector<TileMaker> makers(threads, TileMaker(points, rows, scene));
   all.memory.resize(threads);
+  FirstFault fault;
   const auto work = [&](std::size_t t, int thread) {
-    FamilySearch search(points, rows, scene);
-    auto& [made, lists] = benches[static_cast<std::size_t>(thread)];
-    made.clear();
-    BondTile& tile = all.tiles[t];
-    RowWriter writer(made, points);
-    const std::size_t begin = t * chunks_of_tile;
-    for (std::size_t c = begin; c < std::min(chunks.size(), begin + chunks_of_tile); ++c) {
-      BondChunk& chunk = tile.chunks.emplace_back(chunks[c]);
-      for (int l = 0; l < chunk.lanes; ++l) {
-        search.find(chunk.first + l, lists[l]);
-        const std::size_t i = static_cast<std::size_t>(chunk.first + l);
-        // m = sum w r^2 V, S = sum w r V.
-        for (const Neighbour& n : lists[l]) {
-          const double V = points.V[static_cast<std::size_t>(n.entry)], w = n.w;
-          all.sums.m[i] += w * n.r * n.r * V;
-          all.sums.s[i] += w * n.r * V;
-          all.sums.volume[i] += n.beta * V;
-          if (!n.cut) all.sums.intact[i] += n.beta * V;
-          all.sums.neighbours[i] += n.cut ? 0 : 1;
-          counts[t].cut += n.cut ? 1 : 0;
-        }
-        counts[t].bonds += static_cast<std::int64_t>(lists[l].size());
-        counts[t].largest = std::max(counts[t].largest, static_cast<int>(lists[l].size()));
-      }
-      writer.write(chunk, lists);
-    }
-    BondMemory& memory = all.memory[static_cast<std::size_t>(thread)];
-    tile.base = memory.keep(made.base);
-    tile.index = memory.keep(made.index);
-    tile.r = memory.keep(made.r);
-    tile.w = memory.keep(made.w);
-  };
-  const auto guarded = [&](std::size_t t, int thread) {
+    const std::size_t begin = t * chunks_of_tile, n = static_cast<std::size_t>(thread);
+    const std::size_t end = std::min(chunks.size(), begin + chunks_of_tile);
     try {
-      work(t, thread);
+      makers[n].make(std::span(chunks).subspan(begin, end - begin), all, all.tiles[t],
+                     all.memory[n]);
     } catch (...) {
       fault.keep();
     }
   };
   if (team != nullptr)
-    team->for_each(all.tiles.size(), guarded);
+    team->for_each(all.tiles.size(), work);
   else
-    for (std::size_t t = 0; t < all.tiles.size(); ++t) guarded(t, 0);
+    for (std::size_t t = 0; t < all.tiles.size(); ++t) work(t, 0);
   fault.rethrow();
-  for (const Count& c : counts) {
-    all.bonds += c.bonds;
-    all.cut += c.cut;
-    all.largest = std::max(all.largest, c.largest);
+  for (const TileMaker& maker : makers) {
+    all.bonds += maker.bonds;
+    all.cut += maker.cut;
+    all.largest = std::max(all.largest, maker.largest);
   }
   return all;
 }

@@ -1,9 +1,9 @@
-// Images of points of other ranks, across periodic sides and mirrored at symmetric sides: who sends
+// Images of points of other ranks, across periodic sides, mirrored at symmetric sides: who sends
 // which of its points, found once for a layout of boxes, and their values whenever they change.
 //
-// An image stands at s X + o: s = 1 and o = +-L across a periodic side, s = -1 and o = 2 X_side at a
-// mirror. Its vectors are s u, its numbers those of the point. Every number is the owner's, bit for
-// bit.
+// An image stands at s X + o: s = 1 and o = +-L across a periodic side, s = -1 and o = 2 X_side at
+// a mirror. Its vectors are s u, its numbers those of the point. Every number is the owner's, bit
+// for bit.
 #pragma once
 #include <array>
 #include <cstdint>

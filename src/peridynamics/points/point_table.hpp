@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "framework/base/aligned_vector.hpp"
-#include "peridynamics/bonds/weights.hpp"
 #include "peridynamics/deck/peri_scene.hpp"
+#include "peridynamics/points/bond_rule.hpp"
 #include "peridynamics/points/ghosts.hpp"
 
 namespace sluice::peridynamics {

@@ -7,7 +7,7 @@
 
 #include "mpm/start/point_list.hpp"
 #include "mpm/start/seed.hpp"
-#include "peridynamics/bonds/weights.hpp"
+#include "peridynamics/points/bond_rule.hpp"
 
 namespace sluice::peridynamics {
 namespace {

@@ -5,6 +5,7 @@
 // counted.
 #pragma once
 #include <cstdint>
+#include <vector>
 
 #include "framework/grid/level.hpp"
 #include "peridynamics/deck/peri_scene.hpp"
@@ -17,6 +18,10 @@ struct FamilyBound {
   std::int64_t points = 0;  // in all
 };
 FamilyBound bound_families(const PeriScene& scene, const Level& level);
+
+// A fault for each horizon that is too short for the points of its material, or too long for the
+// domain.
+void check_horizons(const Level& level, const PeriScene& scene, std::vector<Fault>& faults);
 
 // Spacing of an object's points, (V/h)^(1/d); the largest of a list.
 double spacing_of(const PeriScene& scene, const Level& level, const mpm::SeedObject& object);
