@@ -148,7 +148,8 @@ ROOMS = {
         {".": "the registry of all models, and the driver of one particle"},
     ],
     "peridynamics": [
-        {"deck": "tags, rules, and the plain data read from a deck (`peri_scene.hpp`)"},
+        {"deck": "tags, rules, and the plain data read from a deck (`peri_scene.hpp`)",
+         "peridigm": "decks of Peridigm, read and converted"},
         {"points": "the points of a rank side by side, their images, what they carry"},
         {"bonds": "families in rows of eight, weights, sums over bonds"},
         {"step": "points with their bonds and state; the stages of a step"},

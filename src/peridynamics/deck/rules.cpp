@@ -41,10 +41,20 @@ void check_damage(const DeckNode& model, std::vector<Fault>& faults) {
               "<damage_model type=\"critical_stretch\"> needs one of <s0> and <G_Ic>");
 }
 
+// Of point files: other components would read it in vain.
+void refuse_displacements(const DeckNode& node, std::vector<Fault>& faults) {
+  if (node.name == "var" && node.text == "p.displacement")
+    add_error(faults, node.where,
+              "<var> p.displacement of a point file is read by the component peridynamics only");
+  for (const auto& child : node.children) refuse_displacements(*child, faults);
+}
+
 }  // namespace
 
 void check_blocks(const DeckNode& root, std::vector<Fault>& faults) {
   if (!runs_peridynamics(root)) {
+    if (const DeckNode* solids = root.find("MaterialProperties/MPM"))
+      refuse_displacements(*solids, faults);
     if (const DeckNode* block = root.find("MaterialProperties/Peridynamics"))
       add_error(faults, block->where,
                 "<MaterialProperties><Peridynamics> belongs to the component peridynamics; other "

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "framework/geometry/point_file.hpp"
 #include "framework/geometry/sampling.hpp"
 #include "peridynamics/start/family_bound.hpp"
 
@@ -45,6 +46,7 @@ PointParticles::PointParticles(const PeriScene& scene, const Grid& grid)
   typical_family_ = bound.typical;
   carried_ = carried_by(scene, largest_family_);
   bonded_ = std::make_unique<BondedPoints>(scene, carried_.columns);
+  read_displacements();
   for (const PeriMaterial& m : scene.materials) {
     ParticleKind& kind = kinds_.emplace_back();
     kind.name = m.name.empty() ? "material " + std::to_string(m.index) : m.name;
@@ -54,6 +56,20 @@ PointParticles::PointParticles(const PeriScene& scene, const Grid& grid)
     kind.home = point_labels().reference;
     add_derived(kind);
   }
+}
+
+void PointParticles::read_displacements() {
+  for (const mpm::SolidMaterial& material : scene_->seeds.materials)
+    for (const mpm::SeedObject& object : material.objects) {
+      const auto* piece = dynamic_cast<const PointFilePiece*>(object.piece.get());
+      if (piece == nullptr) continue;
+      const auto found = piece->file().vectors.find("p.displacement");
+      if (found == piece->file().vectors.end()) continue;
+      for (std::size_t n = 0; n < found->second.size(); ++n) {
+        const Vec3 x = piece->file().points[n];
+        displacements_[{x.x, x.y, x.z}] = found->second[n];
+      }
+    }
 }
 
 void PointParticles::add_derived(ParticleKind& kind) const {
@@ -97,6 +113,12 @@ void PointParticles::start(int kind, const Level& level, const IndexBox& cells,
       if (level.active[d])
         set.attribute(static_cast<std::size_t>(c.velocity + d), n) =
             seeded.velocity[static_cast<std::size_t>(d)][p];
+    if (displacements_.empty()) continue;
+    const auto given = displacements_.find({seeded.x[p], seeded.y[p], seeded.z[p]});
+    if (given == displacements_.end()) continue;
+    for (int d = 0; d < 3; ++d)
+      if (level.active[static_cast<std::size_t>(d)])
+        set.attribute(static_cast<std::size_t>(c.displacement + d), n) = given->second[d];
   }
 }
 

@@ -1,5 +1,7 @@
 // The points of all materials as the run keeps them: particles that live by their reference place.
 #pragma once
+#include <array>
+#include <map>
 #include <memory>
 
 #include "framework/run/component/particle_method.hpp"
@@ -30,12 +32,15 @@ class PointParticles final : public ParticleMethod {
 
  private:
   void add_derived(ParticleKind& kind) const;
+  void read_displacements();
 
   const PeriScene* scene_;
   mpm::Seeder seeder_;
   int largest_family_ = 0;
   double typical_family_ = 0;
   Carried carried_;
+  // Of points of files that give them, by place.
+  std::map<std::array<double, 3>, Vec3> displacements_;
   std::vector<ParticleKind> kinds_;
   std::unique_ptr<BondedPoints> bonded_;  // of the run that particles were laid out for last
 };
