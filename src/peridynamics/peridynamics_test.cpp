@@ -182,6 +182,73 @@ TEST(Runs, MoveAsTheirMirrorImages) {
   EXPECT_GT(size, 1e-5);
 }
 
+// A body that only moves: v = v_0 exp(-gamma t/rho), to second order; what drag takes is what the
+// kinetic energy loses.
+TEST(Damping, SlowsABodyExponentially) {
+  const auto end = [](double dt, double& books) {
+    PeriDeck d = two_halves();
+    d.settings = "<damping>1e7</damping>";
+    d.material = lps + box("[0.3,0.3,0.3]", "[0.7,0.7,0.7]", "[8,0,0]");
+    d.dt = dt;
+    d.max_steps = static_cast<int>(std::lround(2e-4 / dt));
+    d.save += "<save label=\"DampingEnergy\"/>";
+    const PeriRun run(d.text());
+    const double K0 = 0.5 * 2000 * 0.064 * 64;
+    books = run.history("DampingEnergy").back() + run.history("KineticEnergy").back() - K0;
+    return run.last("p.velocity").begin()->second[0];
+  };
+  double coarse_books = 0, fine_books = 0;
+  const double exact = 8 * std::exp(-1e7 * 2e-4 / 2000);
+  const double coarse = end(2e-5, coarse_books) - exact, fine = end(1e-5, fine_books) - exact;
+  EXPECT_NEAR(std::log2(std::fabs(coarse / fine)), 2, 0.05);
+  EXPECT_NEAR(std::log2(coarse_books / fine_books), 2, 0.05);
+  EXPECT_LT(std::fabs(fine_books), 1e-3 * 0.5 * 2000 * 0.064 * 64);
+}
+
+// u = g t^2/2, of which Verlet makes no error; the work of gravity is the kinetic energy.
+TEST(Gravity, LetsABodyFall) {
+  PeriDeck d = two_halves();
+  d.settings = "<gravity>[0,0,-10]</gravity>";
+  d.material = lps + box("[0.3,0.3,0.3]", "[0.7,0.7,0.7]", "[0,0,0]");
+  d.end = 1e-3;
+  d.save += "<save label=\"ExternalWork\"/>";
+  const PeriRun run(d.text());
+  for (const auto& [id, u] : run.last("p.displacement")) EXPECT_NEAR(u[2], -5e-6, 1e-16);
+  const double K = run.history("KineticEnergy").back();
+  EXPECT_NEAR(K, 0.5 * 2000 * 0.064 * 1e-4, 1e-9);
+  EXPECT_NEAR(run.history("ExternalWork").back(), K, 1e-10 * K);
+}
+
+TEST(Damage, LeavesBondsOfRegionsThatDoNotFail) {
+  PeriDeck d = breaking();
+  const std::string model = "<G_Ic>40</G_Ic>";
+  d.material.insert(d.material.find(model) + model.size(),
+                    "<no_fail><box label=\"all\"><min>[-1,-1,-1]</min><max>[1,1,1]</max></box>"
+                    "</no_fail>");
+  const PeriRun run(d.text());
+  EXPECT_EQ(run.history("BrokenBonds").back(), 0);
+}
+
+// In the first step whose end finds a bond beyond its limit, and not before.
+TEST(Damage, BreaksABondAtItsStretch) {
+  PeriDeck d;
+  d.settings = "<influence>one</influence>";
+  d.material =
+      "<density>2000</density><horizon>0.08</horizon><material_model type=\"linear_elastic_bond\">"
+      "<young_modulus>1e3</young_modulus></material_model>"
+      "<damage_model type=\"critical_stretch\"><s0>0.01</s0></damage_model>" +
+      box("[0.4,0.45,0.45]", "[0.45,0.5,0.5]", "[-1,0,0]") +
+      box("[0.45,0.45,0.45]", "[0.5,0.5,0.5]", "[1,0,0]");
+  d.cells = {20, 20, 20};
+  d.dt = 1e-5;
+  d.end = 1;
+  d.max_steps = 24;  // stretch 2e-5 n/0.05: 0.0096
+  d.save = "<save label=\"p.displacement\"/><save label=\"BrokenBonds\"/>";
+  EXPECT_EQ(PeriRun(d.text()).history("BrokenBonds").back(), 0);
+  d.max_steps = 26;
+  EXPECT_EQ(PeriRun(d.text()).history("BrokenBonds").back(), 1);
+}
+
 TEST(Stages, AreThoseOfTheScene) {
   const auto stages = [](const std::string& text) {
     const Deck deck = load_deck_text(text, "deck.ups", {}, peri_schema());

@@ -181,15 +181,15 @@ TEST(Peridigm, XmlGivesDisplacementsAtTheStart) {
 TEST(Peridigm, FaultsHaveTheirLines) {
   const std::tuple<std::string, std::string, std::string> rows[] = {
       {"      Horizon: 1.1", "      Horizn: 1.1\n      Horizon: 1.1",
-       "deck:25:7: error: parameter 'Horizn' is not known"},
+       "deck:26:7: error: parameter 'Horizn' is not known"},
       {"Material Model: \"Elastic\"", "Material Model: \"Pals\"",
        "deck:18:7: error: material model 'Pals' is known to the format, but not supported yet"},
       {"Node Set: \"Left\"", "Node Set: \"Top\"", "deck:32:7: error: there is no node set 'Top'"},
       {"Left: \"1\"", "Left: \"7\"",
-       "deck:27:5: error: node set 'Left' names point 7; there are 3"},
+       "deck:28:5: error: node set 'Left' names point 7; there are 3"},
       {"Value: \"-x\"", "Value: \"1/(x-x)\"", "'1/(x-x)' is inf at point 3"},
       {"Type: \"Initial Velocity\"", "Type: \"Prescribed Displacement\"",
-       "deck:30:7: error: boundary condition 'Prescribed Displacement'"},
+       "deck:31:7: error: boundary condition 'Prescribed Displacement'"},
       {"Verlet:", "QuasiStatic:", "solver 'QuasiStatic' is known to the format"},
       {"Density: 7800.0", "Density: heavy", "deck:19:7: error: 'Density': 'heavy' is not a number"},
       {"Number Points X: 3", "Number Points X: 0", "are no grid"},

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "framework/base/error.hpp"
+#include "framework/deck/xml_reader.hpp"
 
 namespace sluice::peridynamics {
 namespace {
@@ -70,11 +71,12 @@ Parameter from_yaml(const std::string& text, const std::string& file) {
 }
 
 Parameter from_xml(const std::string& text, const std::string& file) {
-  const Deck deck = read_deck_text(text, file);
-  if (deck.root == nullptr)
-    throw InputError(deck.faults.empty() ? file + ": this XML cannot be read"
-                                         : to_string(deck.faults.front()));
-  return of_xml(*deck.root);
+  ReadBudget budget;
+  const XmlTree tree = read_xml_text(text, file, budget);
+  if (tree.root == nullptr)
+    throw InputError(tree.faults.empty() ? file + ": this XML cannot be read"
+                                         : to_string(tree.faults.front()));
+  return of_xml(*tree.root);
 }
 
 }  // namespace
