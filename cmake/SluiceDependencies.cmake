@@ -9,6 +9,7 @@ find_package(MPI REQUIRED COMPONENTS C)
 find_package(HDF5 REQUIRED COMPONENTS C)
 find_package(ZLIB REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(yaml-cpp REQUIRED)
 
 add_library(sluice_hdf5 INTERFACE)
 target_include_directories(sluice_hdf5 SYSTEM INTERFACE ${HDF5_INCLUDE_DIRS})

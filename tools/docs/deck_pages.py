@@ -41,6 +41,10 @@ SUBJECTS = {
         "heat": "Heat and pore water",
         "implicit": "Implicit steps",
     },
+    "peridynamics": {
+        "elastic": "Elastic bodies",
+        "cracks": "Cracks",
+    },
     "mpmice": {
         "flow": "Flow past bodies and between plates",
         "shocks": "Shocks and sound against solids",
@@ -59,6 +63,7 @@ SUBJECTS = {
 }
 HEADS = {
     "ice": "Decks of the fluid", "mpm": "Decks of solids", "mpmice": "Decks of fluid and solids",
+    "peridynamics": "Decks of peridynamic solids",
     "examples": "Decks of the example components", "templates": "Decks to begin with",
     "bench": "Decks of the bench",
 }

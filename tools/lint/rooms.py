@@ -22,7 +22,8 @@ ROOMS = {
          "mpm": "the solids",
          "examples": "small components to learn from, see "
                      "[your own component](your_own_component.md)"},
-        {"mpmice": "fluid and solids coupled"},
+        {"mpmice": "fluid and solids coupled",
+         "peridynamics": "solids of points with bonds, which crack"},
         {"app": "the `sluice` command"},
     ],
     "framework": [
@@ -150,6 +151,15 @@ ROOMS = {
          "hydrodynamic": "gases, water and explosives as particles",
          "metal": "elastic-plastic metals: flow stresses, moduli, pressure laws, failure"},
         {".": "the registry of all models, and the driver of one particle"},
+    ],
+    "peridynamics": [
+        {"deck": "tags, rules, and the plain data read from a deck (`peri_scene.hpp`)",
+         "peridigm": "decks of Peridigm, read and converted"},
+        {"points": "the points of a rank side by side, their images, what they carry"},
+        {"bonds": "families in rows of eight, weights, sums over bonds"},
+        {"step": "points with their bonds and state; the stages of a step"},
+        {"start": "points of geometry objects as particles of the run"},
+        {".": "the component, its step as a table, books, effects"},
     ],
     "mpmice": [
         {"geometry": "solids in cells, from the outer faces of particles"},

@@ -5,7 +5,7 @@ packages_of() {
     core)
       echo g++ cmake ninja-build ccache pkg-config git ca-certificates
       echo libxml2-dev libhdf5-dev zlib1g-dev libtbb-dev libopenmpi-dev openmpi-bin libhypre-dev
-      echo libeigen3-dev libsundials-dev
+      echo libeigen3-dev libsundials-dev libyaml-cpp-dev
       echo libcli11-dev libfmt-dev nlohmann-json3-dev libmuparser-dev libgtest-dev libgmock-dev
       echo python3 python3-numpy python3-h5py python3-matplotlib
       ;;

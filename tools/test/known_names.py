@@ -16,8 +16,8 @@ import sys
 import tempfile
 
 PROJECT = pathlib.Path(__file__).resolve().parents[2]
-COMMANDS = ["accuracy", "run", "check", "compare", "drive", "export", "extract", "help", "info",
-            "movie", "new", "norms", "plan", "plot", "regress", "tune"]
+COMMANDS = ["accuracy", "run", "check", "compare", "convert", "drive", "export", "extract",
+            "help", "info", "movie", "new", "norms", "plan", "plot", "regress", "report", "tune"]
 # Cases whose archives are looked at: a fluid, several materials, solids, both with burning.
 RUNS = ["sod", "exchange", "blocks_gimp", "strand"]
 

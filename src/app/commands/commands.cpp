@@ -10,6 +10,7 @@ void declare_accuracy_command(Command& command);
 void declare_run_command(Command& command);
 void declare_check_command(Command& command);
 void declare_compare_command(Command& command);
+void declare_convert_command(Command& command);
 void declare_drive_command(Command& command);
 void declare_export_command(Command& command);
 void declare_extract_command(Command& command);
@@ -31,6 +32,8 @@ constexpr CommandKind kinds[] = {
     {"run", "Run a deck: from .ups to .uda archive", declare_run_command},
     {"check", "Find all faults of decks without running them", declare_check_command},
     {"compare", "Compare two archives value by value", declare_compare_command},
+    {"convert", "Write the .ups deck that says the same as a deck of Peridigm (.yaml, .xml)",
+     declare_convert_command},
     {"drive",
      "Take one particle of a material along a path of deformation: stress, energy, "
      "temperature.\nThe deck contains <MaterialDriver>: a <material> as in <MaterialProperties>, "

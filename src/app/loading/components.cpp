@@ -21,6 +21,8 @@
 #include "mpm/mpm.hpp"
 #include "mpm/start/seed_faults.hpp"
 #include "mpmice/make_component.hpp"
+#include "peridynamics/deck/schema.hpp"
+#include "peridynamics/peridynamics.hpp"
 
 namespace sluice {
 namespace {
@@ -151,6 +153,12 @@ const std::vector<ComponentKind>& kinds() {
        .spellings = {"RIGIDMPMICE"},
        .make = make_mpmice,
        .histories = histories_of_both},
+      {.type = "peridynamics",
+       .spellings = {"PERIDYNAMICS", "Peridynamics"},
+       .add_tags = peridynamics::add_tags,
+       .make = peridynamics::make,
+       .histories = peridynamics::histories,
+       .declare_labels = peridynamics::declare_labels},
       // Examples of components: docs/your_own_component.md.
       {.type = "poisson1",
        .spellings = {"POISSON1"},

@@ -62,7 +62,7 @@ int numbers_of_point_variable(const std::string& name) {
   for (const char* one : {"p.volume", "p.temperature", "p.color"})
     if (name == one) return 1;
   for (const char* three : {"p.externalforce", "p.fiberdir", "p.rvec1", "p.rvec2", "p.rvec3",
-                            "p.velocity", "p.loadCurveID", "p.normal"})
+                            "p.velocity", "p.loadCurveID", "p.normal", "p.displacement"})
     if (name == three) return 3;
   return 0;
 }
@@ -77,7 +77,7 @@ PointFile read_point_file(const std::string& file, PointFormat format,
           "file: unknown variable '{}'; known are p.volume, p.temperature, p.color, "
           "p.externalforce, p.fiberdir, p.rvec1, p.rvec2, p.rvec3, p.velocity, p.loadCurveID and "
           "p.normal",
-          v));
+          "p.displacement", v));
     if (n == 1)
       columns.push_back(v);
     else

@@ -19,10 +19,10 @@ std::string lower_case(std::string text) {
   return text;
 }
 
-// Materials in index order: those of MPM first, then those of ICE.
+// Materials in index order: those of MPM first, then those of ICE; peridynamic ones are alone.
 std::vector<MaterialEntry> read_materials(const DeckNode& root) {
   std::vector<MaterialEntry> materials;
-  for (const char* kind : {"MPM", "ICE"})
+  for (const char* kind : {"MPM", "ICE", "Peridynamics"})
     if (const DeckNode* block = root.find(fmt::format("MaterialProperties/{}", kind)))
       for (const DeckNode* m : block->all("material"))
         materials.push_back({m->attribute("name").value_or(""), kind,
@@ -54,7 +54,7 @@ void note_velocity(Vec3 velocity, const Location& where, DirectionFacts& facts) 
 // Velocities at the start, from geometry objects and formulas.
 void note_initial_velocities(const DeckNode& root, DirectionFacts& facts,
                              std::vector<Fault>& faults) {
-  for (const char* kind : {"MPM", "ICE"})
+  for (const char* kind : {"MPM", "ICE", "Peridynamics"})
     if (const DeckNode* block = root.find(fmt::format("MaterialProperties/{}", kind)))
       for (const DeckNode* material : block->all("material"))
         for (const DeckNode* object : material->all("geom_object"))

@@ -291,7 +291,8 @@ void add_geometry_tags(Schema& schema) {
 }
 
 void check_pieces(const DeckNode& root, std::vector<Fault>& faults) {
-  for (const char* path : {"MaterialProperties/ICE", "MaterialProperties/MPM", "PhysicalBC", "AMR"})
+  for (const char* path : {"MaterialProperties/ICE", "MaterialProperties/MPM",
+                           "MaterialProperties/Peridynamics", "PhysicalBC", "AMR"})
     if (const DeckNode* block = root.find(path)) check_pieces_below(*block, faults);
 }
 

@@ -105,6 +105,11 @@ void ParticleHistories::pack_box(const ParticleSet& set, const ParticleMap& map,
     derived[s].assign(component_count(d->label.info().type), std::vector<double>(set.size()));
     d->compute(set, derived[s]);
   }
+  std::vector<std::vector<double>> present;
+  if (const auto& how = method_->kinds()[kind_].present) {
+    present.assign(3, std::vector<double>(set.size()));
+    how->compute(set, present);
+  }
   const Reflects reflects = [&](Side side, IntVec3 cell) {
     return method_->reflects(kind_, level, side, cell);
   };
@@ -112,7 +117,9 @@ void ParticleHistories::pack_box(const ParticleSet& set, const ParticleMap& map,
     // It may lag behind in the set of a box that it has left.
     Vec3 place = set.position(p);
     if (!bring_inside(map.levels()[level], reflects, place)) continue;
-    rows.insert(rows.end(), {static_cast<double>(map.find(place).level),
+    const int home = map.find(place).level;
+    if (!present.empty()) place = {present[0][p], present[1][p], present[2][p]};
+    rows.insert(rows.end(), {static_cast<double>(home),
                              static_cast<double>(set.id(p)), place.x, place.y, place.z});
     for (std::size_t s = 0; s < sources_.size(); ++s) {
       for (const std::size_t c : sources_[s].columns) rows.push_back(set.column(c)[p]);

@@ -35,6 +35,10 @@ class JoinedParticles final : public ParticleMethod {
     first_->store_on_grid(scope, by_level);
   }
   bool reflects(int kind, int level, Side side, IntVec3 cell) const override;
+  void laid_out(const ParticleCloud& cloud, const ThreadTeam* team) const override {
+    first_->laid_out(cloud, team);
+    second_->laid_out(cloud, team);
+  }
 
  private:
   // The method of a kind, whose number becomes that of it there.

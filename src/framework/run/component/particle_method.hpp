@@ -47,6 +47,10 @@ struct ParticleKind {
   // Kept in blocks of 64 cells, in any order inside; by cell and id otherwise.
   bool by_blocks = false;
   std::vector<DerivedAttribute> derived;
+  // Of particles that live by another place than where they are, such as that of the start: where
+  // they are (p.x of archives), and the label by which the other is saved and restored.
+  std::optional<DerivedAttribute> present;
+  Label home;
 
   std::size_t columns() const;
   std::vector<std::size_t> advanced_columns() const;
@@ -64,6 +68,7 @@ struct ParticleStep {
 
 class GridFields;
 class ParticleCloud;
+class ThreadTeam;
 struct StageScope;
 
 class ParticleMethod {
@@ -74,6 +79,8 @@ class ParticleMethod {
   // Adds the particles that are in these cells at the start.
   virtual void start(int kind, const Level& level, const IndexBox& cells,
                      ParticleSet& particles) const = 0;
+  // Particles have been put into the boxes in which they live from now on. Collective.
+  virtual void laid_out(const ParticleCloud& /*cloud*/, const ThreadTeam* /*team*/) const {}
   // How many start() adds there, found without making any; nothing where that is not known.
   virtual std::optional<std::int64_t> count_at_start(int /*kind*/, const Level& /*level*/,
                                                      const IndexBox& /*cells*/) const {

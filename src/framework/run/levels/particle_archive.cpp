@@ -17,6 +17,7 @@ std::vector<Label> labels_of(const ParticleKind& kind) {
   std::vector<Label> labels;
   for (const ParticleAttribute& a : kind.attributes) labels.push_back(a.label);
   for (const DerivedAttribute& d : kind.derived) labels.push_back(d.label);
+  if (kind.present) labels.push_back(kind.home);
   return labels;
 }
 
@@ -127,7 +128,9 @@ void ParticleCloud::add_pieces(const Wanted& wanted, ParticlePieces& to) const {
         place.level = l;
         place.box_id = store.box(l, b).id;
         BoxPieces pieces(place, store, b, to);
-        for (int d = 0; d < 3; ++d) pieces.add(particle_labels().position, d, set.coordinates(d));
+        const Label home = kind.present ? kind.home : particle_labels().position;
+        for (int d = 0; d < 3; ++d) pieces.add(home, d, set.coordinates(d));
+        if (kind.present) pieces.add_derived(*kind.present);
         pieces.add_own(particle_labels().id, 0, {set.ids().begin(), set.ids().end()});
         std::size_t column = 0;
         for (const ParticleAttribute& a : kind.attributes) {
@@ -165,7 +168,7 @@ void ParticleCloud::restore(const ArchiveStep& checkpoint, const Levels& levels)
       const auto values = [&](Label label) {
         return read_values(checkpoint, label, what.material, l);
       };
-      const auto x = values(particle_labels().position);
+      const auto x = values(what.present ? what.home : particle_labels().position);
       const auto ids = values(particle_labels().id);
       std::vector<std::vector<double>> attributes;  // columns
       for (const ParticleAttribute& a : what.attributes) {
@@ -185,6 +188,7 @@ void ParticleCloud::restore(const ArchiveStep& checkpoint, const Levels& levels)
     }
   }
   settle();
+  method_->laid_out(*this, levels.front()->team());
 }
 
 }  // namespace sluice

@@ -66,11 +66,13 @@ void ParticleCloud::succeed(const ParticleCloud& earlier, const Levels& levels) 
   }
   lay_out(levels);
   settle();
+  method_->laid_out(*this, levels.front()->team());
 }
 
 void ParticleCloud::follow(const Levels& levels) {
   lay_out(levels);
   settle();
+  method_->laid_out(*this, levels.front()->team());
 }
 
 void ParticleCloud::start(const Levels& levels, double time) {
@@ -91,6 +93,7 @@ void ParticleCloud::start(const Levels& levels, double time) {
   for (Kind& kind : kinds_)
     for (int l = 0; l < kind.store.level_count(); ++l)
       for (int b = 0; b < kind.store.box_count(l); ++b) kind.store.set(l, b).shrink();
+  method_->laid_out(*this, levels.front()->team());
 }
 
 Reflects ParticleCloud::reflects(int kind, const Level& level) const {
