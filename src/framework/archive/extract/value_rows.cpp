@@ -11,7 +11,7 @@
 namespace sluice {
 namespace {
 
-constexpr std::size_t rows_at_once = 1 << 20;  // bytes
+constexpr std::size_t bytes_at_once = 1 << 20;  // bytes
 
 }  // namespace
 
@@ -64,7 +64,7 @@ void ValueRows::add_nothing() {
 void ValueRows::end_row() {
   for (Target& t : targets_) {
     t.text += t.form == TextForm::csv ? "\n" : "]";
-    if (t.text.size() < rows_at_once) continue;
+    if (t.text.size() < bytes_at_once) continue;
     t.write(t.text);
     t.text.clear();
   }
