@@ -15,6 +15,7 @@ packages_of() {
     verify)
       echo clang-16 libclang-rt-16-dev libomp-16-dev # SUNDIALS asks for OpenMP of any compiler
       echo xvfb xauth libgl1-mesa-dri graphviz
+      echo chromium-headless-shell # opens reports of runs, as users' browsers will
       ;;
     package) echo dpkg-dev fakeroot ;; # they tell cpack which libraries a package needs
     all) for group in core test lint bench verify package; do packages_of $group; done ;;
@@ -28,7 +29,7 @@ reason_for() {
     test) echo "ParaView, to read exports back" ;;
     lint) echo "clang-format and clang-tidy" ;;
     bench) echo "instruction counts and kernel benchmarks" ;;
-    verify) echo "clang for fuzzing, a screen for ParaView, dot for graphs of tasks" ;;
+    verify) echo "clang for fuzzing, a screen for ParaView, dot for graphs of tasks, a browser" ;;
     package) echo "tools that make a Debian package" ;;
     *) echo "everything" ;;
   esac

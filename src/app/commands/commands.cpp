@@ -22,6 +22,7 @@ void declare_norms_command(Command& command);
 void declare_plan_command(Command& command);
 void declare_plot_command(Command& command);
 void declare_regress_command(Command& command);
+void declare_report_command(Command& command);
 void declare_stability_command(Command& command);
 void declare_tune_command(Command& command);
 
@@ -53,6 +54,8 @@ constexpr CommandKind kinds[] = {
     {"plot", "Draw archives: profiles, planes, particles, histories", declare_plot_command},
     {"regress", "Compare short cases with golden results, and with restarts, splits and ranks",
      declare_regress_command},
+    {"report", "Write one HTML page of a run: deck, plan, costs, conservation, events, pictures",
+     declare_report_command},
     {"stability",
      "Run hard cases over sweeps of step, resolution and stiffness, and draw where they hold;\nof "
      "a "

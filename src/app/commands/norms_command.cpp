@@ -24,7 +24,7 @@ struct NormsRequest {
   NormsOptions options;
 };
 
-constexpr const char* norm_names[3] = {"L1", "L2", "Linf"};
+constexpr const char* order_norms[3] = {"L1", "L2", "Linf"};
 
 void write_text_to(const std::string& target, const std::string& text) {
   TextSink sink(target);
@@ -82,7 +82,7 @@ std::string csv_of(const OrderResult& result) {
   for (const OrderRow& r : result.rows)
     for (std::size_t k = 0; k < 3; ++k)
       text += fmt::format("{:.17g},{},{},{},{},{:.17g},{:.17g},{:.17g},{:.17g}\n", r.time,
-                          r.material, r.label, r.points, norm_names[k], r.norms[k].coarse,
+                          r.material, r.label, r.points, order_norms[k], r.norms[k].coarse,
                           r.norms[k].fine, r.norms[k].order, r.norms[k].error);
   return text;
 }
@@ -93,10 +93,10 @@ Json json_of(const OrderResult& result, const std::array<std::string, 3>& names)
   for (const OrderRow& r : result.rows) {
     Json row{{"time", r.time}, {"material", r.material}, {"label", r.label}, {"points", r.points}};
     for (std::size_t k = 0; k < 3; ++k)
-      row[norm_names[k]] = {{"coarse_middle", r.norms[k].coarse},
-                            {"middle_fine", r.norms[k].fine},
-                            {"order", r.norms[k].order},
-                            {"error", r.norms[k].error}};
+      row[order_norms[k]] = {{"coarse_middle", r.norms[k].coarse},
+                             {"middle_fine", r.norms[k].fine},
+                             {"order", r.norms[k].order},
+                             {"error", r.norms[k].error}};
     rows.push_back(row);
   }
   return {{"archives", archives}, {"cells", result.cells}, {"orders", rows}};

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 struct PlanRequest {
   RunOptionValues run;
   std::string deck, graph;
-  int ranks = 1;
+  int ranks = 1, max_steps = 0;
   bool json = false, every_graph = false;
 };
 
@@ -60,6 +60,7 @@ int plan(const PlanRequest& o) {
   if (o.every_graph && o.graph.empty())
     throw InputError("--every-graph takes effect with --graph FILE alone");
   if (o.ranks < 1) throw InputError("--ranks takes a number of at least 1");
+  if (o.max_steps < 0) throw InputError("--max-steps takes a number of at least 1");
   check_run_options(o.run);
   const auto loaded =
       load_scene(o.deck, o.run.overrides, o.run.scene_options(o.ranks), o.run.warnings());
@@ -68,6 +69,7 @@ int plan(const PlanRequest& o) {
   options.threads = o.run.threads;
   options.force_all = o.run.force_all;
   options.output = !o.run.no_output;
+  options.max_steps = o.max_steps;
   options.block = o.run.block_extents();
   RunPlan plan = plan_run(*loaded, options);
   if (loaded->deck.root->child("MPM") != nullptr)
@@ -90,6 +92,7 @@ void declare_plan_command(Command& command) {
   command.flag("--every-graph", o->every_graph,
                "With --graph: the graphs of each level, kind of blocks and variant of the step");
   command.option("--ranks", o->ranks, "Plan for this number of ranks");
+  command.option("--max-steps", o->max_steps, "Plan for a run that ends after this step");
   add_run_options(command, o->run);
   command.action([o] { return plan(*o); });
 }

@@ -65,7 +65,7 @@ std::string limits_text(const RunPlan& p) {
   if (p.first_dt)
     text += fmt::format("  first step {:.6g}; about {} steps at this size\n", *p.first_dt,
                         human_count(static_cast<std::int64_t>(p.estimated_steps)));
-  return text;
+  return text + cost_text(p.cost);
 }
 
 std::string memory_text(const RunPlan& p) {
@@ -162,6 +162,25 @@ Json limits_json(const RunPlan& p) {
   Json first = nullptr;
   if (p.first_dt) first = *p.first_dt;
   return {{"rules", rules}, {"first_step", first}, {"estimated_steps", p.estimated_steps}};
+}
+
+Json cost_json(const PlannedCost& c) {
+  if (!c.known) return nullptr;
+  return {{"seconds", c.seconds()},
+          {"start_s", c.start_s},
+          {"stepping_s", c.stepping_s},
+          {"output_s", c.output_s},
+          {"steps", c.steps.steps},
+          {"outputs", c.steps.outputs},
+          {"checkpoints", c.steps.checkpoints},
+          {"cell_updates_per_step", c.cell_updates},
+          {"ns_per_cell", c.cell_ns},
+          {"ns_per_particle", c.particle_ns},
+          {"machine_factor", c.machine},
+          {"from_rest", c.from_rest},
+          {"archive_bytes", c.bytes()},
+          {"outputs_bytes", c.outputs_bytes},
+          {"checkpoints_bytes", c.checkpoints_bytes}};
 }
 
 Json memory_json(const RunPlan& p) {
@@ -265,6 +284,7 @@ std::string plan_json(const RunPlan& p) {
                        {"line", json_location(p.skipping_where)}}},
                      {"outputs", outputs_json(p)},
                      {"time_step", limits_json(p)},
+                     {"cost", cost_json(p.cost)},
                      {"memory", memory_json(p)}};
   return json.dump(2) + "\n";
 }

@@ -316,6 +316,7 @@ class Planner {
       add("end_at_max_time_exactly", fmt::format("{:g}", t.max_time),
           first.set_by(TimeLimit::max_time));
     if (!physics) return;
+    plan_.physics = physics;
     plan_.first_dt = first.dt;
     plan_.first_dt_reason = by_physics ? physics->reason : "deck";
     const double typical =
@@ -359,6 +360,7 @@ RunPlan plan_run(const LoadedScene& loaded, const PlanOptions& options) {
   RunPlan plan = Planner(loaded, options).plan();
   plan.deck = loaded.deck.file;
   plan.parts = plan_parts(loaded);
+  plan.cost = cost_of(plan, loaded, options.max_steps);
   return plan;
 }
 

@@ -11,6 +11,7 @@
 
 #include "app/loading/scene_loader.hpp"
 #include "app/plan/best_settings.hpp"
+#include "app/plan/planned_cost.hpp"
 #include "app/plan/planned_hierarchy.hpp"
 #include "app/plan/planned_memory.hpp"
 #include "app/plan/planned_particles.hpp"
@@ -25,6 +26,7 @@ struct PlanOptions {
   int threads = 1;
   bool force_all = false;
   bool output = true;  // --no-output
+  int max_steps = 0;   // 0: to the end of the deck
   IntVec3 block{};
   std::int64_t max_cells_for_limits = 20'000'000;  // more: the first step is not predicted
   std::int64_t max_cells_for_levels = 2'000'000;   // more: adaptive levels are not predicted
@@ -79,14 +81,19 @@ struct RunPlan {
   std::string skipping_reason;
   Location skipping_where;
   std::vector<PlannedLimit> limits;
-  std::optional<double> first_dt;  // s
+  std::optional<StepLimit> physics;  // of the first step
+  std::optional<double> first_dt;    // s
   std::string first_dt_reason;
   double estimated_steps = 0;  // how many
+  PlannedCost cost;
   PlannedMemory memory;
   std::string dot;
 };
 
 RunPlan plan_run(const LoadedScene& loaded, const PlanOptions& options);
+
+// Of a plan that is otherwise complete; not known where the first step is not.
+PlannedCost cost_of(const RunPlan& plan, const LoadedScene& loaded, int max_steps);
 
 // For people and for scripts.
 std::string plan_text(const RunPlan& plan);

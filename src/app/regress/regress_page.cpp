@@ -5,32 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/process/html_text.hpp"
 #include "framework/base/console.hpp"
 #include "framework/base/json.hpp"
 #include "framework/base/utc_time.hpp"
 
 namespace sluice {
 namespace {
-
-std::string html_text(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
-}
 
 const RegressCheck* check_named(const RegressResult& r, const std::string& name) {
   const auto found = std::find_if(r.checks.begin(), r.checks.end(),
