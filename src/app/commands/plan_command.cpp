@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <filesystem>
-#include <fstream>
 #include <memory>
 
 #include "app/command/command_line.hpp"
@@ -11,6 +10,7 @@
 #include "app/plan/planned_graph.hpp"
 #include "app/plan/run_plan.hpp"
 #include "app/process/study_process.hpp"
+#include "app/process/text_sink.hpp"
 #include "framework/base/error.hpp"
 
 namespace sluice {
@@ -22,21 +22,14 @@ struct PlanRequest {
   RunOptionValues run;
   std::string deck, graph;
   int ranks = 1, max_steps = 0;
-  bool json = false, every_graph = false;
+  std::string json;
+  bool every_graph = false;
 };
-
-void write_file(const fs::path& path, const std::string& text) {
-  std::ofstream out(path);
-  out << text;
-  if (!out.flush())
-    throw SystemError(
-        fmt::format("cannot write {}; is its folder there and writable?", path.string()));
-}
 
 void write_graph(const std::string& file, const std::string& dot) {
   const fs::path path = file;
   if (path.extension() == ".dot") {
-    write_file(path, dot);
+    write_text(path.string(), dot);
     return;
   }
   if (path.extension() != ".svg")
@@ -48,7 +41,7 @@ void write_graph(const std::string& file, const std::string& dot) {
                     "install graphviz); a .dot file does not",
                     file, program));
   const fs::path source = path.string() + ".dot";
-  write_file(source, dot);
+  write_text(source.string(), dot);
   ProcessRequest request;
   request.words = {program, "-Tsvg", "-o", path.string(), source.string()};
   const int status = run_process(request);
@@ -78,7 +71,8 @@ int plan(const PlanRequest& o) {
     write_graph(o.graph, o.every_graph ? to_dot(every_graph(*loaded->component, loaded->scene),
                                                 loaded->component->effects())
                                        : plan.dot);
-  fmt::print("{}", o.json ? plan_json(plan) : plan_text(plan));
+  if (!o.json.empty()) write_text(o.json, plan_json(plan));
+  if (o.json != "-") fmt::print("{}", plan_text(plan));
   return 0;
 }
 
@@ -87,7 +81,7 @@ int plan(const PlanRequest& o) {
 void declare_plan_command(Command& command) {
   auto o = std::make_shared<PlanRequest>();
   command.option("DECK", o->deck, "Deck (.ups)").required();
-  command.flag("--json", o->json, "As JSON, for scripts");
+  command.json(o->json, "As JSON, for scripts");
   command.option("--graph", o->graph, "Write the task graph to FILE.dot or FILE.svg");
   command.flag("--every-graph", o->every_graph,
                "With --graph: the graphs of each level, kind of blocks and variant of the step");
