@@ -75,9 +75,9 @@ PointFile read_point_file(const std::string& file, PointFormat format,
     if (n == 0)
       throw InputError(fmt::format(
           "file: unknown variable '{}'; known are p.volume, p.temperature, p.color, "
-          "p.externalforce, p.fiberdir, p.rvec1, p.rvec2, p.rvec3, p.velocity, p.loadCurveID and "
-          "p.normal",
-          "p.displacement", v));
+          "p.externalforce, p.fiberdir, p.rvec1, p.rvec2, p.rvec3, p.velocity, p.loadCurveID, "
+          "p.normal and p.displacement",
+          v));
     if (n == 1)
       columns.push_back(v);
     else

@@ -44,61 +44,55 @@ struct RowsInWork {
 // Lists of neighbours of the points of a chunk become rows.
 class RowWriter {
  public:
-  RowWriter(RowsInWork& rows, const PointTable& points) : rows_(&rows), points_(&points) {}
+  explicit RowWriter(RowsInWork& rows) : rows_(&rows) {}
 
   void write(BondChunk& chunk, const std::vector<Neighbour> (&lists)[8]) {
     chunk.begin = static_cast<std::uint32_t>(rows_->base.size());
     std::size_t longest = 0;
-    for (int l = 0; l < chunk.lanes; ++l) {
-      longest = std::max(longest, lists[l].size());
-      for (const Neighbour& n : lists[l])
-        chunk.meets_ghosts = chunk.meets_ghosts || !points_->is_own(n.entry);
-    }
-    join_offsets(chunk, lists);
-    if (static_cast<double>(offsets_.size()) <= aligned_excess * static_cast<double>(longest))
-      write_aligned(chunk, lists);
-    else
-      write_gathered(chunk, lists, longest);
+    for (int l = 0; l < chunk.lanes; ++l) longest = std::max(longest, lists[l].size());
+    if (!write_aligned(chunk, lists, longest)) write_gathered(chunk, lists, longest);
     chunk.end = static_cast<std::uint32_t>(rows_->base.size());
   }
 
  private:
-  // All offsets of neighbours from their points, rising, each once.
-  void join_offsets(const BondChunk& chunk, const std::vector<Neighbour> (&lists)[8]) {
+  // A row for each offset of neighbours from their points, rising as the neighbours of each point
+  // do. False, and nothing is written, where there are too many.
+  bool write_aligned(const BondChunk& chunk, const std::vector<Neighbour> (&lists)[8],
+                     std::size_t longest) {
     constexpr int none = std::numeric_limits<int>::max();
-    std::size_t next[8] = {};
-    int heads[8];
-    const auto head = [&](int l) {
-      const std::size_t n = static_cast<std::size_t>(l);
-      return l < chunk.lanes && next[n] < lists[n].size()
-                 ? lists[n][next[n]].entry - chunk.first - l
-                 : none;
-    };
-    for (int l = 0; l < 8; ++l) heads[l] = head(l);
-    offsets_.clear();
-    for (;;) {
+    const std::size_t before = rows_->base.size();
+    const auto most = static_cast<std::size_t>(aligned_excess * static_cast<double>(longest));
+    const Neighbour *next[8] = {}, *end[8] = {};
+    int heads[8], entry[8];
+    for (int l = 0; l < 8; ++l) {
+      const bool has = l < chunk.lanes && !lists[l].empty();
+      entry[l] = chunk.first + l;
+      heads[l] = has ? lists[l].front().entry - entry[l] : none;
+      if (has) next[l] = lists[l].data();
+      if (has) end[l] = next[l] + lists[l].size();
+    }
+    for (std::size_t rows = 0;; ++rows) {
       int least = none;
       for (const int h : heads) least = std::min(least, h);
-      if (least == none) return;
-      offsets_.push_back(least);
-      for (int l = 0; l < 8; ++l)
-        if (heads[l] == least) {
-          ++next[static_cast<std::size_t>(l)];
-          heads[l] = head(l);
-        }
+      if (least == none) return true;
+      if (rows == most) break;
+      double r[8];
+      float w[8];
+      for (int l = 0; l < 8; ++l) {
+        const bool has = heads[l] == least;
+        r[l] = has ? next[l]->r : 1.0;
+        w[l] = has && !next[l]->cut ? next[l]->w : 0.0f;
+        if (has) ++next[l];
+        if (has) heads[l] = next[l] < end[l] ? next[l]->entry - entry[l] : none;
+      }
+      rows_->base.push_back(chunk.first + least);
+      rows_->r.insert(rows_->r.end(), r, r + 8);
+      rows_->w.insert(rows_->w.end(), w, w + 8);
     }
-  }
-  // A row for each offset of an entry, which rises as the neighbours of each point do.
-  void write_aligned(const BondChunk& chunk, const std::vector<Neighbour> (&lists)[8]) {
-    std::size_t next[8] = {};
-    for (const int offset : offsets_) {
-      rows_->base.push_back(chunk.first + offset);
-      add_row();
-      for (std::size_t l = 0; l < static_cast<std::size_t>(chunk.lanes); ++l)
-        if (next[l] < lists[l].size() &&
-            lists[l][next[l]].entry == chunk.first + offset + static_cast<int>(l))
-          put(l, lists[l][next[l]++]);
-    }
+    rows_->base.resize(before);
+    rows_->r.resize(8 * before);
+    rows_->w.resize(8 * before);
+    return false;
   }
   void write_gathered(const BondChunk& chunk, const std::vector<Neighbour> (&lists)[8],
                       std::size_t longest) {
@@ -122,8 +116,6 @@ class RowWriter {
   }
 
   RowsInWork* rows_;
-  const PointTable* points_;
-  std::vector<int> offsets_;
 };
 
 // What threads find wrong; the first is thrown.
@@ -162,7 +154,7 @@ class TileMaker {
   void make(std::span<const BondChunk> chunks, Families& all, BondTile& tile, BondMemory& memory) {
     FamilySearch search(*points_, *rows_, *scene_);
     made_.clear();
-    RowWriter writer(made_, *points_);
+    RowWriter writer(made_);
     for (const BondChunk& from : chunks) {
       BondChunk& chunk = tile.chunks.emplace_back(from);
       for (int l = 0; l < chunk.lanes; ++l) {
@@ -183,15 +175,22 @@ class TileMaker {
  private:
   // m = sum w r^2 V, S = sum w r V.
   void add(std::size_t i, const std::vector<Neighbour>& list, FamilySums& sums) {
+    double m = 0, S = 0, volume = 0, intact = 0;
+    int whole = 0;
     for (const Neighbour& n : list) {
       const double V = points_->V[static_cast<std::size_t>(n.entry)], w = n.w;
-      sums.m[i] += w * n.r * n.r * V;
-      sums.s[i] += w * n.r * V;
-      sums.volume[i] += n.beta * V;
-      if (!n.cut) sums.intact[i] += n.beta * V;
-      sums.neighbours[i] += n.cut ? 0 : 1;
-      cut += n.cut ? 1 : 0;
+      m += w * n.r * n.r * V;
+      S += w * n.r * V;
+      volume += n.beta * V;
+      intact += n.cut ? 0 : n.beta * V;
+      whole += n.cut ? 0 : 1;
     }
+    sums.m[i] = m;
+    sums.s[i] = S;
+    sums.volume[i] = volume;
+    sums.intact[i] = intact;
+    sums.neighbours[i] = whole;
+    cut += static_cast<std::int64_t>(list.size()) - whole;
     bonds += static_cast<std::int64_t>(list.size());
     largest = std::max(largest, static_cast<int>(list.size()));
   }

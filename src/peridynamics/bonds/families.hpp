@@ -23,7 +23,6 @@ struct BondChunk {
   int first = 0;                     // entry of its first point
   int lanes = 8;                     // how many points
   std::uint32_t begin = 0, end = 0;  // rows
-  bool meets_ghosts = false;
 };
 
 // The piece of work of a thread; its arrays lie in the memory of the families.

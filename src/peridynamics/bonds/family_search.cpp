@@ -108,10 +108,14 @@ void FamilySearch::find(int entry, std::vector<Neighbour>& found) {
                         p.id[i], p.id[j], x.x, x.y, x.z));
       const float w = rule_.weight(r, delta, spacing);
       if (!(w > 0)) continue;
-      Neighbour n{k, w, false, r, rule_.beta(r, delta, spacing)};
+      // Member by member: to copy one that was just made waits for its parts.
+      Neighbour& n = found.emplace_back();
+      n.entry = k;
+      n.w = w;
+      n.r = r;
+      n.beta = rule_.beta(r, delta, spacing);
       for (const PreCrack& crack : scene_->precracks)
         n.cut = n.cut || crosses(crack, x, {p.X[0][j], p.X[1][j], p.X[2][j]}, margin);
-      found.push_back(n);
     }
   }
 }

@@ -29,6 +29,7 @@ struct BondRule {
   // A neighbour on the edge of the horizon belongs to the family.
   double beta(double r, double delta, double dx) const {
     if (partial_volume == PartialVolume::none) return r <= delta * (1 + 1e-10) ? 1 : 0;
+    if (r <= delta - 0.5 * dx) return 1;
     return std::clamp((delta + 0.5 * dx - r) / dx, 0.0, 1.0);
   }
   // As it is kept.
