@@ -93,7 +93,7 @@ TEST_P(FaultyLine, EndsAsRecorded) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, FaultyLine, testing::ValuesIn(recorded()),
-                         [](const auto& info) { return fmt::format("Line{:02}", info.index + 1); });
+                         [](const auto& line) { return fmt::format("Line{:02}", line.index + 1); });
 
 // A faulty line is bad input, or names a file that the system refuses; something is said of it.
 TEST(FaultyLines, AreSixtyAndSaySomething) {
