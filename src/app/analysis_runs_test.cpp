@@ -68,8 +68,8 @@ class AnalysisRuns : public ArchiveRuns {
     for (const auto& entry : fs::recursive_directory_iterator(archive)) {
       const std::string name = fs::relative(entry.path(), archive).string();
       const std::string end = entry.path().extension().string();
-      if (!entry.is_regular_file() || end == ".xml" || end == ".h5" || end == ".json" ||
-          name == "levels.txt")
+      if (!entry.is_regular_file() || end == ".xml" || end == ".h5" || end == ".xmf" ||
+          end == ".json" || name == "levels.txt")
         continue;
       found[name] = text_of(entry.path());
     }

@@ -185,8 +185,12 @@ std::vector<PathStep> steps_from_root(const std::vector<PathStep>& steps, const 
   if (in_schema.found().size() == 1) return joined(in_schema.found().front(), steps);
   if (in_schema.found().size() > 1)
     refuse_several(in_schema.found(), steps, "the format, and the deck has none of them");
-  throw OverrideFault{fmt::format("no deck has a tag '{}'", text_of(steps)),
-                      suggest_name(steps.back().name, in_schema.names())};
+  const std::vector<std::string> names = in_schema.names();
+  const auto unknown = std::find_if(steps.begin(), steps.end(), [&](const PathStep& step) {
+    return std::find(names.begin(), names.end(), step.name) == names.end();
+  });
+  const std::string hint = unknown == steps.end() ? "" : suggest_name(unknown->name, names);
+  throw OverrideFault{fmt::format("no deck has a tag '{}'", text_of(steps)), hint};
 }
 
 }  // namespace sluice
