@@ -16,6 +16,7 @@
 #include "app/process/python_tool.hpp"
 #include "app/process/run_journal.hpp"
 #include "app/process/study_process.hpp"
+#include "app/process/text_sink.hpp"
 #include "app/study/study.hpp"
 #include "app/study/study_measure.hpp"
 #include "app/study/study_report.hpp"
@@ -105,20 +106,12 @@ StudyReport measure(const Study& study, const AccuracyRequest& request, const fs
   return report;
 }
 
-void make_folder(const fs::path& folder) {
-  std::error_code fault;
-  fs::create_directories(folder, fault);
-  if (fault)
-    throw SystemError(fmt::format("cannot make the folder {}: {}; name another with -o",
-                                  folder.string(), fault.message()));
-}
-
 // Error bars of a deck from its own ladder of resolutions.
 int accuracy_of_deck(const AccuracyRequest& request) {
   const std::string stem = fs::path(request.study).stem().string();
   const fs::path folder = request.folder.empty() ? stem + ".accuracy" : request.folder;
   DeckLadder ladder(own_executable(), request.study, request.overrides, folder);
-  make_folder(folder);
+  make_output_folder(folder);
   const DeckAccuracy found = measure_accuracy(ladder, request.study);
   fmt::print("{}: error bars from runs at several resolutions, relative to the mean size\n\n{}\n",
              found.title, accuracy_table(found));
@@ -138,7 +131,7 @@ int accuracy(const AccuracyRequest& request) {
   require_measurable(study);
   const std::string stem = fs::path(request.study).stem().string();
   const fs::path folder = request.folder.empty() ? stem + ".accuracy" : request.folder;
-  make_folder(folder);
+  make_output_folder(folder);
   fmt::print("{}: {} of {}, {}\n", study.title, study.norm, study.variable, study.deck);
   const StudyReport report = measure(study, request, folder);
   fmt::print("\n{}\n{}\n", runs_table(report), targets_table(report));

@@ -151,11 +151,7 @@ int compare_archives(CompareRequest& r) {
                            {"not_comparable", histories.not_comparable}};
     status = std::max(status, histories.exit_status());
   }
-  if (!r.json.empty()) {
-    TextSink sink(r.json);
-    sink.write(report.dump(2) + "\n");
-    sink.close();
-  }
+  if (!r.json.empty()) write_text(r.json, report.dump(2) + "\n");
   return status;
 }
 

@@ -153,9 +153,7 @@ void extract_history(const ExtractRequest& r) {
     sink.close();
   }
   if (r.json.empty()) return;
-  TextSink sink(r.json);
-  sink.write(json_of(sample, table).dump() + "\n");
-  sink.close();
+  write_text(r.json, json_of(sample, table).dump() + "\n");
 }
 
 // Files that are opened with the first row: a box without a point leaves an earlier one as it is.

@@ -26,12 +26,6 @@ struct NormsRequest {
 
 constexpr const char* order_norms[3] = {"L1", "L2", "Linf"};
 
-void write_text_to(const std::string& target, const std::string& text) {
-  TextSink sink(target);
-  sink.write(text);
-  sink.close();
-}
-
 std::string level_text(int level) {
   return level == all_levels ? "all" : std::to_string(level);
 }
@@ -153,8 +147,8 @@ void orders(const NormsRequest& r) {
   const std::array<std::string, 3> names = {r.first, r.second, r.third};
   const Archive a = Archive::open(r.first), b = Archive::open(r.second), c = Archive::open(r.third);
   const OrderResult result = observed_orders({&a, &b, &c}, r.options);
-  if (!r.csv.empty()) write_text_to(r.csv, csv_of(result));
-  if (!r.json.empty()) write_text_to(r.json, json_of(result, names).dump(2) + "\n");
+  if (!r.csv.empty()) write_text(r.csv, csv_of(result));
+  if (!r.json.empty()) write_text(r.json, json_of(result, names).dump(2) + "\n");
   if (r.csv.empty() && r.json.empty()) print_orders(result, names);
   print_notes(result.notes, result.skipped);
 }
@@ -168,8 +162,8 @@ void norms(NormsRequest& r) {
   const NormsResult result =
       difference_norms(Archive::open(r.first), Archive::open(r.second), r.options);
   print_times(result);
-  if (!r.csv.empty()) write_text_to(r.csv, csv_of(result.rows));
-  if (!r.json.empty()) write_text_to(r.json, json_of(result.rows).dump(2) + "\n");
+  if (!r.csv.empty()) write_text(r.csv, csv_of(result.rows));
+  if (!r.json.empty()) write_text(r.json, json_of(result.rows).dump(2) + "\n");
   if (r.csv.empty() && r.json.empty()) print_table(result.rows);
   print_notes(result.notes, result.skipped);
 }

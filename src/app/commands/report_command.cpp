@@ -22,9 +22,7 @@ int report(ReportRequest& r) {
   r.page.labels = split_names(r.labels);
   r.page.pictures = !r.no_pictures;
   const RunPage page = run_page(r.page);
-  TextSink sink(r.output);
-  sink.write(page.html);
-  sink.close();
+  write_text(r.output, page.html);
   for (const std::string& note : page.notes) fmt::print(stderr, "sluice report: note: {}\n", note);
   if (r.output != "-")
     fmt::print("{}: {} pictures, {}\n", r.output, page.pictures,

@@ -193,13 +193,7 @@ int stability(const StabilityRequest& o) {
   const bool of_deck = std::any_of(o.names.begin(), o.names.end(), is_deck);
   if (!of_deck && !o.overrides.empty())
     throw InputError("--set goes with a deck; a case says itself what it sets");
-  if (!o.list) {
-    std::error_code fault;
-    fs::create_directories(o.folder, fault);
-    if (fault)
-      throw SystemError(fmt::format("cannot make the folder {}: {}; name another with -o", o.folder,
-                                    fault.message()));
-  }
+  if (!o.list) make_output_folder(o.folder);
   return of_deck ? run_deck_sweep(o) : run_all(o);
 }
 

@@ -153,9 +153,7 @@ std::string bytes_of(const std::string& file) {
 void write_copy(const TuneRequest& o, const TuneReport& report) {
   std::string text = bytes_of(o.deck);
   if (report.worth_it()) text = tuned_deck(text, o.deck, report.own, report.best()->settings);
-  TextSink sink(o.apply);
-  sink.write(text);
-  sink.close();
+  write_text(o.apply, text);
   load_scene(o.apply, o.overrides, {}, Warnings::hidden);
   fmt::print("{}: {}\n", report.worth_it() ? "tuned deck" : "copy of the deck", o.apply);
 }
@@ -211,11 +209,7 @@ int tune(TuneRequest o) {
   }
   report.seconds = clock();
   line.clear();
-  if (!o.json.empty()) {
-    TextSink sink(o.json);
-    sink.write(tune_json(report));
-    sink.close();
-  }
+  if (!o.json.empty()) write_text(o.json, tune_json(report));
   if (o.json != "-") fmt::print("{}", tune_text(report));
   if (!o.picture.empty()) draw(o, report);
   if (!o.apply.empty()) write_copy(o, report);

@@ -30,6 +30,14 @@ void TextSink::close() {
   if ((file == stdout ? std::fflush(file) : std::fclose(file)) != 0) fail();
 }
 
+void make_output_folder(const std::filesystem::path& folder) {
+  std::error_code fault;
+  std::filesystem::create_directories(folder, fault);
+  if (fault)
+    throw SystemError(fmt::format("cannot make the folder {}: {}; name another with -o",
+                                  folder.string(), fault.message()));
+}
+
 void write_text(const std::string& target, std::string_view text) {
   TextSink sink(target);
   sink.write(text);

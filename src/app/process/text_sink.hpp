@@ -1,6 +1,7 @@
 // Where a subcommand writes its result: a file, or standard output for "-".
 #pragma once
 #include <cstdio>
+#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -22,6 +23,8 @@ class TextSink {
   std::FILE* file_;
 };
 
+// The folder that -o names, with those above it. SystemError where it cannot be made.
+void make_output_folder(const std::filesystem::path& folder);
 // The whole text at once.
 void write_text(const std::string& target, std::string_view text);
 
